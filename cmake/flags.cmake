@@ -1,0 +1,20 @@
+# The flags that make native and wasm agree to the last bit: no contraction to FMA, the same CGAL arithmetic
+# (no GMP, round-to-nearest intervals, since WebAssembly has no other), no reordering by Eigen.
+add_compile_options(-ffp-contract=off)
+add_compile_definitions(
+  CGAL_DISABLE_GMP CGAL_ALWAYS_ROUND_TO_NEAREST EIGEN_DONT_VECTORIZE CGAL_NO_DEPRECATION_WARNINGS)
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+
+if(VOXTET_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+if(EMSCRIPTEN)
+  # With 3.1.6 -fwasm-exceptions together with -pthread loses every exception: this module has one thread.
+  add_compile_options(-fwasm-exceptions)
+  add_link_options(-fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=64MB)
+endif()
+
+add_library(voxtet_warnings INTERFACE)
+target_compile_options(voxtet_warnings INTERFACE -Wall -Wextra -Wpedantic)

@@ -1,0 +1,43 @@
+# Third-party code, each behind one target. Nothing of it is committed; scripts/setup installs it.
+
+# Header-only packages. Under Emscripten the system folder as a whole would drag glibc in, so only the packages'
+# own folders are linked into a private include directory.
+set(VOXTET_SYSTEM_INCLUDE /usr/include CACHE PATH "Where boost, CGAL, eigen3, nlohmann and CLI stand")
+set(voxtet_headers ${CMAKE_BINARY_DIR}/headers)
+file(MAKE_DIRECTORY ${voxtet_headers})
+foreach(pair boost:boost CGAL:CGAL eigen3/Eigen:Eigen nlohmann:nlohmann CLI:CLI)
+  string(REPLACE ":" ";" pair ${pair})
+  list(GET pair 0 from)
+  list(GET pair 1 to)
+  if(NOT EXISTS ${VOXTET_SYSTEM_INCLUDE}/${from})
+    message(FATAL_ERROR "${VOXTET_SYSTEM_INCLUDE}/${from} is missing: run scripts/setup, or set VOXTET_SYSTEM_INCLUDE")
+  endif()
+  file(CREATE_LINK ${VOXTET_SYSTEM_INCLUDE}/${from} ${voxtet_headers}/${to} SYMBOLIC)
+endforeach()
+add_library(voxtet_headers INTERFACE)
+target_include_directories(voxtet_headers SYSTEM INTERFACE ${voxtet_headers})
+
+if(NOT EXISTS ${TETGEN_SOURCE_DIR}/tetgen.cxx)
+  message(FATAL_ERROR "TetGen's sources are not in ${TETGEN_SOURCE_DIR}: run scripts/setup, or set TETGEN_SOURCE_DIR")
+endif()
+add_library(tetgen STATIC ${TETGEN_SOURCE_DIR}/tetgen.cxx ${TETGEN_SOURCE_DIR}/predicates.cxx)
+target_include_directories(tetgen SYSTEM PUBLIC ${TETGEN_SOURCE_DIR})
+target_compile_definitions(tetgen PUBLIC TETLIBRARY)
+target_compile_options(tetgen PRIVATE -w)
+# Shewchuk's predicates rely on every rounding being done as written.
+set_source_files_properties(${TETGEN_SOURCE_DIR}/predicates.cxx PROPERTIES COMPILE_OPTIONS -O0)
+
+if(EMSCRIPTEN)
+  if(NOT EXISTS ${ZLIB_SOURCE_DIR}/zlib.h)
+    message(FATAL_ERROR "zlib's sources are not in ${ZLIB_SOURCE_DIR}: run scripts/setup, or set ZLIB_SOURCE_DIR")
+  endif()
+  set(zlib_files adler32 compress crc32 deflate infback inffast inflate inftrees trees uncompr zutil)
+  list(TRANSFORM zlib_files PREPEND ${ZLIB_SOURCE_DIR}/)
+  list(TRANSFORM zlib_files APPEND .c)
+  add_library(zlib STATIC ${zlib_files})
+  target_include_directories(zlib SYSTEM PUBLIC ${ZLIB_SOURCE_DIR})
+  target_compile_options(zlib PRIVATE -w)
+  add_library(ZLIB::ZLIB ALIAS zlib)
+else()
+  find_package(ZLIB REQUIRED)
+endif()

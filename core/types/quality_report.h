@@ -1,0 +1,64 @@
+// The evidence: distributions of element measures, fidelity to the labels, and a pass/fail checklist.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "types/label_volume.h"
+
+namespace voxtet {
+
+/// Equal bins over [lo, hi]; values outside are counted in the first or last bin.
+struct Histogram {
+  double lo = 0, hi = 1;
+  std::vector<std::uint64_t> counts;
+};
+
+/// The distribution of one measure over elements. `worst` holds up to 100 element ids, worst first.
+struct MetricSummary {
+  std::string name;      ///< e.g. "min_dihedral_deg"
+  std::string unit;      ///< "deg", "mm", "1", "log2"
+  std::string elements;  ///< what was measured: "tets", "edges", "triangles"
+  std::uint64_t count = 0;
+  double min = 0, p01 = 0, p1 = 0, p5 = 0, median = 0, p95 = 0, p99 = 0, max = 0, mean = 0, sd = 0;
+  Histogram histogram;
+  std::vector<std::uint32_t> worst;
+};
+
+/// Distances from samples on one surface to another, mm. `uncertainty_mm` bounds what lies between samples.
+struct DistanceSummary {
+  std::uint64_t samples = 0;
+  double mean_mm = 0, rms_mm = 0, p95_mm = 0, max_mm = 0, uncertainty_mm = 0;
+};
+
+struct LabelFidelity {
+  Label label = 0;
+  std::uint64_t voxels = 0, tets = 0;
+  double voxel_mm3 = 0, mesh_mm3 = 0, volume_error_percent = 0;
+  double dice = 0;              ///< mesh sampled at voxel centres against the voxels
+  double median_edge_mm = 0;    ///< over edges of tets of this label
+  double wished_edge_mm = 0;    ///< median of the sizing field over the same edges' midpoints
+};
+
+struct ChecklistItem {
+  std::string name;  ///< e.g. "no_inverted_tets"
+  bool passed = false;
+  bool hard = true;  ///< a failed hard item makes the mesh unusable
+  std::string found, expected;
+};
+
+struct QualityReport {
+  std::vector<MetricSummary> metrics;
+  std::vector<LabelFidelity> labels;
+  DistanceSummary mesh_to_surface, surface_to_mesh;  ///< mesh boundary against the label surface
+  std::vector<ChecklistItem> checklist;
+
+  bool passed() const {
+    for (const ChecklistItem& item : checklist)
+      if (item.hard && !item.passed) return false;
+    return true;
+  }
+};
+
+}  // namespace voxtet

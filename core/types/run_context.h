@@ -1,0 +1,31 @@
+// What a stage may ask of its caller while it runs: progress, cancellation, warnings. No stage prints.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "types/result.h"
+
+namespace voxtet {
+
+/// Passed by reference into every stage. All callbacks are optional and are called on the stage's own thread.
+struct RunContext {
+  std::function<void(const std::string& stage, double fraction)> on_progress;  ///< fraction in [0, 1]
+  std::function<bool()> on_cancelled;                                          ///< true: stop soon
+  std::function<void(const std::string& stage, const std::string& message)> on_warning;
+
+  void progress(const std::string& stage, double fraction) const {
+    if (on_progress) on_progress(stage, fraction);
+  }
+  bool cancelled() const { return on_cancelled && on_cancelled(); }
+  void warn(const std::string& stage, const std::string& message) const {
+    if (on_warning) on_warning(stage, message);
+  }
+};
+
+/// The error every stage returns when `ctx.cancelled()` turned true.
+inline Error cancelled_error(const std::string& stage) {
+  return {ErrorCode::kCancelled, stage, "cancelled", {}};
+}
+
+}  // namespace voxtet
