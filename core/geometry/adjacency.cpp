@@ -1,0 +1,124 @@
+#include "geometry/adjacency.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace voxtet {
+namespace {
+
+/// Items in buckets by a key below `buckets`: two passes, no sort over all.
+template <class Item>
+class Buckets {
+ public:
+  explicit Buckets(std::size_t buckets) : start_(buckets + 1, 0) {}
+  void count(std::uint32_t key) { ++start_[key + 1]; }
+  void allocate() {
+    for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
+    fill_.assign(start_.begin(), start_.end() - 1);
+    items_.resize(start_.back());
+  }
+  void add(std::uint32_t key, const Item& item) { items_[fill_[key]++] = item; }
+  std::size_t size() const { return start_.size() - 1; }
+  std::span<Item> at(std::size_t key) {
+    return std::span<Item>(items_).subspan(start_[key], start_[key + 1] - start_[key]);
+  }
+
+ private:
+  std::vector<std::size_t> start_, fill_;
+  std::vector<Item> items_;
+};
+
+Edge ascending(std::uint32_t a, std::uint32_t b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+
+Triangle ascending(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  if (a > b) std::swap(a, b);
+  if (b > c) std::swap(b, c);
+  if (a > b) std::swap(a, b);
+  return {a, b, c};
+}
+
+template <class Visit>
+void for_edges(std::span<const Tet> tets, const Visit& visit) {
+  for (const Tet& t : tets)
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j) visit(ascending(t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(j)]));
+}
+
+template <class Visit>
+void for_faces(std::span<const Tet> tets, const Visit& visit) {
+  for (std::uint32_t i = 0; i < tets.size(); ++i) {
+    const auto& [a, b, c, d] = tets[i];
+    visit(ascending(b, c, d), i);
+    visit(ascending(a, c, d), i);
+    visit(ascending(a, b, d), i);
+    visit(ascending(a, b, c), i);
+  }
+}
+
+}  // namespace
+
+std::vector<Edge> tet_edges(std::span<const Tet> tets, std::size_t point_count) {
+  Buckets<std::uint32_t> buckets(point_count);
+  for_edges(tets, [&](const Edge& e) { buckets.count(e[0]); });
+  buckets.allocate();
+  for_edges(tets, [&](const Edge& e) { buckets.add(e[0], e[1]); });
+  std::vector<Edge> edges;
+  for (std::uint32_t low = 0; low < buckets.size(); ++low) {
+    const std::span<std::uint32_t> ends = buckets.at(low);
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      if (i == 0 || ends[i] != ends[i - 1]) edges.push_back({low, ends[i]});
+  }
+  return edges;
+}
+
+std::vector<TetFace> tet_faces(std::span<const Tet> tets, std::size_t point_count) {
+  struct Entry {
+    std::uint32_t middle, high, tet;
+  };
+  Buckets<Entry> buckets(point_count);
+  for_faces(tets, [&](const Triangle& f, std::uint32_t) { buckets.count(f[0]); });
+  buckets.allocate();
+  for_faces(tets, [&](const Triangle& f, std::uint32_t tet) { buckets.add(f[0], {f[1], f[2], tet}); });
+  std::vector<TetFace> faces;
+  for (std::uint32_t low = 0; low < buckets.size(); ++low) {
+    const std::span<Entry> entries = buckets.at(low);
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+      return a.middle != b.middle ? a.middle < b.middle : a.high != b.high ? a.high < b.high : a.tet < b.tet;
+    });
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const Entry& e = entries[i];
+      if (i > 0 && e.middle == entries[i - 1].middle && e.high == entries[i - 1].high) {
+        if (++faces.back().count == 2) faces.back().second = e.tet;
+      } else {
+        faces.push_back({{low, e.middle, e.high}, e.tet, TetFace::kNoTet, 1});
+      }
+    }
+  }
+  return faces;
+}
+
+std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles, std::size_t point_count) {
+  Buckets<std::uint32_t> buckets(point_count);
+  const auto for_each = [&](const auto& visit) {
+    for (const auto& [a, b, c] : triangles)
+      for (const Edge& e : {ascending(a, b), ascending(b, c), ascending(c, a)}) visit(e);
+  };
+  for_each([&](const Edge& e) { buckets.count(e[0]); });
+  buckets.allocate();
+  for_each([&](const Edge& e) { buckets.add(e[0], e[1]); });
+  std::vector<EdgeUse> uses;
+  for (std::uint32_t low = 0; low < buckets.size(); ++low) {
+    const std::span<std::uint32_t> ends = buckets.at(low);
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (i > 0 && ends[i] == ends[i - 1])
+        ++uses.back().count;
+      else
+        uses.push_back({{low, ends[i]}, 1});
+    }
+  }
+  return uses;
+}
+
+}  // namespace voxtet

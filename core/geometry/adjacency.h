@@ -1,0 +1,37 @@
+// Edges and faces of meshes, found in linear time by bucketing on the smallest corner.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+using Edge = std::array<std::uint32_t, 2>;  ///< ascending
+
+/// Each edge of the tetrahedra once, ascending. `point_count` bounds the corners.
+std::vector<Edge> tet_edges(std::span<const Tet> tets, std::size_t point_count);
+
+/// A face of a tetrahedral mesh and the tetrahedra on it.
+struct TetFace {
+  Triangle corners;               ///< ascending
+  std::uint32_t first = 0;        ///< the lowest tetrahedron on it
+  std::uint32_t second = kNoTet;  ///< the other one, or kNoTet
+  std::uint32_t count = 0;        ///< tetrahedra on it; above 2 the mesh is broken
+  static constexpr std::uint32_t kNoTet = 0xffffffffU;
+};
+
+/// Each face of the tetrahedra once, ascending by its corners.
+std::vector<TetFace> tet_faces(std::span<const Tet> tets, std::size_t point_count);
+
+/// How many of the triangles each edge of theirs has.
+struct EdgeUse {
+  Edge edge;
+  std::uint32_t count = 0;
+};
+std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles, std::size_t point_count);
+
+}  // namespace voxtet

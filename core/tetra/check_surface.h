@@ -1,0 +1,28 @@
+// What a surface must fulfil before it can be filled with tetrahedra.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "tetra/edge_groups.h"
+#include "types/result.h"
+#include "types/surface_mesh.h"
+
+namespace voxtet {
+
+/// Checks that need no adjacency: finite points, all used; valid, distinct corners; triangles with an area;
+/// the two sides of every triangle different and in order. kMeshing with the offending triangles.
+Status check_triangles(const SurfaceMesh& surface);
+
+/// Every label's boundary is closed: at each edge, the triangles bounding a label cancel. kMeshing with the
+/// triangles at open edges and the edges' midpoints.
+Status check_closed(const SurfaceMesh& surface, const EdgeGroups& edges);
+
+/// The sharpest angle between two triangles that share an edge: no tetrahedron there can have a larger
+/// smallest dihedral angle.
+struct SharpestEdge {
+  double angle_deg = 180;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+};
+SharpestEdge find_sharpest_edge(const SurfaceMesh& surface, const EdgeGroups& edges);
+
+}  // namespace voxtet

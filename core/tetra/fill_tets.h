@@ -1,0 +1,33 @@
+// Adapted surface -> tetrahedra that keep it.
+#pragma once
+
+#include "types/result.h"
+#include "types/run_context.h"
+#include "types/sizing_field.h"
+#include "types/surface_mesh.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+enum class TetBackend { kTetgen };
+
+struct FillParams {
+  TetBackend backend = TetBackend::kTetgen;
+  double radius_edge = 1.414;     ///< bound on circumradius over shortest edge
+  double min_dihedral_deg = 14;   ///< asked of the refinement, not guaranteed
+  double max_dihedral_deg = 145;  ///< aimed at by the mesher's own optimisation
+};
+
+/// Fills every label with tetrahedra whose edges follow `sizing`, keeping the surface's triangles exactly (no
+/// vertex is added on it; its points come first, unmoved). Tets carry the label enclosed by their part of the
+/// surface; background is left empty. Inner edges have a median length within some 5 % of the wish. Should
+/// the mesher fail, other tolerances and laxer angles are tried; ctx.warn says so, and where two triangles
+/// meet at a sharp angle. Polls ctx.cancelled() every few milliseconds while points are inserted or moved.
+/// Verified before returning: all volumes positive, boundary triangles unchanged, each label's volume equal
+/// to that enclosed by its boundary to 1e-9 relative. Errors: kMeshing with the offending triangles: open or
+/// self-intersecting surface, leak, internal failure; kOutOfMemory; kCancelled; kInternal for an invalid
+/// sizing field.
+Result<TetMesh> fill_tets(const SurfaceMesh& surface, const SizingField& sizing, const FillParams& params,
+                          RunContext& ctx);
+
+}  // namespace voxtet

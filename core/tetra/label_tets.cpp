@@ -1,0 +1,197 @@
+#include "tetra/label_tets.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace voxtet {
+namespace {
+
+constexpr std::size_t kMaxPlaces = 1000;
+constexpr double kVolumeTolerance = 1e-9;
+constexpr std::uint32_t kNone = 0xffffffffU;
+
+/// Corners of each face of a positive tet, its normal pointing outwards.
+constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+Error meshing_error(std::string message, const ErrorPlace& where = {}) {
+  return {ErrorCode::kMeshing, "tetra", std::move(message), where};
+}
+
+Eigen::Vector3d centroid(const SurfaceMesh& surface, std::uint32_t t) {
+  const auto [a, b, c] = surface.triangles[t];
+  return (surface.points[a] + surface.points[b] + surface.points[c]) / 3;
+}
+
+/// Rotates so that the smallest index comes first: orientation is kept.
+Triangle canonical(const Triangle& t) {
+  if (t[0] < t[1] && t[0] < t[2]) return t;
+  return t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
+}
+
+/// Finds a triangle by its corners: those with the same lowest corner lie together.
+class TriangleIndex {
+ public:
+  explicit TriangleIndex(const SurfaceMesh& surface) : first_(surface.points.size() + 1, 0) {
+    for (const Triangle& t : surface.triangles) ++first_[canonical(t)[0] + 1];
+    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    entries_.resize(surface.triangles.size());
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+      const Triangle c = canonical(surface.triangles[t]);
+      entries_[next[c[0]]++] = {c[1], c[2], t};
+    }
+  }
+
+  /// The triangle with these corners and whether it has the same orientation; kNone where there is none.
+  std::pair<std::uint32_t, bool> find(const Triangle& corners) const {
+    const Triangle c = canonical(corners);
+    for (std::uint32_t e = first_[c[0]]; e < first_[c[0] + 1]; ++e) {
+      if (entries_[e][0] == c[1] && entries_[e][1] == c[2]) return {entries_[e][2], true};
+      if (entries_[e][0] == c[2] && entries_[e][1] == c[1]) return {entries_[e][2], false};
+    }
+    return {kNone, false};
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;
+  std::vector<std::array<std::uint32_t, 3>> entries_;
+};
+
+/// Calls visit(tet, triangle, behind) for every face of a tet that is a triangle of the surface; behind: the
+/// tet lies where sides[0] stands.
+template <class Visit>
+void for_each_boundary_face(const SurfaceMesh& surface, const std::vector<Tet>& tets, Visit&& visit) {
+  const TriangleIndex index(surface);
+  const std::uint32_t n = static_cast<std::uint32_t>(surface.points.size());
+  for (std::uint32_t t = 0; t < tets.size(); ++t) {
+    const Tet& tet = tets[t];
+    if ((tet[0] >= n) + (tet[1] >= n) + (tet[2] >= n) + (tet[3] >= n) > 1) continue;
+    for (const auto& face : kFaces) {
+      const Triangle corners{tet[static_cast<std::size_t>(face[0])], tet[static_cast<std::size_t>(face[1])],
+                             tet[static_cast<std::size_t>(face[2])]};
+      if (corners[0] >= n || corners[1] >= n || corners[2] >= n) continue;
+      const auto [triangle, same] = index.find(corners);
+      if (triangle != kNone) visit(t, triangle, same);
+    }
+  }
+}
+
+Status check_points(const SurfaceMesh& surface, const TetgenMesh& filled) {
+  const std::size_t kept = surface.points.size();
+  for (std::size_t i = 0; i < kept; ++i)
+    if (i >= filled.points.size() || filled.points[i] != surface.points[i])
+      return meshing_error("point " + std::to_string(i) + " of the surface was merged with another",
+                           {{surface.points[i]}, {}});
+  std::vector<bool> used(filled.points.size(), false);
+  for (const Tet& tet : filled.tets)
+    for (const std::uint32_t v : tet) used[v] = true;
+  const auto unused = static_cast<std::size_t>(std::find(used.begin(), used.end(), false) - used.begin());
+  if (unused == used.size()) return std::monostate{};
+  return meshing_error("point " + std::to_string(unused) + " is used by no tetrahedron",
+                       {{filled.points[unused]}, {}});
+}
+
+/// Each region's label, or the triangles where a region touches two.
+Result<std::vector<std::uint32_t>> labels_of_regions(const SurfaceMesh& surface, const TetgenMesh& filled) {
+  const std::uint32_t regions = *std::max_element(filled.regions.begin(), filled.regions.end()) + 1;
+  std::vector<std::uint32_t> label(regions, kNone);
+  std::vector<std::uint8_t> behind_count(surface.triangles.size(), 0), front_count(behind_count);
+  ErrorPlace leaks;
+  for_each_boundary_face(surface, filled.tets, [&](std::uint32_t tet, std::uint32_t t, bool behind) {
+    const Label side = surface.sides[t][behind ? 0 : 1];
+    std::uint8_t& count = behind ? behind_count[t] : front_count[t];
+    if (count < 2) ++count;
+    std::uint32_t& known = label[filled.regions[tet]];
+    if (known == kNone) known = side;
+    if ((known != side || side == kBackground) && leaks.points.size() < kMaxPlaces) {
+      leaks.points.push_back(centroid(surface, t));
+      leaks.elements.push_back(t);
+    }
+  });
+  if (!leaks.points.empty())
+    return meshing_error("one connected part of the mesh touches two labels (" +
+                             std::to_string(leaks.points.size()) + " triangles)",
+                         leaks);
+  ErrorPlace missing;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const int wanted_in_front = surface.sides[t][1] == kBackground ? 0 : 1;
+    if (behind_count[t] == 1 && front_count[t] == wanted_in_front) continue;
+    if (missing.points.size() >= kMaxPlaces) break;
+    missing.points.push_back(centroid(surface, t));
+    missing.elements.push_back(t);
+  }
+  if (!missing.points.empty())
+    return meshing_error(std::to_string(missing.points.size()) +
+                             " triangles of the surface are not faces of the tetrahedra beside them",
+                         missing);
+  return label;
+}
+
+/// Volumes by label: of the tets, and of what the triangles enclose.
+struct Volumes {
+  std::vector<double> filled, enclosed;
+};
+
+Result<Volumes> measure(const SurfaceMesh& surface, const TetMesh& mesh) {
+  Volumes volumes;
+  volumes.filled.assign(0x10000, 0);
+  volumes.enclosed.assign(0x10000, 0);
+  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto [a, b, c, d] = mesh.tets[t];
+    const Eigen::Vector3d& p = mesh.points[a];
+    const double six = (mesh.points[b] - p).dot((mesh.points[c] - p).cross(mesh.points[d] - p));
+    if (!(six > 0)) return meshing_error("tetrahedron " + std::to_string(t) + " has no volume", {{p}, {t}});
+    volumes.filled[mesh.labels[t]] += six / 6;
+  }
+  const Eigen::Vector3d& origin = surface.points[surface.triangles[0][0]];
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto [a, b, c] = surface.triangles[t];
+    const double cone =
+        (surface.points[a] - origin).dot((surface.points[b] - origin).cross(surface.points[c] - origin)) / 6;
+    volumes.enclosed[surface.sides[t][0]] += cone;
+    volumes.enclosed[surface.sides[t][1]] -= cone;
+  }
+  return volumes;
+}
+
+Status check_volumes(const SurfaceMesh& surface, const TetMesh& mesh) {
+  const Result<Volumes> volumes = measure(surface, mesh);
+  if (!volumes) return volumes.error();
+  for (std::size_t label = 1; label < volumes->filled.size(); ++label) {
+    const double filled = volumes->filled[label], enclosed = volumes->enclosed[label];
+    if (std::abs(filled - enclosed) <= kVolumeTolerance * std::abs(enclosed)) continue;
+    return meshing_error("the tetrahedra of label " + std::to_string(label) + " fill " +
+                         std::to_string(filled) + " mm3, its boundary encloses " + std::to_string(enclosed) +
+                         " mm3");
+  }
+  return std::monostate{};
+}
+
+}  // namespace
+
+Result<TetMesh> label_tets(const SurfaceMesh& surface, TetgenMesh filled) {
+  const Status points = check_points(surface, filled);
+  if (!points) return points.error();
+  const Result<std::vector<std::uint32_t>> label = labels_of_regions(surface, filled);
+  if (!label) return label.error();
+  TetMesh mesh;
+  mesh.labels.reserve(filled.tets.size());
+  for (const std::uint32_t region : filled.regions) {
+    if ((*label)[region] == kNone)
+      return meshing_error("a part of the mesh touches no triangle of the surface");
+    mesh.labels.push_back(static_cast<Label>((*label)[region]));
+  }
+  mesh.points = std::move(filled.points);
+  mesh.tets = std::move(filled.tets);
+  mesh.faces = surface.triangles;
+  mesh.face_sides = surface.sides;
+  const Status volumes = check_volumes(surface, mesh);
+  if (!volumes) return volumes.error();
+  return mesh;
+}
+
+}  // namespace voxtet

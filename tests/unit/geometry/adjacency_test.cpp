@@ -1,0 +1,36 @@
+#include "geometry/adjacency.h"
+
+#include <gtest/gtest.h>
+
+namespace voxtet {
+namespace {
+
+TEST(Adjacency, FindsEdgesAndFacesOfTwoTetsOnce) {
+  const std::vector<Tet> tets{{3, 1, 2, 0}, {1, 2, 3, 4}};
+  const std::vector<Edge> edges = tet_edges(tets, 5);
+  EXPECT_EQ(edges, (std::vector<Edge>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}}));
+  const std::vector<TetFace> faces = tet_faces(tets, 5);
+  ASSERT_EQ(faces.size(), 7U);
+  for (const TetFace& face : faces) {
+    const bool shared = face.corners == Triangle{1, 2, 3};
+    EXPECT_EQ(face.count, shared ? 2U : 1U);
+    EXPECT_EQ(face.second, shared ? 1U : TetFace::kNoTet);
+  }
+}
+
+TEST(Adjacency, CountsFacesOfBrokenMeshes) {
+  const std::vector<Tet> tets{{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 1, 2, 5}};
+  const std::vector<TetFace> faces = tet_faces(tets, 6);
+  EXPECT_EQ(faces.front().corners, (Triangle{0, 1, 2}));
+  EXPECT_EQ(faces.front().count, 3U);
+}
+
+TEST(Adjacency, CountsTrianglesOnEachEdge) {
+  const std::vector<Triangle> fan{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+  const Edge shared{0, 1};
+  for (const EdgeUse& use : edge_uses(fan, 5)) EXPECT_EQ(use.count, use.edge == shared ? 3U : 1U);
+  EXPECT_EQ(edge_uses(fan, 5).size(), 7U);
+}
+
+}  // namespace
+}  // namespace voxtet
