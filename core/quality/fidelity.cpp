@@ -1,0 +1,174 @@
+#include "quality/fidelity.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/adjacency.h"
+#include "geometry/closest_point.h"
+#include "geometry/tet_measures.h"
+#include "quality/summarise.h"
+
+namespace voxtet {
+namespace {
+
+constexpr double kMaxSamples = 400'000;
+
+/// Integer range of the coordinates d of four points, cut to [0, size).
+std::pair<int, int> range_of(const TetCorners& p, int d, int size) {
+  const double low = std::min({p[0][d], p[1][d], p[2][d], p[3][d]});
+  const double high = std::max({p[0][d], p[1][d], p[2][d], p[3][d]});
+  return {static_cast<int>(std::ceil(std::clamp(low, 0.0, static_cast<double>(size)))),
+          static_cast<int>(std::floor(std::clamp(high, -1.0, static_cast<double>(size - 1))))};
+}
+
+struct Samples {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<double> weights;
+  double longest_mm = 0;  ///< longest edge of the sub-triangles
+};
+
+double longest_edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+}
+
+Samples sample(const TriangleSet& set, double spacing_mm) {
+  double wanted = 0;
+  for (const auto& [i, j, k] : set.triangles) {
+    const double n = longest_edge(set.points[i], set.points[j], set.points[k]) / spacing_mm;
+    wanted += std::max(0.0, n * n - 1);
+  }
+  const double spacing = spacing_mm * std::sqrt(std::max(1.0, wanted / kMaxSamples));
+  Samples out;
+  for (const auto& [i, j, k] : set.triangles) {
+    const Eigen::Vector3d &a = set.points[i], &b = set.points[j], &c = set.points[k];
+    const double longest = longest_edge(a, b, c);
+    const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
+    const double weight = 0.5 * (b - a).cross(c - a).norm() / (static_cast<double>(n) * n);
+    const Eigen::Vector3d u = (b - a) / n, v = (c - a) / n;
+    out.longest_mm = std::max(out.longest_mm, longest / n);
+    for (int row = 0; row < n; ++row) {
+      for (int column = 0; column + row < n; ++column) {
+        const Eigen::Vector3d corner = a + row * u + column * v;
+        out.points.push_back(corner + (u + v) / 3);
+        out.weights.push_back(weight);
+        if (column + row + 1 < n) {
+          out.points.push_back(corner + (u + v) * (2.0 / 3));
+          out.weights.push_back(weight);
+        }
+      }
+    }
+  }
+  return out;
+}
+
+std::vector<float> lengths_of(const std::vector<Edge>& edges, const std::vector<Eigen::Vector3d>& points) {
+  std::vector<float> lengths;
+  lengths.reserve(edges.size());
+  for (const auto& [a, b] : edges) lengths.push_back(static_cast<float>((points[b] - points[a]).norm()));
+  return lengths;
+}
+
+}  // namespace
+
+std::vector<Label> rasterise(const TetMesh& mesh, const LabelVolume& grid) {
+  const Eigen::Matrix3d to_index = grid.linear().inverse();
+  const Eigen::Vector3d origin = grid.origin();
+  std::vector<Eigen::Vector3d> index;
+  index.reserve(mesh.points.size());
+  for (const Eigen::Vector3d& p : mesh.points) index.emplace_back(to_index * (p - origin));
+
+  std::vector<Label> out(grid.voxel_count(), kBackground);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto [a, b, c, d] = mesh.tets[t];
+    const TetCorners p{index[a], index[b], index[c], index[d]};
+    Eigen::Matrix3d edges;
+    edges << p[1] - p[0], p[2] - p[0], p[3] - p[0];
+    const Eigen::Matrix3d to_local = edges.inverse();
+    const auto [k0, k1] = range_of(p, 2, grid.size[2]);
+    const auto [j0, j1] = range_of(p, 1, grid.size[1]);
+    const auto [i0, i1] = range_of(p, 0, grid.size[0]);
+    for (int k = k0; k <= k1; ++k)
+      for (int j = j0; j <= j1; ++j)
+        for (int i = i0; i <= i1; ++i) {
+          const Eigen::Vector3d local = to_local * (Eigen::Vector3d(i, j, k) - p[0]);
+          constexpr double slack = -1e-9;
+          if (local.minCoeff() < slack || local.sum() > 1 - slack) continue;
+          Label& label = out[grid.offset(i, j, k)];
+          if (label == kBackground) label = mesh.labels[t];
+        }
+  }
+  return out;
+}
+
+std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume& volume, const SizingField& sizing) {
+  const std::vector<Label> raster = rasterise(mesh, volume);
+  std::vector<LabelFidelity> all(65536);
+  std::vector<std::uint64_t> both(65536, 0), meshed(65536, 0);
+  for (std::size_t i = 0; i < raster.size(); ++i) {
+    ++all[volume.labels[i]].voxels;
+    ++meshed[raster[i]];
+    if (raster[i] == volume.labels[i]) ++both[raster[i]];
+  }
+  std::vector<std::vector<Tet>> tets(65536);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto [a, b, c, d] = mesh.tets[t];
+    all[mesh.labels[t]].mesh_mm3 += tet_volume_mm3({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
+    tets[mesh.labels[t]].push_back(mesh.tets[t]);
+  }
+  std::vector<LabelFidelity> out;
+  for (std::size_t label = 1; label < all.size(); ++label) {
+    LabelFidelity& f = all[label];
+    f.tets = tets[label].size();
+    if (f.voxels == 0 && f.tets == 0) continue;
+    f.label = static_cast<Label>(label);
+    f.voxel_mm3 = static_cast<double>(f.voxels) * volume.voxel_mm3();
+    f.volume_error_percent = f.voxels > 0 ? 100 * (f.mesh_mm3 - f.voxel_mm3) / f.voxel_mm3 : 0;
+    f.dice = 2.0 * static_cast<double>(both[label]) / static_cast<double>(f.voxels + meshed[label]);
+    const std::vector<Edge> edges = tet_edges(tets[label], mesh.points.size());
+    std::vector<float> lengths = lengths_of(edges, mesh.points), wished;
+    wished.reserve(edges.size());
+    for (const auto& [a, b] : edges)
+      wished.push_back(static_cast<float>(sizing.at((mesh.points[a] + mesh.points[b]) / 2)));
+    f.median_edge_mm = quantile(lengths, 0.5);
+    f.wished_edge_mm = quantile(wished, 0.5);
+    out.push_back(f);
+  }
+  return out;
+}
+
+DistanceSummary measure_distance(const TriangleSet& from, const TriangleSet& to, double spacing_mm) {
+  DistanceSummary out;
+  if (from.triangles.empty() || to.triangles.empty()) return out;
+  const ClosestPointTree tree(to.points, to.triangles);
+  const Samples samples = sample(from, spacing_mm);
+  std::vector<std::pair<float, float>> found;  // distance, weight
+  found.reserve(samples.points.size());
+  double sum = 0, squares = 0, area = 0;
+  std::uint32_t hint = 0;
+  for (std::size_t i = 0; i < samples.points.size(); ++i) {
+    const ClosestPointTree::Hit hit = tree.closest(samples.points[i], hint);
+    hint = hit.triangle;
+    sum += samples.weights[i] * hit.distance_mm;
+    squares += samples.weights[i] * hit.distance_mm * hit.distance_mm;
+    area += samples.weights[i];
+    out.max_mm = std::max(out.max_mm, hit.distance_mm);
+    found.emplace_back(static_cast<float>(hit.distance_mm), static_cast<float>(samples.weights[i]));
+  }
+  out.samples = found.size();
+  out.mean_mm = sum / area;
+  out.rms_mm = std::sqrt(squares / area);
+  // The centroid of a triangle is at most two thirds of its longest edge from each of its points.
+  out.uncertainty_mm = samples.longest_mm * 2 / 3;
+  std::sort(found.begin(), found.end());
+  double below = 0;
+  for (const auto& [distance, weight] : found) {
+    below += weight;
+    out.p95_mm = distance;
+    if (below >= 0.95 * area) break;
+  }
+  return out;
+}
+
+}  // namespace voxtet

@@ -1,0 +1,182 @@
+#include "quality/measure_quality.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/adjacency.h"
+#include "geometry/tet_measures.h"
+#include "geometry/triangle_measures.h"
+#include "quality/checklist.h"
+#include "quality/fidelity.h"
+#include "quality/summarise.h"
+
+namespace voxtet {
+namespace {
+
+using Worst = MetricInfo::Worst;
+
+TetCorners corners_of(const TetMesh& mesh, const Tet& t) {
+  return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};
+}
+
+double mean_of(const std::array<double, 6>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / 6;
+}
+
+Status check_params(const QualityParams& params) {
+  if (params.histogram_bins < 1 || !(params.sample_spacing_voxels > 0))
+    return Error{ErrorCode::kUsage, "quality",
+                 "quality: found histogram_bins " + std::to_string(params.histogram_bins) + " and sample_spacing_voxels " +
+                     std::to_string(params.sample_spacing_voxels) + ", expected both above 0",
+                 {}};
+  return std::monostate{};
+}
+
+Status check_mesh_arrays(const TetMesh& mesh) {
+  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t)
+    for (const std::uint32_t v : mesh.tets[t])
+      if (v >= mesh.points.size())
+        return Error{ErrorCode::kBadInput, "quality",
+                     "tetrahedron " + std::to_string(t) + " refers to point " + std::to_string(v) + " of " +
+                         std::to_string(mesh.points.size()),
+                     {{}, {t}}};
+  if (mesh.tets.empty() || mesh.labels.size() != mesh.tets.size())
+    return Error{ErrorCode::kBadInput, "quality",
+                 "found " + std::to_string(mesh.tets.size()) + " tetrahedra and " + std::to_string(mesh.labels.size()) +
+                     " labels, expected one label for each of at least one tetrahedron",
+                 {}};
+  return std::monostate{};
+}
+
+std::vector<MetricSummary> tet_metrics(const TetMesh& mesh, const TetMeasures& m, int bins) {
+  std::vector<float> all_angles;
+  all_angles.reserve(6 * mesh.tets.size());
+  for (const Tet& t : mesh.tets)
+    for (const double angle : measure_tet(corners_of(mesh, t)).dihedral_deg)
+      all_angles.push_back(static_cast<float>(angle));
+  return {summarise({"min_dihedral_deg", "deg", "tets", 0, 75, Worst::kLowest}, m.min_dihedral_deg, bins),
+          summarise({"max_dihedral_deg", "deg", "tets", 60, 180, Worst::kHighest}, m.max_dihedral_deg, bins),
+          summarise({"dihedral_deg", "deg", "tets", 0, 180, Worst::kNone}, all_angles, bins),
+          summarise({"radius_ratio", "1", "tets", 0, 1, Worst::kLowest}, m.radius_ratio, bins),
+          summarise({"mean_ratio", "1", "tets", 0, 1, Worst::kLowest}, m.mean_ratio, bins),
+          summarise({"aspect_ratio", "1", "tets", 1, 6, Worst::kHighest}, m.aspect_ratio, bins)};
+}
+
+/// Upper end of a histogram of lengths: the largest value, rounded up to two digits.
+double nice_upper(const std::vector<float>& values) {
+  const double largest = values.empty() ? 1 : *std::max_element(values.begin(), values.end());
+  if (!(largest > 0) || !std::isfinite(largest)) return 1;
+  const double unit = std::pow(10, std::floor(std::log10(largest)) - 1);
+  return std::ceil(largest / unit) * unit;
+}
+
+std::vector<MetricSummary> edge_metrics(const TetMesh& mesh, const SizingField* sizing, int bins) {
+  std::vector<float> lengths, wished, ratios;
+  for (const auto& [a, b] : tet_edges(mesh.tets, mesh.points.size())) {
+    const double length = (mesh.points[b] - mesh.points[a]).norm();
+    lengths.push_back(static_cast<float>(length));
+    if (!sizing) continue;
+    const double wish = sizing->at((mesh.points[a] + mesh.points[b]) / 2);
+    wished.push_back(static_cast<float>(wish));
+    ratios.push_back(static_cast<float>(std::log2(length / wish)));
+  }
+  const double upper = std::max(nice_upper(lengths), wished.empty() ? 0 : nice_upper(wished));
+  std::vector<MetricSummary> out{summarise({"edge_mm", "mm", "edges", 0, upper, Worst::kNone}, lengths, bins)};
+  if (!sizing) return out;
+  out.push_back(summarise({"wished_edge_mm", "mm", "edges", 0, upper, Worst::kNone}, wished, bins));
+  out.push_back(summarise({"size_log2", "log2", "edges", -2, 2, Worst::kNone}, ratios, bins));
+  return out;
+}
+
+struct TriangleValues {
+  std::vector<float> aspect, min_angle;
+};
+
+TriangleValues measure_triangles(const SurfaceMesh& surface) {
+  TriangleValues out;
+  for (const auto& [a, b, c] : surface.triangles) {
+    const TriangleShape shape = measure_triangle({surface.points[a], surface.points[b], surface.points[c]});
+    out.aspect.push_back(static_cast<float>(shape.aspect_ratio));
+    out.min_angle.push_back(static_cast<float>(shape.min_angle_deg));
+  }
+  return out;
+}
+
+QualityReport report_of_mesh(const TetMesh& mesh, const SizingField* sizing, int bins) {
+  QualityReport report;
+  const TetMeasures measures = measure_tets(mesh, nullptr);
+  report.metrics = tet_metrics(mesh, measures, bins);
+  for (MetricSummary& m : edge_metrics(mesh, sizing, bins)) report.metrics.push_back(std::move(m));
+  report.checklist = check_mesh_alone(mesh, report.metrics.front().min);
+  return report;
+}
+
+}  // namespace
+
+TetMeasures measure_tets(const TetMesh& mesh, const SizingField* sizing) {
+  TetMeasures out;
+  for (std::vector<float>* values : {&out.min_dihedral_deg, &out.max_dihedral_deg, &out.radius_ratio, &out.mean_ratio,
+                                     &out.aspect_ratio, &out.edge_mm})
+    values->reserve(mesh.tets.size());
+  for (const Tet& t : mesh.tets) {
+    const TetCorners corners = corners_of(mesh, t);
+    const TetShape shape = measure_tet(corners);
+    const auto [low, high] = std::minmax_element(shape.dihedral_deg.begin(), shape.dihedral_deg.end());
+    const double edge = mean_of(shape.edge_mm);
+    out.min_dihedral_deg.push_back(static_cast<float>(*low));
+    out.max_dihedral_deg.push_back(static_cast<float>(*high));
+    out.radius_ratio.push_back(static_cast<float>(shape.radius_ratio));
+    out.mean_ratio.push_back(static_cast<float>(shape.mean_ratio));
+    out.aspect_ratio.push_back(static_cast<float>(shape.aspect_ratio));
+    out.edge_mm.push_back(static_cast<float>(edge));
+    if (sizing) {
+      const Eigen::Vector3d centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+      out.size_log2.push_back(static_cast<float>(std::log2(edge / sizing->at(centre))));
+    }
+  }
+  return out;
+}
+
+Result<QualityReport> measure_mesh(const TetMesh& mesh, const QualityParams& params, RunContext& ctx) {
+  if (Status valid = check_params(params); !valid) return valid.error();
+  if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
+  if (ctx.cancelled()) return cancelled_error("quality");
+  return report_of_mesh(mesh, nullptr, params.histogram_bins);
+}
+
+Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReference& reference,
+                                      const QualityParams& params, RunContext& ctx) {
+  if (Status valid = check_params(params); !valid) return valid.error();
+  if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
+  const int bins = params.histogram_bins;
+  QualityReport report = report_of_mesh(mesh, &reference.sizing, bins);
+  ctx.progress("quality", 0.3);
+  if (ctx.cancelled()) return cancelled_error("quality");
+
+  const TriangleValues before = measure_triangles(reference.label_surface), after = measure_triangles(reference.adapted);
+  report.metrics.push_back(
+      summarise({"triangle_aspect_before", "1", "triangles", 1, 6, Worst::kHighest}, before.aspect, bins));
+  report.metrics.push_back(
+      summarise({"triangle_aspect_after", "1", "triangles", 1, 6, Worst::kHighest}, after.aspect, bins));
+  report.metrics.push_back(
+      summarise({"triangle_min_angle_deg", "deg", "triangles", 0, 60, Worst::kLowest}, after.min_angle, bins));
+
+  report.labels = measure_labels(mesh, reference.volume, reference.sizing);
+  for (ChecklistItem& item : check_against_labels(mesh, reference.volume, report.labels))
+    report.checklist.push_back(std::move(item));
+  ctx.progress("quality", 0.6);
+  if (ctx.cancelled()) return cancelled_error("quality");
+
+  const double spacing = params.sample_spacing_voxels * reference.volume.smallest_spacing_mm();
+  const TriangleSet faces{mesh.points, mesh.faces};
+  const TriangleSet labels{reference.label_surface.points, reference.label_surface.triangles};
+  report.mesh_to_surface = measure_distance(faces, labels, spacing);
+  ctx.progress("quality", 0.8);
+  if (ctx.cancelled()) return cancelled_error("quality");
+  report.surface_to_mesh = measure_distance(labels, faces, spacing);
+  return report;
+}
+
+}  // namespace voxtet

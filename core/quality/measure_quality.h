@@ -1,0 +1,49 @@
+// A finished mesh -> its evidence.
+#pragma once
+
+#include <vector>
+
+#include "types/label_volume.h"
+#include "types/quality_report.h"
+#include "types/result.h"
+#include "types/run_context.h"
+#include "types/sizing_field.h"
+#include "types/surface_mesh.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+struct QualityParams {
+  int histogram_bins = 64;
+  double sample_spacing_voxels = 0.25;  ///< for distances, in units of the smallest voxel spacing
+};
+
+/// What the mesh is compared with.
+struct QualityReference {
+  const LabelVolume& volume;         ///< the labels that were meshed
+  const SurfaceMesh& label_surface;  ///< smoothed marching-cubes surface: the reference of all distances
+  const SurfaceMesh& adapted;        ///< what the tets were filled into
+  const SizingField& sizing;
+};
+
+/// Shape of each tetrahedron, one value each: what a viewer colours by.
+struct TetMeasures {
+  std::vector<float> min_dihedral_deg, max_dihedral_deg;
+  std::vector<float> radius_ratio, mean_ratio, aspect_ratio;  ///< see TetShape
+  std::vector<float> edge_mm;                                 ///< mean of its six edges
+  std::vector<float> size_log2;  ///< log2 of edge_mm over the wish at the centroid; empty without `sizing`
+};
+
+TetMeasures measure_tets(const TetMesh& mesh, const SizingField* sizing);
+
+/// All measures of the element-quality section: dihedral angles, radius ratio, mean ratio, aspect ratio, edge
+/// length against the sizing field (log2), triangle aspect ratio of `label_surface` and of `adapted`, distances
+/// both ways, volume and Dice per label, and the checklist.
+/// Errors: kUsage (parameters), kBadInput (indices out of range, no tetrahedra), kCancelled.
+Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReference& reference,
+                                      const QualityParams& params, RunContext& ctx);
+
+/// The part of the report that needs the mesh alone (for `voxtet check` on any mesh file).
+Result<QualityReport> measure_mesh(const TetMesh& mesh, const QualityParams& params, RunContext& ctx);
+
+}  // namespace voxtet

@@ -1,0 +1,84 @@
+#include "quality/summarise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace voxtet {
+namespace {
+
+constexpr std::size_t kWorstCount = 100;
+
+std::size_t rank_of(double q, std::size_t count) {
+  const double rank = std::ceil(q * static_cast<double>(count)) - 1;
+  return static_cast<std::size_t>(std::clamp(rank, 0.0, static_cast<double>(count - 1)));
+}
+
+Histogram histogram_of(const MetricInfo& info, const std::vector<float>& values, int bins) {
+  Histogram histogram{info.lo, info.hi, std::vector<std::uint64_t>(static_cast<std::size_t>(bins), 0)};
+  const double scale = bins / (info.hi - info.lo);
+  for (const float value : values) {
+    const double bin = std::clamp((value - info.lo) * scale, 0.0, static_cast<double>(bins - 1));
+    ++histogram.counts[static_cast<std::size_t>(bin)];
+  }
+  return histogram;
+}
+
+std::vector<std::uint32_t> worst_of(const MetricInfo& info, const std::vector<float>& values) {
+  if (info.worst == MetricInfo::Worst::kNone) return {};
+  const float sign = info.worst == MetricInfo::Worst::kLowest ? 1.F : -1.F;
+  std::vector<std::uint32_t> ids(values.size());
+  std::iota(ids.begin(), ids.end(), 0U);
+  const std::size_t count = std::min(kWorstCount, ids.size());
+  std::partial_sort(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(count), ids.end(),
+                    [&](std::uint32_t a, std::uint32_t b) {
+                      return values[a] != values[b] ? sign * values[a] < sign * values[b] : a < b;
+                    });
+  ids.resize(count);
+  return ids;
+}
+
+}  // namespace
+
+double quantile(std::vector<float>& values, double q) {
+  if (values.empty()) return 0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank_of(q, values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+MetricSummary summarise(const MetricInfo& info, const std::vector<float>& values, int bins) {
+  MetricSummary out;
+  out.name = info.name;
+  out.unit = info.unit;
+  out.elements = info.elements;
+  out.count = values.size();
+  out.histogram = histogram_of(info, values, bins);
+  if (values.empty()) return out;
+  out.worst = worst_of(info, values);
+  double sum = 0, squares = 0;
+  std::size_t finite = 0;
+  for (const float value : values) {
+    if (!std::isfinite(value)) continue;
+    sum += value;
+    squares += static_cast<double>(value) * value;
+    ++finite;
+  }
+  if (finite > 0) {
+    out.mean = sum / static_cast<double>(finite);
+    out.sd = std::sqrt(std::max(0.0, squares / static_cast<double>(finite) - out.mean * out.mean));
+  }
+  // Ascending quantiles, each search limited to what lies above the one before.
+  std::vector<float> sorted = values;
+  auto from = sorted.begin();
+  for (const auto& [q, target] : {std::pair{0.0, &out.min}, {0.001, &out.p01}, {0.01, &out.p1}, {0.05, &out.p5},
+                                  {0.5, &out.median}, {0.95, &out.p95}, {0.99, &out.p99}, {1.0, &out.max}}) {
+    const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(rank_of(q, sorted.size()));
+    std::nth_element(from, at, sorted.end());
+    *target = *at;
+    from = at;
+  }
+  return out;
+}
+
+}  // namespace voxtet

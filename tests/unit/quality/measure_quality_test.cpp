@@ -1,0 +1,236 @@
+#include "quality/measure_quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <Eigen/Geometry>
+#include <limits>
+#include <stdexcept>
+
+#include "quality/fidelity.h"
+#include "support/labelled_mesh.h"
+
+namespace voxtet {
+namespace {
+
+using Eigen::Vector3d;
+
+const MetricSummary& metric(const QualityReport& report, const std::string& name) {
+  for (const MetricSummary& m : report.metrics)
+    if (m.name == name) return m;
+  throw std::runtime_error("no metric " + name);
+}
+
+std::vector<std::string> failed(const QualityReport& report) {
+  std::vector<std::string> names;
+  for (const ChecklistItem& item : report.checklist)
+    if (!item.passed) names.push_back(item.name);
+  return names;
+}
+
+QualityReport measured(const TetMesh& mesh) {
+  RunContext ctx;
+  const Result<QualityReport> report = measure_mesh(mesh, {}, ctx);
+  EXPECT_TRUE(report.ok());
+  return *report;
+}
+
+/// Voxels of size 10/n on the cells of kuhn_cube's undisplaced lattice, labelled alike, one background voxel around.
+LabelVolume cube_voxels(int n) {
+  LabelVolume volume;
+  volume.size = {n + 2, n + 2, n + 2};
+  const double edge = 10.0 / n;
+  volume.index_to_mm.topLeftCorner<3, 3>() *= edge;
+  volume.index_to_mm.topRightCorner<3, 1>() = Vector3d(-10, 15, -2) - 0.5 * edge * Vector3d::Ones();
+  volume.labels.assign(volume.voxel_count(), 0);
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i)
+        volume.labels[volume.offset(i + 1, j + 1, k + 1)] = i + j + k == 0 ? 7 : 2 * k < n ? 1 : 300;
+  return volume;
+}
+
+/// kuhn_cube without its displacement.
+TetMesh straight_cube(std::uint32_t n) {
+  TetMesh mesh = test::kuhn_cube(n);
+  std::size_t at = 0;
+  for (std::uint32_t k = 0; k <= n; ++k)
+    for (std::uint32_t j = 0; j <= n; ++j)
+      for (std::uint32_t i = 0; i <= n; ++i)
+        mesh.points[at++] = Vector3d(-10, 15, -2) + 10.0 / n * Vector3d(i, j, k);
+  return mesh;
+}
+
+SizingField constant_size(double h_mm) {
+  SizingField field;
+  field.size = {2, 2, 2};
+  field.h_mm.assign(8, static_cast<float>(h_mm));
+  return field;
+}
+
+SurfaceMesh faces_of(const TetMesh& mesh) { return {mesh.points, mesh.faces, mesh.face_sides}; }
+
+TEST(MeasureQuality, IsExactOnAMeshMadeOfVoxels) {
+  const TetMesh mesh = straight_cube(6);
+  const LabelVolume volume = cube_voxels(6);
+  const SizingField sizing = constant_size(10.0 / 6);
+  const SurfaceMesh surface = faces_of(mesh);
+  RunContext ctx;
+  const Result<QualityReport> report = measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx);
+  ASSERT_TRUE(report.ok());
+  EXPECT_TRUE(failed(*report).empty()) << failed(*report).front();
+  ASSERT_EQ(report->labels.size(), 3U);
+  for (const LabelFidelity& f : report->labels) {
+    EXPECT_EQ(f.dice, 1) << f.label;
+    EXPECT_NEAR(f.volume_error_percent, 0, 1e-9);
+    EXPECT_NEAR(f.mesh_mm3, f.voxel_mm3, 1e-9);
+    EXPECT_EQ(f.tets, 6 * f.voxels);
+    EXPECT_NEAR(f.wished_edge_mm, 10.0 / 6, 1e-6);
+  }
+  EXPECT_EQ(report->labels[0].label, 1);
+  EXPECT_EQ(report->labels[1].voxels, 1U);
+  EXPECT_NEAR(report->mesh_to_surface.max_mm, 0, 1e-12);
+  EXPECT_NEAR(report->surface_to_mesh.max_mm, 0, 1e-12);
+  // Kuhn's tetrahedron: edges 1, sqrt 2, sqrt 3; dihedral angles 45, 60 and 90 degrees.
+  EXPECT_NEAR(metric(*report, "min_dihedral_deg").min, 45, 1e-4);
+  EXPECT_NEAR(metric(*report, "max_dihedral_deg").max, 90, 1e-4);
+  EXPECT_NEAR(metric(*report, "edge_mm").min, 10.0 / 6, 1e-6);
+  EXPECT_NEAR(metric(*report, "edge_mm").max, 10.0 / 6 * std::sqrt(3), 1e-6);
+  EXPECT_NEAR(metric(*report, "size_log2").max, std::log2(std::sqrt(3)), 1e-6);
+  EXPECT_NEAR(metric(*report, "triangle_min_angle_deg").min, 45, 1e-4);
+  EXPECT_EQ(metric(*report, "dihedral_deg").count, 6 * mesh.tets.size());
+}
+
+TEST(MeasureQuality, NoticesALabelThatIsMissingSplitOrOfTheWrongSize) {
+  const TetMesh mesh = straight_cube(6);
+  const SizingField sizing = constant_size(1);
+  const SurfaceMesh surface = faces_of(mesh);
+  RunContext ctx;
+  const auto failures = [&](const std::function<void(LabelVolume&)>& change) {
+    LabelVolume volume = cube_voxels(6);
+    change(volume);
+    return failed(*measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx));
+  };
+  EXPECT_EQ(failures([](LabelVolume& v) { v.labels[v.offset(7, 7, 7)] = 9; }),
+            (std::vector<std::string>{"labels_present", "components_per_label", "label_volumes"}));
+  EXPECT_EQ(failures([](LabelVolume& v) { v.labels[v.offset(7, 7, 7)] = 300; }),
+            (std::vector<std::string>{"components_per_label"}));
+  EXPECT_EQ(failures([](LabelVolume& v) {
+              for (int i = 1; i < 4; ++i) v.labels[v.offset(i, 6, 6)] = 0;
+            }),
+            (std::vector<std::string>{"label_volumes"}));
+}
+
+TEST(MeasureMesh, FailsExactlyTheItemThatIsBroken) {
+  const TetMesh good = test::kuhn_cube(3);
+  EXPECT_TRUE(failed(measured(good)).empty());
+  const auto failures = [&](const std::function<void(TetMesh&)>& break_it) {
+    TetMesh mesh = good;
+    break_it(mesh);
+    const QualityReport report = measured(mesh);
+    return failed(report);
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(failures([](TetMesh& m) { m.points.push_back({0, 0, 0}); }), (Names{"no_unused_points"}));
+  EXPECT_EQ(failures([](TetMesh& m) { std::swap(m.tets[5][0], m.tets[5][1]); }).front(), "no_inverted_tets");
+  const Names twice = failures([](TetMesh& m) {
+    m.tets.push_back(m.tets[80]);
+    m.labels.push_back(m.labels[80]);
+  });
+  EXPECT_NE(std::find(twice.begin(), twice.end(), "no_duplicate_tets"), twice.end());
+  EXPECT_NE(std::find(twice.begin(), twice.end(), "faces_on_at_most_two_tets"), twice.end());
+  const Names infinite = failures([](TetMesh& m) { m.points[21].x() = std::numeric_limits<double>::quiet_NaN(); });
+  EXPECT_EQ(infinite.front(), "finite_coordinates");
+  const Names doubled = failures([](TetMesh& m) {
+    m.points.push_back(m.points[m.tets[0][0]]);
+    m.tets[0][0] = static_cast<std::uint32_t>(m.points.size() - 1);
+  });
+  EXPECT_NE(std::find(doubled.begin(), doubled.end(), "no_duplicate_points"), doubled.end());
+}
+
+TEST(MeasureMesh, SeesBranchingAndFlatness) {
+  TetMesh pair;  // two tetrahedra that share one edge only
+  pair.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, -1}};
+  pair.tets = {{0, 1, 2, 3}, {0, 1, 4, 5}};
+  pair.labels = {1, 1};
+  EXPECT_EQ(failed(measured(pair)), (std::vector<std::string>{"label_boundaries_manifold"}));
+  TetMesh flat;
+  flat.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 0.01}};
+  flat.tets = {{0, 1, 2, 3}};
+  flat.labels = {1};
+  EXPECT_EQ(failed(measured(flat)), (std::vector<std::string>{"min_dihedral"}));
+  EXPECT_TRUE(measured(flat).passed()) << "a flat tetrahedron is bad but not unusable";
+}
+
+TEST(MeasureMesh, RefusesIndicesOutOfRangeAndEmptyMeshes) {
+  TetMesh mesh = test::kuhn_cube(1);
+  mesh.tets[2][1] = 99;
+  RunContext ctx;
+  const Result<QualityReport> report = measure_mesh(mesh, {}, ctx);
+  ASSERT_FALSE(report.ok());
+  EXPECT_NE(report.error().message.find("tetrahedron 2 refers to point 99 of 8"), std::string::npos);
+  EXPECT_EQ(measure_mesh(TetMesh{}, {}, ctx).error().code, ErrorCode::kBadInput);
+  ctx.on_cancelled = [] { return true; };
+  EXPECT_EQ(measure_mesh(test::kuhn_cube(1), {}, ctx).error().code, ErrorCode::kCancelled);
+}
+
+/// A latitude-longitude sphere around the origin.
+SurfaceMesh sphere(double radius, std::uint32_t n) {
+  SurfaceMesh out;
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j < 2 * n; ++j) {
+      const double theta = M_PI * i / n, phi = M_PI * j / n;
+      out.points.push_back(radius * Vector3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                                             std::cos(theta)));
+    }
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < 2 * n; ++j) {
+      const std::uint32_t a = i * 2 * n + j, b = i * 2 * n + (j + 1) % (2 * n);
+      if (i > 0) out.triangles.push_back({a, a + 2 * n, b});
+      if (i + 1 < n) out.triangles.push_back({b, a + 2 * n, b + 2 * n});
+    }
+  return out;
+}
+
+TEST(MeasureDistance, KnowsTheGapBetweenConcentricSpheres) {
+  const SurfaceMesh inner = sphere(10, 40), outer = sphere(11, 60);
+  const DistanceSummary d =
+      measure_distance({inner.points, inner.triangles}, {outer.points, outer.triangles}, 0.2);
+  EXPECT_NEAR(d.mean_mm, 1, 0.02);
+  EXPECT_NEAR(d.rms_mm, 1, 0.02);
+  EXPECT_GE(d.max_mm, d.p95_mm);
+  EXPECT_GE(d.p95_mm, d.mean_mm);
+  EXPECT_LE(d.uncertainty_mm, 0.2 * 2 / 3 + 1e-12);
+  EXPECT_GT(d.samples, 4 * M_PI * 100 / (0.2 * 0.2));
+}
+
+TEST(Rasterise, CountsEveryVoxelCentreOnceOnObliqueGrids) {
+  const TetMesh mesh = test::kuhn_cube(4);
+  LabelVolume grid;
+  grid.size = {40, 40, 40};
+  grid.labels.assign(grid.voxel_count(), 0);
+  const double c = 0.8, s = 0.6;
+  grid.index_to_mm.topLeftCorner<3, 3>() << -0.5 * c, 0.5 * s, 0, 0.5 * s, 0.5 * c, 0, 0, 0, 0.5;
+  grid.index_to_mm.topRightCorner<3, 1>() = Vector3d(-5, 20, 3) - grid.linear() * Vector3d(19.5, 19.5, 19.5);
+  const std::vector<Label> labels = rasterise(mesh, grid);
+  double covered = 0, volume = 0;
+  for (const Label label : labels) covered += label != 0 ? grid.voxel_mm3() : 0;
+  for (const Tet& t : mesh.tets)
+    volume += (mesh.points[t[1]] - mesh.points[t[0]])
+                  .dot((mesh.points[t[2]] - mesh.points[t[0]]).cross(mesh.points[t[3]] - mesh.points[t[0]])) / 6;
+  EXPECT_NEAR(covered / volume, 1, 0.01);
+}
+
+TEST(MeasureTets, GivesOneValueForEachTet) {
+  const TetMesh mesh = test::kuhn_cube(2);
+  const SizingField sizing = constant_size(2);
+  const TetMeasures m = measure_tets(mesh, &sizing);
+  EXPECT_EQ(m.min_dihedral_deg.size(), mesh.tets.size());
+  EXPECT_EQ(m.size_log2.size(), mesh.tets.size());
+  EXPECT_NEAR(m.size_log2[3], std::log2(m.edge_mm[3] / 2), 1e-6);
+  EXPECT_TRUE(measure_tets(mesh, nullptr).size_log2.empty());
+}
+
+}  // namespace
+}  // namespace voxtet
