@@ -1,0 +1,169 @@
+// The recipe's fields, declared once: name, unit, range and sentence. Reading, writing, the schema and the docs
+// all visit this table. A visitor provides field(), choice(), group(), optional_group() and list().
+#pragma once
+
+#include <limits>
+#include <utility>
+
+#include "recipe/recipe.h"
+
+namespace voxtet {
+
+/// What is said of a field. The range holds for numbers, inclusive; for vectors, per component.
+struct FieldInfo {
+  const char* name;
+  const char* unit;
+  double min, max;
+  const char* description;
+};
+
+inline constexpr double kAnyMin = std::numeric_limits<double>::lowest();
+inline constexpr double kAnyMax = std::numeric_limits<double>::max();
+
+template <class Enum>
+using Choices = std::vector<std::pair<const char*, Enum>>;
+
+template <class V>
+void visit_fields(V& v, PhantomParams& p) {
+  v.choice({"kind", "", 0, 0, "Which body."}, p.kind,
+           Choices<PhantomKind>{{"sphere", PhantomKind::kSphere},
+                                {"shell", PhantomKind::kShell},
+                                {"torus", PhantomKind::kTorus},
+                                {"slab", PhantomKind::kSlab},
+                                {"nested_boxes", PhantomKind::kNestedBoxes},
+                                {"branching_tube", PhantomKind::kBranchingTube},
+                                {"biventricle", PhantomKind::kBiventricle}});
+  v.field({"spacing_mm", "mm", 0.05, 50, "Distance between voxel centres along the image axes."}, p.spacing_mm);
+  v.field({"rotation_deg", "deg", -360, 360, "Rotation of the image axes about x, then y, then z."}, p.rotation_deg);
+  v.field({"mirrored", "", 0, 0, "First image axis reversed."}, p.mirrored);
+  v.field({"radius_mm", "mm", 0.1, 1000, "Radius: sphere, shell (outer), torus (major); half size of the boxes."},
+          p.radius_mm);
+  v.field({"inner_radius_mm", "mm", 0.1, 1000, "Inner radius of the shell, minor radius of the torus."},
+          p.inner_radius_mm);
+  v.field({"thickness_mm", "mm", 0.1, 1000, "Thickness of the slab."}, p.thickness_mm);
+  v.field({"scale", "", 0.1, 10, "Biventricle: size, 1 is an adult heart."}, p.scale);
+  v.field({"roughness_mm", "mm", 0, 5, "Biventricle: amplitude of the seeded roughness of the walls."},
+          p.roughness_mm);
+  v.field({"blood_pools", "", 0, 0, "Biventricle: label the cavities as 3 and 4."}, p.blood_pools);
+  v.field({"scar", "", 0, 0, "Biventricle: scar core 5, crossed by an isthmus, with border zone 6."}, p.scar);
+  v.field({"seed", "", 0, 4294967295.0, "Biventricle: seed of the roughness."}, p.seed);
+}
+
+template <class V>
+void visit_fields(V& v, FileSource& p) {
+  v.field({"name", "", 0, 0, "Name of the file that holds the volume."}, p.name);
+  v.field({"sha256", "", 0, 0, "Digest of its voxels and affine; empty accepts any."}, p.sha256);
+}
+
+template <class V>
+void visit_fields(V& v, Source& p) {
+  v.optional_group({"phantom", "", 0, 0, "A parametric body, generated."}, p.phantom);
+  v.optional_group({"file", "", 0, 0, "A file that the user holds."}, p.file);
+}
+
+template <class V>
+void visit_fields(V& v, Expected& p) {
+  v.field({"engine", "", 0, 0, "Version of voxtet that made the mesh."}, p.engine);
+  v.field({"digest", "", 0, 0, "SHA-256 of the mesh's points, tetrahedra and labels."}, p.digest);
+  v.field({"tets", "", 0, 4294967295.0, "Number of tetrahedra."}, p.tets);
+}
+
+template <class V>
+void visit_fields(V& v, ExtractParams& p) {
+  v.choice({"method", "", 0, 0, "How the label surface is extracted; auto: by the number of labels."}, p.method,
+           Choices<ExtractMethod>{{"auto", ExtractMethod::kAuto},
+                                  {"marching_cubes", ExtractMethod::kMarchingCubes},
+                                  {"marching_tets", ExtractMethod::kMarchingTets}});
+}
+
+template <class V>
+void visit_fields(V& v, SmoothParams& p) {
+  v.field({"iterations", "", 0, 1000, "Bi-Laplacian steps; 0 leaves the staircase."}, p.iterations);
+  v.field({"step", "", 0, 0.5, "Step of each iteration."}, p.step);
+  v.field({"max_move_voxels", "voxel", 0, 1, "How far a vertex may move along each image axis."}, p.max_move_voxels);
+  v.field({"keep_volume", "", 0, 0, "Restore each label's volume after smoothing."}, p.keep_volume);
+}
+
+template <class V>
+void visit_fields(V& v, LabelSize& p) {
+  v.field({"label", "", 1, 65535, "The label."}, p.label);
+  v.field({"edge_mm", "mm", 0.01, 1000, "Edge length inside it."}, p.edge_mm);
+}
+
+template <class V>
+void visit_fields(V& v, SizeRegion& p) {
+  v.field({"name", "", 0, 0, "Name of the region."}, p.name);
+  v.choice({"shape", "", 0, 0, "Shape of the region."}, p.shape,
+           Choices<RegionShape>{{"sphere", RegionShape::kSphere},
+                                {"box", RegionShape::kBox},
+                                {"capsule", RegionShape::kCapsule}});
+  v.field({"centre_mm", "mm", kAnyMin, kAnyMax, "Centre of sphere or box, first end of a capsule; RAS."}, p.centre_mm);
+  v.field({"end_mm", "mm", kAnyMin, kAnyMax, "Second end of a capsule; RAS."}, p.end_mm);
+  v.field({"half_size_mm", "mm", 0.001, 10000, "Half edges of a box."}, p.half_size_mm);
+  v.field({"axes_deg", "deg", -360, 360, "Rotation of a box about x, then y, then z."}, p.axes_deg);
+  v.field({"radius_mm", "mm", 0.001, 10000, "Radius of sphere or capsule."}, p.radius_mm);
+  v.field({"edge_mm", "mm", 0.01, 1000, "Edge length inside."}, p.edge_mm);
+  v.field({"band_mm", "mm", 0, 10000, "Width of the band around it over which the size returns to its surroundings'."},
+          p.band_mm);
+}
+
+template <class V>
+void visit_fields(V& v, DistanceSize& p) {
+  v.field({"label", "", 1, 65535, "The label from which distance is measured."}, p.label);
+  v.field({"edge_mm", "mm", 0.01, 1000, "Edge length at the label."}, p.edge_mm);
+  v.field({"slope", "mm/mm", 0, 10, "Growth of the edge length per mm of distance."}, p.slope);
+}
+
+template <class V>
+void visit_fields(V& v, SizingParams& p) {
+  v.field({"edge_mm", "mm", 0.01, 1000, "Edge length wherever nothing smaller is asked."}, p.edge_mm);
+  v.list({"labels", "", 0, 0, "Edge length inside single labels, instead of edge_mm."}, p.labels);
+  v.list({"regions", "", 0, 0, "Places with their own edge length."}, p.regions);
+  v.list({"distances", "", 0, 0, "Edge length growing with the distance to a label."}, p.distances);
+  v.field({"edge_min_mm", "mm", 0.01, 1000, "No edge length below this is asked."}, p.edge_min_mm);
+  v.field({"edge_max_mm", "mm", 0.01, 1000, "No edge length above this is asked."}, p.edge_max_mm);
+  v.field({"gradation", "mm/mm", 0.01, 1, "Bound on how fast the edge length may change per mm."}, p.gradation);
+}
+
+template <class V>
+void visit_fields(V& v, RemeshParams& p) {
+  v.choice({"method", "", 0, 0, "How the adapted surface is made."}, p.method,
+           Choices<RemeshMethod>{{"delaunay", RemeshMethod::kDelaunay}});
+  v.field({"smoothing_voxels", "voxel", 0, 2, "Width (sigma) of the Gaussian on the labels."}, p.smoothing_voxels);
+  v.field({"facet_angle_deg", "deg", 0, 30, "Lower bound on the triangles' angles."}, p.facet_angle_deg);
+  v.field({"max_distance_voxels", "voxel", 0.02, 10, "Distance allowed between triangles and labels."},
+          p.max_distance_voxels);
+}
+
+template <class V>
+void visit_fields(V& v, FillParams& p) {
+  v.choice({"backend", "", 0, 0, "Which mesher fills the surface."}, p.backend,
+           Choices<TetBackend>{{"tetgen", TetBackend::kTetgen}});
+  v.field({"radius_edge", "", 1.2, 10, "Bound on circumradius over shortest edge."}, p.radius_edge);
+  v.field({"min_dihedral_deg", "deg", 0, 18, "Smallest dihedral angle that refinement aims at."}, p.min_dihedral_deg);
+  v.field({"max_dihedral_deg", "deg", 130, 180, "Largest dihedral angle that optimisation aims at."},
+          p.max_dihedral_deg);
+}
+
+template <class V>
+void visit_fields(V& v, QualityParams& p) {
+  v.field({"histogram_bins", "", 4, 1024, "Bins of each histogram."}, p.histogram_bins);
+  v.field({"sample_spacing_voxels", "voxel", 0.05, 10, "Spacing of the samples that distances are measured at."},
+          p.sample_spacing_voxels);
+}
+
+template <class V>
+void visit_fields(V& v, Recipe& r) {
+  v.group({"source", "", 0, 0, "Where the labels come from."}, r.source);
+  v.field({"labels", "", 1, 65535, "Labels to mesh; none: all."}, r.labels);
+  v.field({"merge", "", 0, 0, "Mesh the labels as one region."}, r.merge);
+  v.group({"surface", "", 0, 0, "Extraction of the label surface."}, r.surface);
+  v.group({"smooth", "", 0, 0, "Smoothing of the label surface."}, r.smooth);
+  v.group({"sizing", "", 0, 0, "The wish for element size."}, r.sizing);
+  v.group({"remesh", "", 0, 0, "The adapted surface."}, r.remesh);
+  v.group({"tetra", "", 0, 0, "The tetrahedra."}, r.tetra);
+  v.group({"quality", "", 0, 0, "The evidence."}, r.quality);
+  v.group({"expected", "", 0, 0, "What a shared case promises."}, r.expected);
+}
+
+}  // namespace voxtet

@@ -1,0 +1,369 @@
+#include "recipe/recipe.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "recipe/fields.h"
+
+namespace voxtet {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMaxRecipeBytes = 1 << 20;
+constexpr std::size_t kMaxListItems = 1000;
+constexpr int kMaxDepth = 16;
+
+/// Thrown and caught within this file only.
+struct FieldError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+std::string shown(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+std::string shown(const json& value) {
+  std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+  return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+}
+
+[[noreturn]] void expected(const std::string& path, const json& found, const std::string& what) {
+  throw FieldError(path + ": found " + shown(found) + ", expected " + what);
+}
+
+// ------------------------------------------------------------------ reading
+
+class Reader {
+ public:
+  Reader(const json& object, std::string path) : object_(object), path_(std::move(path)) {
+    if (!object.is_object()) expected(path_.empty() ? "recipe" : path_, object, "an object of fields");
+  }
+
+  /// To be called last: whatever was not asked for is unknown.
+  void refuse_unknown() const {
+    for (const auto& [key, value] : object_.items()) {
+      bool known = false;
+      for (const std::string& name : seen_) known = known || name == key;
+      if (known) continue;
+      std::string names;
+      for (const std::string& name : seen_) names += (names.empty() ? "" : ", ") + name;
+      throw FieldError(at(key.c_str()) + ": unknown field; known here: " + names);
+    }
+  }
+
+  template <class T>
+  void field(const FieldInfo& info, T& value) {
+    if (const json* found = find(info.name)) read(info, at(info.name), *found, value);
+  }
+
+  template <class Enum>
+  void choice(const FieldInfo& info, Enum& value, const Choices<Enum>& choices) {
+    const json* found = find(info.name);
+    if (!found) return;
+    std::string names;
+    for (const auto& [name, option] : choices) {
+      if (found->is_string() && found->get_ref<const std::string&>() == name) {
+        value = option;
+        return;
+      }
+      names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+    expected(at(info.name), *found, "one of " + names);
+  }
+
+  template <class T>
+  void group(const FieldInfo& info, T& value) {
+    if (const json* found = find(info.name)) read_object(*found, at(info.name), value);
+  }
+
+  template <class T>
+  void optional_group(const FieldInfo& info, std::optional<T>& value) {
+    if (const json* found = find(info.name)) read_object(*found, at(info.name), value.emplace());
+  }
+
+  template <class T>
+  void list(const FieldInfo& info, std::vector<T>& items) {
+    const json* found = find(info.name);
+    if (!found) return;
+    check_list(at(info.name), *found);
+    items.clear();
+    for (std::size_t i = 0; i < found->size(); ++i)
+      read_object((*found)[i], at(info.name) + "[" + std::to_string(i) + "]", items.emplace_back());
+  }
+
+  template <class T>
+  static void read_object(const json& object, const std::string& path, T& value) {
+    Reader reader(object, path);
+    visit_fields(reader, value);
+    reader.refuse_unknown();
+  }
+
+ private:
+  std::string at(const char* name) const { return path_.empty() ? name : path_ + "." + name; }
+
+  const json* find(const char* name) {
+    seen_.emplace_back(name);
+    const auto it = object_.find(name);
+    return it == object_.end() ? nullptr : &*it;
+  }
+
+  static void check_list(const std::string& path, const json& found) {
+    if (!found.is_array()) expected(path, found, "a list");
+    if (found.size() > kMaxListItems)
+      throw FieldError(path + ": " + std::to_string(found.size()) + " items, at most " +
+                       std::to_string(kMaxListItems) + " are accepted");
+  }
+
+  static double number(const FieldInfo& info, const std::string& path, const json& found, bool whole) {
+    const std::string unit = *info.unit ? std::string(" ") + info.unit : "";
+    std::string what = whole ? "a whole number" : "a number";
+    if (info.min != kAnyMin) what += " from " + shown(info.min) + " to " + shown(info.max) + unit;
+    if (!found.is_number()) expected(path, found, what);
+    const double value = found.get<double>();
+    if (!std::isfinite(value) || value < info.min || value > info.max || (whole && value != std::floor(value)))
+      expected(path, found, what);
+    return value;
+  }
+
+  static void read(const FieldInfo& info, const std::string& path, const json& found, double& value) {
+    value = number(info, path, found, false);
+  }
+  template <class Whole>
+    requires std::is_integral_v<Whole>
+  static void read(const FieldInfo& info, const std::string& path, const json& found, Whole& value) {
+    value = static_cast<Whole>(number(info, path, found, true));
+  }
+  static void read(const FieldInfo&, const std::string& path, const json& found, bool& value) {
+    if (!found.is_boolean()) expected(path, found, "true or false");
+    value = found.get<bool>();
+  }
+  static void read(const FieldInfo&, const std::string& path, const json& found, std::string& value) {
+    if (!found.is_string()) expected(path, found, "a text");
+    value = found.get<std::string>();
+  }
+  static void read(const FieldInfo& info, const std::string& path, const json& found, Eigen::Vector3d& value) {
+    if (!found.is_array() || found.size() != 3) expected(path, found, "three numbers");
+    for (int d = 0; d < 3; ++d)
+      value[d] = number(info, path + "[" + std::to_string(d) + "]", found[static_cast<std::size_t>(d)], false);
+  }
+  static void read(const FieldInfo& info, const std::string& path, const json& found, std::vector<Label>& value) {
+    if (!found.is_array()) expected(path, found, "a list of labels");
+    value.clear();
+    for (std::size_t i = 0; i < found.size(); ++i)
+      read(info, path + "[" + std::to_string(i) + "]", found[i], value.emplace_back());
+  }
+
+  const json& object_;
+  std::string path_;
+  std::vector<std::string> seen_;
+};
+
+// ------------------------------------------------------------------ writing
+
+json to_json(double value) { return value; }
+json to_json(bool value) { return value; }
+json to_json(const std::string& value) { return value; }
+json to_json(const Eigen::Vector3d& value) { return json::array({value.x(), value.y(), value.z()}); }
+json to_json(const std::vector<Label>& value) { return value; }
+template <class Whole>
+  requires std::is_integral_v<Whole>
+json to_json(Whole value) {
+  return value;
+}
+
+class Writer {
+ public:
+  json object = json::object();
+
+  template <class T>
+  void field(const FieldInfo& info, T& value) {
+    object[info.name] = to_json(value);
+  }
+  template <class Enum>
+  void choice(const FieldInfo& info, Enum& value, const Choices<Enum>& choices) {
+    for (const auto& [name, option] : choices)
+      if (option == value) object[info.name] = name;
+  }
+  template <class T>
+  void group(const FieldInfo& info, T& value) {
+    object[info.name] = write(value);
+  }
+  template <class T>
+  void optional_group(const FieldInfo& info, std::optional<T>& value) {
+    if (value) object[info.name] = write(*value);
+  }
+  template <class T>
+  void list(const FieldInfo& info, std::vector<T>& items) {
+    object[info.name] = json::array();
+    for (T& item : items) object[info.name].push_back(write(item));
+  }
+
+  template <class T>
+  static json write(T& value) {
+    Writer writer;
+    visit_fields(writer, value);
+    return std::move(writer.object);
+  }
+};
+
+// ------------------------------------------------------------------ schema
+
+const char* type_name(const double&) { return "number"; }
+const char* type_name(const bool&) { return "boolean"; }
+const char* type_name(const std::string&) { return "string"; }
+const char* type_name(const Eigen::Vector3d&) { return "vec3"; }
+const char* type_name(const std::vector<Label>&) { return "labels"; }
+template <class Whole>
+  requires std::is_integral_v<Whole>
+const char* type_name(const Whole&) {
+  return "integer";
+}
+
+class SchemaWriter {
+ public:
+  explicit SchemaWriter(std::string path = {}) : path_(std::move(path)) {}
+  json fields = json::array();
+
+  template <class T>
+  void field(const FieldInfo& info, T& value) {
+    json& entry = add(info, type_name(value));
+    entry["default"] = to_json(value);
+    if (info.min != info.max && info.min != kAnyMin) {
+      entry["min"] = info.min;
+      entry["max"] = info.max;
+    }
+  }
+  template <class Enum>
+  void choice(const FieldInfo& info, Enum& value, const Choices<Enum>& choices) {
+    json& entry = add(info, "enum");
+    for (const auto& [name, option] : choices) {
+      entry["values"].push_back(name);
+      if (option == value) entry["default"] = name;
+    }
+  }
+  template <class T>
+  void group(const FieldInfo& info, T& value) {
+    SchemaWriter inner(at(info.name));
+    visit_fields(inner, value);
+    for (json& entry : inner.fields) fields.push_back(std::move(entry));
+  }
+  template <class T>
+  void optional_group(const FieldInfo& info, std::optional<T>&) {
+    T defaults;
+    group(info, defaults);
+  }
+  template <class T>
+  void list(const FieldInfo& info, std::vector<T>&) {
+    T item;
+    SchemaWriter inner;
+    visit_fields(inner, item);
+    json& entry = add(info, "list");
+    entry["default"] = json::array();
+    entry["items"] = std::move(inner.fields);
+  }
+
+ private:
+  std::string at(const char* name) const { return path_.empty() ? name : path_ + "." + name; }
+  json& add(const FieldInfo& info, const char* type) {
+    fields.push_back({{"path", at(info.name)}, {"type", type}, {"description", info.description}});
+    if (*info.unit) fields.back()["unit"] = info.unit;
+    return fields.back();
+  }
+  std::string path_;
+};
+
+/// Keeps what differs from the defaults. Lists and vectors are kept whole; an optional group that is present
+/// is kept even when all its fields are at their defaults.
+json difference(const json& value, const json& defaults) {
+  json out = json::object();
+  for (const auto& [key, entry] : value.items()) {
+    const auto other = defaults.find(key);
+    if (other == defaults.end()) {
+      out[key] = entry;
+    } else if (entry.is_object()) {
+      json inner = difference(entry, *other);
+      if (!inner.empty()) out[key] = std::move(inner);
+    } else if (entry != *other) {
+      out[key] = entry;
+    }
+  }
+  return out;
+}
+
+Error usage(const std::string& message) { return {ErrorCode::kUsage, "recipe", message, {}}; }
+
+}  // namespace
+
+Result<Recipe> parse_recipe(std::string_view text) {
+  if (text.size() > kMaxRecipeBytes)
+    return usage("the recipe has " + std::to_string(text.size()) + " bytes, at most " +
+                 std::to_string(kMaxRecipeBytes) + " are accepted");
+  const auto bounded = [](int depth, json::parse_event_t, json&) {
+    if (depth > kMaxDepth) throw FieldError("nested deeper than " + std::to_string(kMaxDepth) + " levels");
+    return true;
+  };
+  try {
+    return parse_recipe(json::parse(text, bounded));
+  } catch (const json::parse_error& error) {
+    return usage(std::string("not valid JSON: ") + error.what());
+  } catch (const FieldError& error) {
+    return usage(error.what());
+  }
+}
+
+Result<Recipe> parse_recipe(const json& value) {
+  Recipe recipe;
+  try {
+    Reader::read_object(value, "", recipe);
+    if (recipe.source.phantom && recipe.source.file)
+      throw FieldError("source: found phantom and file, expected one of them");
+  } catch (const FieldError& error) {
+    return usage(error.what());
+  }
+  return recipe;
+}
+
+json recipe_to_json(const Recipe& recipe, bool minimal) {
+  Recipe copy = recipe;
+  json full = Writer::write(copy);
+  if (!minimal) return full;
+  Recipe defaults;
+  json out = difference(full, Writer::write(defaults));
+  if (recipe.source.phantom) {
+    PhantomParams standard;
+    out["source"]["phantom"] = difference(full["source"]["phantom"], Writer::write(standard));
+    // The kind is what the reader of a link looks for.
+    out["source"]["phantom"]["kind"] = full["source"]["phantom"]["kind"];
+  }
+  return out;
+}
+
+Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const std::string& text) {
+  std::string pointer = "/" + path;
+  for (char& c : pointer)
+    if (c == '.' || c == '[') c = '/';
+  std::erase(pointer, ']');
+  json value = json::parse(text, nullptr, false);
+  if (value.is_discarded()) value = text;
+  json whole = recipe_to_json(recipe);
+  try {
+    whole[json::json_pointer(pointer)] = value;
+  } catch (const json::exception&) {
+    return usage(path + ": no such field");
+  }
+  return parse_recipe(whole);
+}
+
+json recipe_schema() {
+  Recipe defaults;
+  SchemaWriter writer;
+  visit_fields(writer, defaults);
+  return std::move(writer.fields);
+}
+
+}  // namespace voxtet

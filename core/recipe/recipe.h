@@ -1,0 +1,70 @@
+// A case as data: everything that decides a mesh, apart from the volume's own voxels.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "phantom/make_phantom.h"
+#include "quality/measure_quality.h"
+#include "remesh/remesh_surface.h"
+#include "sizing/build_sizing_field.h"
+#include "surface/extract_surface.h"
+#include "surface/smooth_surface.h"
+#include "tetra/fill_tets.h"
+#include "types/result.h"
+
+namespace voxtet {
+
+/// A volume that the user holds. `sha256` is digest_of(LabelVolume), so a re-compressed file still matches.
+struct FileSource {
+  std::string name;
+  std::string sha256;  ///< empty: any volume of that name
+};
+
+/// Where the labels come from. At most one is set.
+struct Source {
+  std::optional<PhantomParams> phantom;
+  std::optional<FileSource> file;
+};
+
+/// What a shared case promises; empty fields promise nothing.
+struct Expected {
+  std::string engine;
+  std::string digest;  ///< digest_of(TetMesh)
+  std::uint32_t tets = 0;
+};
+
+/// The whole case. Field names, units, ranges and sentences are declared once, in recipe/fields.h.
+struct Recipe {
+  Source source;
+  std::vector<Label> labels;  ///< labels to mesh; empty: all
+  bool merge = false;         ///< mesh them as one region that carries the smallest of the labels
+  ExtractParams surface;
+  SmoothParams smooth;
+  SizingParams sizing;
+  RemeshParams remesh;
+  FillParams tetra;
+  QualityParams quality;
+  Expected expected;
+};
+
+/// Parses strictly: unknown fields, wrong types and values out of range are errors that name the field's path.
+/// Fields that are absent keep their default. Errors: kUsage.
+Result<Recipe> parse_recipe(std::string_view json_text);
+Result<Recipe> parse_recipe(const nlohmann::json& json);
+
+/// Sets one field by its path ("sizing.edge_mm", "labels"; "sizing.regions[0].edge_mm" for lists) from JSON
+/// text; text that is no JSON is taken as a string. Errors: kUsage.
+Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const std::string& value);
+
+/// Every field with its value, or (`minimal`) only those that differ from their default.
+nlohmann::json recipe_to_json(const Recipe& recipe, bool minimal = false);
+
+/// The field table: [{path, type, unit, default, min, max, values, description, items}].
+nlohmann::json recipe_schema();
+
+}  // namespace voxtet

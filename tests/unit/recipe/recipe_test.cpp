@@ -1,0 +1,107 @@
+#include "recipe/recipe.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace voxtet {
+namespace {
+
+using nlohmann::json;
+
+std::string error_of(const std::string& text) {
+  const Result<Recipe> recipe = parse_recipe(std::string_view(text));
+  return recipe.ok() ? "" : recipe.error().message;
+}
+
+TEST(ParseRecipe, KeepsDefaultsForAbsentFields) {
+  const Result<Recipe> recipe = parse_recipe(std::string_view("{}"));
+  ASSERT_TRUE(recipe.ok());
+  EXPECT_EQ(recipe_to_json(*recipe), recipe_to_json(Recipe{}));
+  EXPECT_EQ(recipe_to_json(*recipe, true), json::object());
+}
+
+TEST(ParseRecipe, ReadsEveryKindOfField) {
+  const Result<Recipe> recipe = parse_recipe(std::string_view(R"({
+    "source": {"phantom": {"kind": "torus", "spacing_mm": [1, 2, 3], "mirrored": true, "seed": 4294967295}},
+    "labels": [5, 1], "merge": true,
+    "surface": {"method": "marching_tets"},
+    "sizing": {"edge_mm": 1.5, "labels": [{"label": 5, "edge_mm": 0.8}],
+               "regions": [{"shape": "capsule", "centre_mm": [-1e3, 0, 2.5], "radius_mm": 4, "name": "a"}]}})"));
+  ASSERT_TRUE(recipe.ok()) << recipe.error().message;
+  EXPECT_EQ(recipe->source.phantom->kind, PhantomKind::kTorus);
+  EXPECT_EQ(recipe->source.phantom->spacing_mm, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(recipe->source.phantom->seed, 4294967295U);
+  EXPECT_EQ(recipe->labels, (std::vector<Label>{5, 1}));
+  EXPECT_TRUE(recipe->merge);
+  EXPECT_EQ(recipe->surface.method, ExtractMethod::kMarchingTets);
+  EXPECT_EQ(recipe->sizing.labels.at(0).label, 5);
+  EXPECT_EQ(recipe->sizing.regions.at(0).shape, RegionShape::kCapsule);
+  EXPECT_EQ(recipe->sizing.regions.at(0).centre_mm.x(), -1000);
+}
+
+TEST(ParseRecipe, NamesThePathTheValueAndTheExpectation) {
+  EXPECT_NE(error_of(R"({"sizing":{"edge_mm":-1}})").find("sizing.edge_mm: found -1, expected a number from 0.01"),
+            std::string::npos);
+  EXPECT_NE(error_of(R"({"sizing":{"labels":[{"label":1},{"label":0}]}})").find("sizing.labels[1].label: found 0"),
+            std::string::npos);
+  EXPECT_NE(error_of(R"({"sizing":{"edge":1}})").find("sizing.edge: unknown field; known here: edge_mm"),
+            std::string::npos);
+  EXPECT_NE(error_of(R"({"surface":{"method":"mc33"}})").find("one of auto, marching_cubes"), std::string::npos);
+  EXPECT_NE(error_of(R"({"labels":[1.5]})").find("labels[0]: found 1.5, expected a whole number"), std::string::npos);
+  EXPECT_NE(error_of(R"({"merge":1})").find("merge: found 1, expected true or false"), std::string::npos);
+  EXPECT_NE(error_of(R"({"source":{"phantom":{},"file":{}}})").find("expected one of them"), std::string::npos);
+  EXPECT_NE(error_of("[]").find("expected an object"), std::string::npos);
+  EXPECT_NE(error_of("{\"a\"").find("not valid JSON"), std::string::npos);
+}
+
+TEST(ParseRecipe, RefusesWhatIsTooDeepOrTooLong) {
+  EXPECT_NE(error_of("{\"labels\":" + std::string(100000, '[')).find("nested deeper"), std::string::npos);
+  EXPECT_NE(error_of("{\"labels\":[" + std::string(2 << 20, ' ')).find("at most"), std::string::npos);
+  std::string many = R"({"sizing":{"regions":[{})";
+  for (int i = 0; i < 1000; ++i) many += ",{}";
+  EXPECT_NE(error_of(many + "]}}").find("sizing.regions: 1001 items"), std::string::npos);
+}
+
+TEST(RecipeJson, RoundTripsFullAndMinimal) {
+  Recipe recipe;
+  recipe.source.phantom.emplace().scar = true;
+  recipe.labels = {1, 2, 5};
+  recipe.sizing.regions.push_back({"tip", RegionShape::kBox, {1, 2, 3}, {}, {4, 5, 6}, {}, 1, 0.5, 2});
+  recipe.tetra.min_dihedral_deg = 10.1;
+  const json full = recipe_to_json(recipe), minimal = recipe_to_json(recipe, true);
+  EXPECT_EQ(recipe_to_json(*parse_recipe(full)), full);
+  EXPECT_EQ(recipe_to_json(*parse_recipe(minimal)), full);
+  EXPECT_EQ(minimal["source"].dump(), R"({"phantom":{"kind":"biventricle","scar":true}})");
+  EXPECT_EQ(minimal["tetra"].dump(), R"({"min_dihedral_deg":10.1})");
+  EXPECT_FALSE(minimal.contains("smooth"));
+}
+
+TEST(WithField, SetsNestedFieldsAndRefusesUnknownOnes) {
+  Result<Recipe> recipe = with_field(Recipe{}, "sizing.gradation", "0.2");
+  ASSERT_TRUE(recipe.ok());
+  EXPECT_EQ(recipe->sizing.gradation, 0.2);
+  recipe = with_field(*recipe, "source.phantom.kind", "sphere");
+  ASSERT_TRUE(recipe.ok()) << recipe.error().message;
+  recipe = with_field(*recipe, "labels", "[1,2]");
+  ASSERT_TRUE(recipe.ok());
+  recipe = with_field(*recipe, "sizing.regions[0].edge_mm", "0.5");
+  ASSERT_TRUE(recipe.ok()) << recipe.error().message;
+  EXPECT_EQ(recipe->sizing.regions.at(0).edge_mm, 0.5);
+  EXPECT_EQ(with_field(*recipe, "sizing.nothing", "1").error().code, ErrorCode::kUsage);
+  EXPECT_FALSE(with_field(*recipe, "sizing.edge_mm.deeper", "1").ok());
+  EXPECT_FALSE(with_field(*recipe, "sizing.regions[x].edge_mm", "1").ok());
+}
+
+TEST(RecipeSchema, DescribesEveryFieldOfTheRecipe) {
+  std::vector<std::string> paths;
+  for (const json& field : recipe_schema()) {
+    EXPECT_FALSE(field["description"].get<std::string>().empty()) << field;
+    paths.push_back(field["path"]);
+  }
+  for (const char* path : {"source.phantom.kind", "labels", "sizing.regions", "remesh.facet_angle_deg", "expected.tets"})
+    EXPECT_NE(std::find(paths.begin(), paths.end(), path), paths.end()) << path;
+}
+
+}  // namespace
+}  // namespace voxtet
