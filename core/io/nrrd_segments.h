@@ -1,0 +1,33 @@
+// Segments of a .seg.nrrd: their names and colours, and layers flattened into one label map.
+// Keys: 3D Slicer documentation, "Segmentations", SegmentN_Name, _Color, _LabelValue, _Layer.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "types/label_volume.h"
+#include "types/result.h"
+
+namespace voxtet {
+
+struct NrrdSegment {
+  LabelInfo info;  ///< `label` is the label in the volume that is returned
+  std::int64_t layer = 0;
+  Label value = 1;  ///< the value that the layer stores
+};
+
+/// The segments in order of their number, with labels made unique: a segment keeps its LabelValue unless an
+/// earlier segment has it; then it gets the next number above all LabelValues. A missing Layer is 0, or the
+/// segment's place where there are several layers; a missing LabelValue is 1. Errors: kBadInput for values
+/// out of range, or two segments with the same value in the same layer.
+Result<std::vector<NrrdSegment>> parse_segments(const std::map<std::string, std::string>& key_values,
+                                                std::int64_t layers);
+
+/// One label a voxel from `layers` values a voxel: where segments overlap the later one wins. A value other
+/// than 0 that no segment claims is an error (`size` only names the voxel in it).
+Result<std::vector<Label>> flatten_layers(const std::vector<Label>& values, std::int64_t layers,
+                                          const std::vector<NrrdSegment>& segments,
+                                          const std::array<std::int64_t, 3>& size);
+
+}  // namespace voxtet

@@ -1,0 +1,96 @@
+#include "io/read_volume.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
+#include "io/byte_source.h"
+#include "io/header_text.h"
+#include "io/read_metaimage.h"
+#include "io/read_nifti.h"
+#include "io/read_nrrd.h"
+
+namespace voxtet {
+namespace {
+
+constexpr const char* kStage = "read_volume";
+
+bool starts_with(std::span<const std::uint8_t> bytes, std::string_view text) {
+  return bytes.size() >= text.size() && std::equal(text.begin(), text.end(), bytes.begin());
+}
+
+Result<LabelVolume> read_gzipped(const VolumeFile& file) {
+  // A second source reads the volume, so that the look ahead needs no buffer.
+  std::array<std::uint8_t, kNiftiHeaderBytes> start{};
+  Result<std::size_t> got = make_inflate_source(file.bytes)->read(start);
+  if (!got) return got.error();
+  if (!looks_like_nifti({start.data(), *got}))
+    return bad_input(kStage,
+                     "gzip data that hold no NIfTI header; expected .nii.gz (NRRD and MetaImage compress "
+                     "their voxels only, not the whole file)");
+  return read_nifti(*make_inflate_source(file.bytes));
+}
+
+Result<LabelVolume> read_any(const VolumeFile& file) {
+  if (file.bytes.empty()) return bad_input(kStage, "the file is empty");
+  if (file.bytes.size() >= 2 && file.bytes[0] == 0x1f && file.bytes[1] == 0x8b) return read_gzipped(file);
+  if (starts_with(file.bytes, "NRRD")) return read_nrrd(file);
+  if (looks_like_nifti(file.bytes.first(std::min(file.bytes.size(), kNiftiHeaderBytes))))
+    return read_nifti(*make_memory_source(file.bytes));
+  if (looks_like_metaimage(file.bytes)) return read_metaimage(file);
+  const auto* text = reinterpret_cast<const char*>(file.bytes.data());
+  return bad_input(kStage,
+                   "starts with " + quoted({text, std::min<std::size_t>(file.bytes.size(), 16)}) +
+                       "; expected NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)");
+}
+
+Result<Bytes> read_bytes(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  std::error_code code;
+  const auto size = std::filesystem::file_size(path, code);
+  if (!stream || code) return bad_input(kStage, path.string() + ": cannot be opened");
+  Bytes bytes(static_cast<std::size_t>(size));
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (static_cast<std::size_t>(stream.gcount()) != bytes.size())
+    return bad_input(kStage, path.string() + ": cannot be read to its end");
+  return bytes;
+}
+
+template <class Read>
+auto guarded(const std::string& name, Read read) -> decltype(read()) {
+  try {
+    return read();
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  return Error{ErrorCode::kOutOfMemory, kStage, name + ": there is not enough memory for its voxels", {}};
+}
+
+}  // namespace
+
+Result<LabelVolume> read_volume(const VolumeFile& file) {
+  return guarded(file.name, [&]() -> Result<LabelVolume> {
+    Result<LabelVolume> volume = read_any(file);
+    if (volume) return volume;
+    Error error = volume.error();
+    error.message = file.name + ": " + error.message;
+    return error;
+  });
+}
+
+Result<LabelVolume> read_volume_file(const std::string& path) {
+  return guarded(path, [&]() -> Result<LabelVolume> {
+    const std::filesystem::path place(path);
+    const Result<Bytes> bytes = read_bytes(place);
+    if (!bytes) return bytes.error();
+    return read_volume(
+        {path, *bytes, [&](const std::string& name) { return read_bytes(place.parent_path() / name); }});
+  });
+}
+
+}  // namespace voxtet

@@ -1,0 +1,38 @@
+// Bytes of a NIfTI, NRRD or MetaImage file -> label volume. The format is found from the content.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "types/label_volume.h"
+#include "types/result.h"
+
+namespace voxtet {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Gives the content of a file named by a detached header (.nhdr, .mhd), relative to that header.
+/// In the browser these are the files dropped together with it.
+using SiblingReader = std::function<Result<Bytes>(const std::string& name)>;
+
+struct VolumeFile {
+  std::string name;  ///< used in messages, and to tell .nii.gz from other gzip data
+  std::span<const std::uint8_t> bytes;
+  SiblingReader sibling;  ///< may be empty when the file is self-contained
+};
+
+/// Reads labels, affine (RAS, mm) and what the file says of names and colours. Strict: a truncated, damaged
+/// or unsupported file is an error that names the file, the field, what was found and what was expected;
+/// memory is only allocated once the header has been checked against the bytes that are there. Accepts .nii,
+/// .nii.gz (NIfTI-1, NIfTI-2), .nrrd, .nhdr, .seg.nrrd, .mha, .mhd; refuses .hdr/.img pairs. Values must be
+/// whole, 0 to 65535. Data longer than the header says are an error too. Errors: kBadInput; kOutOfMemory for
+/// an honest file that is too large for this machine.
+Result<LabelVolume> read_volume(const VolumeFile& file);
+
+/// Reads from disk; siblings are looked up in the same folder.
+Result<LabelVolume> read_volume_file(const std::string& path);
+
+}  // namespace voxtet

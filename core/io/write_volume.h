@@ -1,0 +1,15 @@
+// Label volume -> NIfTI-1 bytes.
+#pragma once
+
+#include "io/read_volume.h"
+#include "types/label_volume.h"
+#include "types/result.h"
+
+namespace voxtet {
+
+/// NIfTI-1, uint8 when all labels fit, else uint16; sform and qform (where representable) hold the affine;
+/// `gzip` compresses with no timestamp, so that equal volumes give equal bytes.
+/// Errors: kUsage for sizes above 32767 per axis.
+Result<Bytes> write_nifti(const LabelVolume& volume, bool gzip);
+
+}  // namespace voxtet

@@ -1,0 +1,151 @@
+// The heart, in millimetres of an adult at end-diastole (scale 1). The long axis is z with the base up; the
+// right ventricle lies towards +x, the anterior wall towards +y.
+//
+//        base plane (slightly tilted)      LV: truncated ellipsoid, endocardium 24 x 24 x 46, wall 9.5
+//        thinning to 6
+//   ------------------------------         RV: ellipsoid beside it with a wall of 3.8, minus the LV; an
+//   |LV wall| LV pool |septum| RV )            infundibulum bulges at its anterior base; ends above the LV
+//   apex
+//    \       \       /      / RV /         Where the walls meet, outer and inner surfaces are rounded by
+//    smooth
+//     \       \_____/      /____/          minima, so that no label ends in a knife edge.
+//      \____________/
+#include "phantom/body.h"
+#include "phantom/value_noise.h"
+
+namespace voxtet {
+namespace {
+
+const Ellipsoid kLvEndocardium{{0, 0, 0}, {24, 24, 46}};
+const Ellipsoid kLvEpicardium{{0, 0, 0}, {33.5, 33.5, 52}};
+const Ellipsoid kRvEpicardium{{16, 1, 6}, {41, 35.5, 47}};
+const Ellipsoid kInfundibulum{{21, 23, 21}, {22, 17, 24}};
+constexpr double kRvWall = 3.8;
+constexpr double kOuterFillet = 9;    // epicardial groove where the walls meet
+constexpr double kCavityFillet = 6;   // corner of the RV cavity at the septum
+constexpr double kInflowFillet = 10;  // RV body to infundibulum
+constexpr double kRimFillet =
+    3;  // outer rim of the base; less than the thinnest wall, so that pools stay enclosed
+const Eigen::Vector3d kBaseNormal(0.06, 0.08, std::sqrt(1 - 0.06 * 0.06 - 0.08 * 0.08));
+constexpr double kBaseHeight = 22;
+const Eigen::Vector3d kCentre(12, 2, -14);  // of the whole heart: comes to lie at the origin
+const Eigen::Vector3d kHalfExtent(48, 41, 43);
+
+// The scar lies on the antero-lateral LV wall around this direction (in x, y) and height.
+const Eigen::Vector2d kScarDirection(-0.8, 0.6);
+constexpr double kScarHeight = -9;
+constexpr double kScarHalfArc = 24;
+constexpr double kScarHalfHeight = 20;
+constexpr double kScarTransmural = 0.7;
+constexpr double kBorderWidth = 3;
+constexpr double kIsthmusWidth = 6;
+const Eigen::Vector2d kIsthmusNormal(0.8, 0.6);  // across the channel, in (arc, height)
+constexpr double kMidWallRadius = 28;
+
+/// Length (mm) along a circle of `radius` from `direction` to that of (x, y), positive anticlockwise;
+/// rational instead of an arctangent, within 5 % up to 60 degrees.
+double arc_from(const Eigen::Vector2d& direction, const Eigen::Vector3d& p, double radius) {
+  const double along = direction.x() * p.x() + direction.y() * p.y();
+  const double across = direction.x() * p.y() - direction.y() * p.x();
+  const double denominator = std::sqrt(p.x() * p.x() + p.y() * p.y()) + along;
+  return denominator > 0 ? 2 * radius * across / denominator : 1e9;
+}
+
+/// 1 at 0, smoothly 0 from |t| = 1 on.
+double bump(double t) {
+  const double inside = std::max(0.0, 1 - t * t);
+  return inside * inside;
+}
+
+/// Distances (mm) to the surfaces of the heart, negative inside.
+struct HeartDistances {
+  double lv_cavity, lv_wall, rv_cavity, outside, base;
+};
+
+class Biventricle {
+ public:
+  explicit Biventricle(const PhantomParams& params)
+      : scale_(params.scale),
+        roughness_(params.roughness_mm / params.scale),
+        blood_pools_(params.blood_pools),
+        scar_(params.scar),
+        seed_(params.seed) {}
+
+  Label label_at(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d p = point / scale_ + kCentre;
+    HeartDistances d{};
+    d.base = kBaseNormal.dot(p) - kBaseHeight;
+    d.lv_wall = kLvEpicardium.distance(p);
+    const double rv_wall = smooth_min(kRvEpicardium.distance(p), kInfundibulum.distance(p), kInflowFillet);
+    d.outside = smooth_max(smooth_min(d.lv_wall, rv_wall, kOuterFillet), d.base, kRimFillet);
+    if (d.base >= 0) return kBackground;
+    d.lv_cavity = kLvEndocardium.distance(p) + lv_roughness(p);
+    if (d.lv_cavity < 0) return blood_pools_ ? 3 : kBackground;
+    d.rv_cavity = rv_cavity(p, d.lv_wall);
+    if (d.rv_cavity < 0) return blood_pools_ ? 4 : kBackground;
+    if (d.outside >= 0) return kBackground;
+    // Nearer to the RV cavity than to the LV: the bisector crosses the insertion at a blunt angle, and starts
+    // in the middle of the cavity's rounded corner.
+    if (d.lv_wall > d.rv_cavity + kCavityFillet / 4) return 2;
+    return scar_ ? lv_tissue(p, d) : 1;
+  }
+
+ private:
+  double noise(const Eigen::Vector3d& p, std::uint32_t salt) const {
+    // Trabeculae run along the ventricle: cells are longer in z.
+    const double coarse = value_noise(p.cwiseQuotient(Eigen::Vector3d(8, 8, 16)), seed_ + salt);
+    const double fine = value_noise(p.cwiseQuotient(Eigen::Vector3d(5, 5, 10)), seed_ + salt + 1);
+    return 0.7 * coarse + 0.3 * fine;
+  }
+
+  /// Roughness of the LV endocardium and two papillary muscles, all in proportion to roughness_mm.
+  double lv_roughness(const Eigen::Vector3d& p) const {
+    if (roughness_ == 0) return 0;
+    double papillary = 0;
+    for (const Eigen::Vector2d& direction : {Eigen::Vector2d(-0.28, 0.96), Eigen::Vector2d(-0.6, -0.8)})
+      papillary += bump(arc_from(direction, p, 22) / 9) * bump((p.z() + 14) / 22);
+    return roughness_ * (3 * noise(p, 0) - 1.5 + 6 * papillary);
+  }
+
+  /// The RV pool. Roughness only thickens the free wall; the septal side stays smooth.
+  double rv_cavity(const Eigen::Vector3d& p, double lv_wall) const {
+    static const Ellipsoid body = kRvEpicardium.shrunk(kRvWall);
+    static const Ellipsoid infundibulum = kInfundibulum.shrunk(kRvWall);
+    double inner = smooth_min(body.distance(p), infundibulum.distance(p), kInflowFillet);
+    if (roughness_ > 0) inner += 2 * roughness_ * noise(p, 7);
+    return smooth_max(inner, -lv_wall, kCavityFillet);
+  }
+
+  /// 1 healthy, 5 scar core, 6 border zone. The core fills the inner 70 % of the wall; the border zone
+  /// surrounds it through the whole wall and fills the isthmus, which cuts the core in two.
+  Label lv_tissue(const Eigen::Vector3d& p, const HeartDistances& d) const {
+    const Eigen::Vector2d at(arc_from(kScarDirection, p, kMidWallRadius), p.z() - kScarHeight);
+    if (std::abs(at.x()) > 2 * kScarHalfArc || std::abs(at.y()) > 2 * kScarHalfHeight) return 1;
+    const double level = at.cwiseQuotient(Eigen::Vector2d(kScarHalfArc, kScarHalfHeight)).norm();
+    const double wobble = 4 * value_noise(p / 14, seed_ + 20) - 2;
+    const double patch = (level - 1) * kScarHalfHeight + wobble;
+    if (patch >= kBorderWidth) return 1;
+    const double channel =
+        kIsthmusWidth / 2 - std::abs(kIsthmusNormal.dot(at) + 0.004 * at.squaredNorm() - 1.5);
+    const double wall = d.lv_cavity - d.lv_wall;
+    const double depth = d.lv_cavity - kScarTransmural * wall;
+    const double core = smooth_max(smooth_max(patch, channel, 3), depth, 3);
+    return core < 0 ? 5 : 6;
+  }
+
+  double scale_, roughness_;
+  bool blood_pools_, scar_;
+  std::uint32_t seed_;
+};
+
+}  // namespace
+
+Body biventricle_body(const PhantomParams& params) {
+  Body body;
+  body.half_extent_mm = kHalfExtent * params.scale;
+  body.radius_mm = body.half_extent_mm.norm();
+  body.label_at = [heart = Biventricle(params)](const Eigen::Vector3d& p) { return heart.label_at(p); };
+  return body;
+}
+
+}  // namespace voxtet

@@ -1,0 +1,208 @@
+#include "phantom/make_phantom.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include "geometry/rotation.h"
+#include "phantom/body.h"
+#include "phantom/remove_specks.h"
+
+namespace voxtet {
+namespace {
+
+constexpr double kMaxVoxels = 512.0 * 512.0 * 512.0;
+constexpr int kPadding = 2;
+constexpr double kMaxRoughnessMm = 1.2;  // at scale 1: beyond it bumps would close the cavities' thin ends
+constexpr double kSpeckShare = 0.05;     // of the largest component of the same label
+constexpr const char* kStage = "phantom";
+
+Error usage_error(const std::string& message) {
+  return {ErrorCode::kUsage, kStage, message, {}};
+}
+
+bool reads_radius(PhantomKind kind) {
+  return kind != PhantomKind::kBiventricle;
+}
+bool reads_inner_radius(PhantomKind kind) {
+  return kind == PhantomKind::kShell || kind == PhantomKind::kTorus;
+}
+
+/// The first parameter that is out of range, among those that the kind reads.
+std::optional<Error> find_parameter_error(const PhantomParams& p) {
+  const auto refuse = [](const std::string& field, double found, const std::string& expected) {
+    std::ostringstream message;
+    message << "phantom." << field << ": found " << found << ", expected " << expected;
+    return usage_error(message.str());
+  };
+  const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
+  const std::string length = "a finite length > 0";
+  for (int d = 0; d < 3; ++d) {
+    const std::string index = std::string("[") + std::to_string(d) + "]";
+    if (!positive(p.spacing_mm[d])) return refuse("spacing_mm" + index, p.spacing_mm[d], length);
+    if (!std::isfinite(p.rotation_deg[d]))
+      return refuse("rotation_deg" + index, p.rotation_deg[d], "a finite angle");
+  }
+  if (reads_radius(p.kind) && !positive(p.radius_mm)) return refuse("radius_mm", p.radius_mm, length);
+  if (reads_inner_radius(p.kind) && !(positive(p.inner_radius_mm) && p.inner_radius_mm < p.radius_mm))
+    return refuse("inner_radius_mm", p.inner_radius_mm, length + " and less than radius_mm");
+  if (p.kind == PhantomKind::kSlab && !positive(p.thickness_mm))
+    return refuse("thickness_mm", p.thickness_mm, length);
+  if (p.kind == PhantomKind::kBiventricle) {
+    if (!positive(p.scale)) return refuse("scale", p.scale, "a finite factor > 0");
+    if (!(p.roughness_mm >= 0 && p.roughness_mm <= kMaxRoughnessMm * p.scale))
+      return refuse("roughness_mm", p.roughness_mm, "a length from 0 to 1.2 * scale");
+  }
+  return std::nullopt;
+}
+
+Body body_of(const PhantomParams& params) {
+  return params.kind == PhantomKind::kBiventricle ? biventricle_body(params) : simple_body(params);
+}
+
+/// A grid whose axes are the columns of the body's rotation, wide enough for the body.
+struct Grid {
+  std::array<int, 3> size{};
+  Eigen::Matrix4d index_to_mm = Eigen::Matrix4d::Identity();
+};
+
+Result<Grid> grid_around(const Body& body, const PhantomParams& params) {
+  const Eigen::Matrix3d rotation = rotation_from_degrees(params.rotation_deg);
+  Grid grid;
+  double voxels = 1;
+  Eigen::Vector3d counts, middle;
+  Eigen::Matrix3d linear;
+  for (int d = 0; d < 3; ++d) {
+    const double reach = std::min(rotation.col(d).cwiseAbs().dot(body.half_extent_mm), body.radius_mm);
+    counts[d] = std::ceil(2 * reach / params.spacing_mm[d]) + 1 + 2 * kPadding;
+    voxels *= counts[d];
+    middle[d] = (counts[d] - 1) / 2;
+    linear.col(d) =
+        rotation.col(d) * (params.mirrored && d == 0 ? -params.spacing_mm[d] : params.spacing_mm[d]);
+  }
+  if (!(voxels <= kMaxVoxels)) {
+    std::ostringstream message;
+    message << "phantom.spacing_mm: " << counts[0] << " x " << counts[1] << " x " << counts[2]
+            << " voxels would be needed, expected at most 512^3 in all";
+    return usage_error(message.str());
+  }
+  for (int d = 0; d < 3; ++d) grid.size[d] = static_cast<int>(counts[d]);
+  grid.index_to_mm.topLeftCorner<3, 3>() = linear;
+  grid.index_to_mm.topRightCorner<3, 1>() = body.centre_mm - linear * middle;
+  return grid;
+}
+
+LabelVolume sample(const Body& body, const Grid& grid) {
+  LabelVolume volume;
+  volume.size = grid.size;
+  volume.index_to_mm = grid.index_to_mm;
+  volume.labels.resize(volume.voxel_count());
+  std::size_t at = 0;
+  for (int k = 0; k < grid.size[2]; ++k)
+    for (int j = 0; j < grid.size[1]; ++j)
+      for (int i = 0; i < grid.size[0]; ++i)
+        volume.labels[at++] = body.label_at(volume.to_mm({1.0 * i, 1.0 * j, 1.0 * k}));
+  return volume;
+}
+
+/// The same volume cut down to its labels and `kPadding` voxels around them; empty if there are no labels.
+LabelVolume cropped(const LabelVolume& volume) {
+  std::array<int, 3> low = volume.size, high{-1, -1, -1};
+  for (int k = 0; k < volume.size[2]; ++k)
+    for (int j = 0; j < volume.size[1]; ++j)
+      for (int i = 0; i < volume.size[0]; ++i) {
+        if (volume.at(i, j, k) == kBackground) continue;
+        const std::array<int, 3> voxel{i, j, k};
+        for (int d = 0; d < 3; ++d) {
+          low[d] = std::min(low[d], voxel[d]);
+          high[d] = std::max(high[d], voxel[d]);
+        }
+      }
+  LabelVolume result;
+  if (high[0] < 0) return result;
+  Eigen::Vector3d first;
+  for (int d = 0; d < 3; ++d) {
+    result.size[d] = high[d] - low[d] + 1 + 2 * kPadding;
+    first[d] = low[d] - kPadding;
+  }
+  result.index_to_mm = volume.index_to_mm;
+  result.index_to_mm.topRightCorner<3, 1>() = volume.to_mm(first);
+  result.labels.assign(result.voxel_count(), kBackground);
+  for (int k = low[2]; k <= high[2]; ++k)
+    for (int j = low[1]; j <= high[1]; ++j)
+      std::copy_n(volume.labels.begin() + static_cast<std::ptrdiff_t>(volume.offset(low[0], j, k)),
+                  high[0] - low[0] + 1,
+                  result.labels.begin() + static_cast<std::ptrdiff_t>(result.offset(
+                                              kPadding, j - low[1] + kPadding, k - low[2] + kPadding)));
+  return result;
+}
+
+/// Names and colours that stay apart for colour-blind readers, of the labels that the volume holds.
+std::vector<LabelInfo> describe(const LabelVolume& volume, PhantomKind kind) {
+  static const std::vector<LabelInfo> kHeart{
+      {1, "LV myocardium", {0.70F, 0.25F, 0.20F}}, {2, "RV myocardium", {0.93F, 0.62F, 0.20F}},
+      {3, "LV blood pool", {0.00F, 0.45F, 0.70F}}, {4, "RV blood pool", {0.35F, 0.70F, 0.90F}},
+      {5, "scar core", {0.24F, 0.10F, 0.36F}},     {6, "border zone", {0.94F, 0.89F, 0.26F}}};
+  static const std::vector<LabelInfo> kBoxes{{1, "outer box", {0.70F, 0.25F, 0.20F}},
+                                             {2, "middle box", {0.93F, 0.62F, 0.20F}},
+                                             {3, "inner box", {0.00F, 0.45F, 0.70F}}};
+  static const std::vector<LabelInfo> kBody{{1, "body", {0.70F, 0.25F, 0.20F}}};
+  const std::vector<LabelInfo>& all =
+      kind == PhantomKind::kBiventricle ? kHeart : (kind == PhantomKind::kNestedBoxes ? kBoxes : kBody);
+  std::array<bool, 7> present{};
+  for (const Label label : volume.labels) present[label] = true;
+  std::vector<LabelInfo> held;
+  for (const LabelInfo& info : all)
+    if (present[info.label]) held.push_back(info);
+  return held;
+}
+
+}  // namespace
+
+Result<LabelVolume> make_phantom(const PhantomParams& params) {
+  if (const auto error = find_parameter_error(params)) return *error;
+  const Body body = body_of(params);
+  const Result<Grid> grid = grid_around(body, params);
+  if (!grid) return grid.error();
+  LabelVolume sampled = sample(body, *grid);
+  if (params.kind == PhantomKind::kBiventricle) remove_specks(sampled, kSpeckShare);
+  LabelVolume volume = cropped(sampled);
+  if (volume.labels.empty())
+    return usage_error("phantom.spacing_mm: no voxel centre lies inside the body, expected a finer spacing");
+  volume.infos = describe(volume, params.kind);
+  return volume;
+}
+
+std::function<Label(const Eigen::Vector3d&)> phantom_body(const PhantomParams& params) {
+  if (find_parameter_error(params)) return [](const Eigen::Vector3d&) { return kBackground; };
+  return body_of(params).label_at;
+}
+
+double phantom_volume_mm3(const PhantomParams& params, Label label) {
+  constexpr double kPi = 3.14159265358979323846;
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const double r = params.radius_mm;
+  const double inner = params.inner_radius_mm;
+  if (find_parameter_error(params)) return nothing;
+  if (params.kind == PhantomKind::kNestedBoxes) {
+    const double third = 8 * r * r * r / 27;
+    return label == 1 ? 19 * third : (label == 2 ? 7 * third : (label == 3 ? third : nothing));
+  }
+  if (label != 1) return nothing;
+  switch (params.kind) {
+    case PhantomKind::kSphere:
+      return 4 * kPi / 3 * r * r * r;
+    case PhantomKind::kShell:
+      return 4 * kPi / 3 * (r * r * r - inner * inner * inner);
+    case PhantomKind::kTorus:
+      return 2 * kPi * kPi * r * inner * inner;
+    case PhantomKind::kSlab:
+      return 4 * r * r * params.thickness_mm;
+    default:
+      return nothing;
+  }
+}
+
+}  // namespace voxtet

@@ -1,0 +1,55 @@
+// Parametric bodies with analytic truth, as label volumes at any spacing and direction.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "types/label_volume.h"
+#include "types/result.h"
+
+namespace voxtet {
+
+enum class PhantomKind { kSphere, kShell, kTorus, kSlab, kNestedBoxes, kBranchingTube, kBiventricle };
+
+/// One struct for all kinds; each kind reads the fields it needs.
+struct PhantomParams {
+  PhantomKind kind = PhantomKind::kBiventricle;
+  Eigen::Vector3d spacing_mm = Eigen::Vector3d::Constant(1.5);
+  Eigen::Vector3d rotation_deg = Eigen::Vector3d::Zero();  ///< of the image axes, extrinsic x, y, z
+  bool mirrored = false;                                   ///< first image axis reversed (determinant < 0)
+  double radius_mm = 20;  ///< sphere, shell (outer), torus (major), nested boxes and slab (half width), tube
+                          ///< (a quarter of its length; twice the trunk's radius)
+  double inner_radius_mm = 12;  ///< shell (inner), torus (minor)
+  double thickness_mm = 8;      ///< slab
+  double scale = 1;             ///< biventricle: 1 = adult end-diastolic heart
+  double roughness_mm = 0.8;    ///< biventricle: amplitude of the seeded surface roughness
+  bool blood_pools = true;      ///< biventricle: label cavities 3 and 4
+  bool scar = false;            ///< biventricle: scar core 5 with an isthmus, border zone 6
+  std::uint32_t seed = 1;       ///< biventricle: roughness
+};
+
+/// A label volume sampled at voxel centres, cropped to the body with two background voxels around it. The body
+/// is centred near the origin; torus and slab lie across z; the heart's base faces +z, its right ventricle +x.
+///
+/// Labels: 1 (sphere, shell, torus, slab, tube); nested boxes 1 (outer), 2, 3; biventricle: 1 LV myocardium,
+/// 2 RV myocardium, 3 LV blood pool, 4 RV blood pool, 5 scar core, 6 border zone. Each label of the heart is one
+/// 6-connected component, except the scar core, which the isthmus cuts in two: voxels that sampling cuts off
+/// from their label go to a neighbouring label.
+///
+/// Errors: kUsage naming the parameter that is out of range, a volume that would exceed 512^3 voxels, or a
+/// spacing so coarse that no voxel centre lies inside.
+Result<LabelVolume> make_phantom(const PhantomParams& params);
+
+/// The label at a point (mm, RAS) of the body itself, without any grid; background everywhere if a parameter
+/// is out of range.
+std::function<Label(const Eigen::Vector3d&)> phantom_body(const PhantomParams& params);
+
+/// Exact volume of a label (mm^3) where a closed form exists (sphere, shell, torus, slab, nested boxes), else
+/// NaN.
+double phantom_volume_mm3(const PhantomParams& params, Label label);
+
+}  // namespace voxtet

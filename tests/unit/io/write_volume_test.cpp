@@ -1,0 +1,66 @@
+#include <cmath>
+
+#include "io/write_volume.h"
+#include "unit/io/volume_files.h"
+
+namespace voxtet::test {
+namespace {
+
+LabelVolume sample_volume(bool wide, bool mirrored, bool sheared) {
+  LabelVolume volume;
+  volume.size = {3, 2, 2};
+  volume.labels = sample_labels(wide);
+  Eigen::Matrix3d rotation;
+  rotation << 2. / 3, -1. / 3, 2. / 3, 2. / 3, 2. / 3, -1. / 3, -1. / 3, 2. / 3, 2. / 3;
+  if (mirrored) rotation.col(0) *= -1;
+  if (sheared) rotation.col(1) += 0.3 * rotation.col(0);
+  volume.index_to_mm.topLeftCorner<3, 3>() = rotation * Eigen::Vector3d(1.4, 0.7, 8).asDiagonal();
+  volume.index_to_mm.topRightCorner<3, 1>() << -44.08, 88.28, 116.84;
+  return volume;
+}
+
+TEST(WriteNifti, RoundTripsByBothAffines) {
+  for (const bool wide : {false, true})
+    for (const bool mirrored : {false, true})
+      for (const bool gzip : {false, true}) {
+        const LabelVolume volume = sample_volume(wide, mirrored, false);
+        Bytes bytes = *write_nifti(volume, gzip);
+        EXPECT_EQ(bytes, *write_nifti(volume, gzip));
+        expect_volume(read(bytes), volume.labels, volume.index_to_mm);
+        if (gzip) continue;
+        EXPECT_EQ(bytes.size(), 352U + 12U * (wide ? 2 : 1));
+        bytes[254] = 0;  // no sform: the qform must say the same
+        expect_volume(read(bytes), volume.labels, volume.index_to_mm);
+      }
+}
+
+TEST(WriteNifti, KeepsEveryHalfTurnInTheQform) {
+  for (int axis = -1; axis < 3; ++axis) {
+    LabelVolume volume = sample_volume(false, false, false);
+    Eigen::Matrix3d turn =
+        axis < 0 ? Eigen::Matrix3d::Identity() : Eigen::Matrix3d(-Eigen::Matrix3d::Identity());
+    if (axis >= 0) turn(axis, axis) = 1;
+    volume.index_to_mm.topLeftCorner<3, 3>() = turn * 2;
+    Bytes bytes = *write_nifti(volume, false);
+    bytes[254] = 0;
+    expect_volume(read(bytes), volume.labels, volume.index_to_mm);
+  }
+}
+
+TEST(WriteNifti, LeavesAShearToTheSform) {
+  const LabelVolume volume = sample_volume(false, false, true);
+  const Bytes bytes = *write_nifti(volume, false);
+  EXPECT_EQ(bytes[252], 0);
+  expect_volume(read(bytes), volume.labels, volume.index_to_mm);
+}
+
+TEST(WriteNifti, RefusesWhatNiftiCannotHold) {
+  LabelVolume volume = sample_volume(false, false, false);
+  volume.size = {32768, 1, 1};
+  EXPECT_EQ(write_nifti(volume, false).error().code, ErrorCode::kUsage);
+  volume.size = {3, 2, 1};
+  EXPECT_EQ(write_nifti(volume, false).error().code, ErrorCode::kInternal);
+}
+
+}  // namespace
+}  // namespace voxtet::test

@@ -1,0 +1,235 @@
+#include "surface/smooth_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <limits>
+
+#include "geometry/digest.h"
+#include "geometry/surface_measures.h"
+#include "support/check_surface.h"
+#include "support/label_bodies.h"
+#include "support/surface_labels.h"
+#include "surface/extract_surface.h"
+#include "surface/surface_graph.h"
+
+namespace voxtet {
+namespace {
+
+using test::is_valid_surface;
+
+SurfaceMesh extract(const LabelVolume& volume, ExtractMethod method = ExtractMethod::kAuto) {
+  RunContext ctx;
+  ExtractParams params;
+  params.method = method;
+  return extract_surface(volume, params, ctx).value();
+}
+
+SurfaceMesh smooth(const SurfaceMesh& surface, const LabelVolume& volume, const SmoothParams& params = {}) {
+  RunContext ctx;
+  Result<SurfaceMesh> result = smooth_surface(surface, volume, params, ctx);
+  if (!result) {
+    ADD_FAILURE() << result.error().message;
+    return surface;
+  }
+  return std::move(result).value();
+}
+
+constexpr std::array<ExtractMethod, 2> kBothMethods{ExtractMethod::kMarchingCubes,
+                                                    ExtractMethod::kMarchingTets};
+
+TEST(SmoothSurface, BringsABallBackToItsSphereAndVolume) {
+  const double centre = 24.3, radius = 20;
+  const LabelVolume ball = test::ball_volume(49, centre, radius);
+  for (const ExtractMethod method : kBothMethods) {
+    const SurfaceMesh raw = extract(ball, method);
+    const SurfaceMesh surface = smooth(raw, ball);
+    EXPECT_TRUE(is_valid_surface(surface));
+    const double voxels = test::label_counts(ball)[1];
+    EXPECT_NEAR(enclosed_volume_mm3(surface, 1), voxels, 0.003 * voxels);
+    double sum = 0, largest = 0;
+    for (const Eigen::Vector3d& p : surface.points) {
+      const double distance = std::abs((p - Eigen::Vector3d::Constant(centre)).norm() - radius);
+      sum += distance;
+      largest = std::max(largest, distance);
+    }
+    EXPECT_LE(sum / static_cast<double>(surface.points.size()), 0.1);
+    EXPECT_LE(largest, 0.4);
+    EXPECT_LE(staircase_energy_mm(surface), 0.1 * staircase_energy_mm(raw));
+  }
+}
+
+TEST(SmoothSurface, KeepsTheVolumeOfEveryLabel) {
+  const LabelVolume heart = test::heart_volume(60, 44, 52);
+  const SurfaceMesh raw = extract(heart);
+  const SurfaceMesh surface = smooth(raw, heart);
+  EXPECT_TRUE(is_valid_surface(surface));
+  const std::vector<double> counts = test::label_counts(heart);
+  for (const Label label : test::labels_of(surface))
+    EXPECT_NEAR(enclosed_volume_mm3(surface, label), counts[label], 0.003 * counts[label]) << label;
+  EXPECT_LE(staircase_energy_mm(surface), 0.1 * staircase_energy_mm(raw));
+}
+
+TEST(SmoothSurface, LeavesVolumesAloneWhenAsked) {
+  const LabelVolume ball = test::ball_volume(20, 9.5, 6);
+  SmoothParams params;
+  params.keep_volume = false;
+  EXPECT_NE(digest_of(smooth(extract(ball), ball, params)), digest_of(smooth(extract(ball), ball)));
+}
+
+TEST(SmoothSurface, KeepsLabelsOfVoxelsDeeperThanOneVoxel) {
+  for (int seed = 0; seed < 6; ++seed) {
+    const LabelVolume noise = test::random_volume(12, 1 + seed % 4, static_cast<std::uint64_t>(300 + seed));
+    EXPECT_EQ(test::changed_voxels(smooth(extract(noise), noise), noise).deep, 0U) << seed;
+  }
+  const LabelVolume heart = test::heart_volume(60, 44, 52);
+  const test::ChangedVoxels changed = test::changed_voxels(smooth(extract(heart), heart), heart);
+  EXPECT_EQ(changed.deep, 0U);
+  EXPECT_LE(static_cast<double>(changed.all), 0.002 * static_cast<double>(heart.voxel_count()));
+}
+
+TEST(SmoothSurface, MovesNoVertexFurtherThanItsClamp) {
+  LabelVolume heart = test::heart_volume(40, 30, 36);
+  heart.index_to_mm.topLeftCorner<3, 3>() =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -1, 2).normalized()).toRotationMatrix() *
+      Eigen::Vector3d(-1.4, 1.4, 8).asDiagonal();
+  const SurfaceMesh raw = extract(heart);
+  for (const double reach : {0.5, 0.2}) {
+    SmoothParams params;
+    params.max_move_voxels = reach;
+    const SurfaceMesh surface = smooth(raw, heart, params);
+    double largest = 0;
+    for (std::size_t p = 0; p < raw.points.size(); ++p)
+      largest = std::max(
+          largest, (heart.linear().inverse() * (surface.points[p] - raw.points[p])).cwiseAbs().maxCoeff());
+    EXPECT_LE(largest, reach + 1e-9);
+    EXPECT_GT(largest, 0.5 * reach);
+    EXPECT_EQ(surface.triangles, raw.triangles);
+    EXPECT_EQ(surface.sides, raw.sides);
+  }
+}
+
+TEST(SmoothSurface, WorksInIndexSpace) {
+  const LabelVolume heart = test::heart_volume(40, 30, 36);
+  const std::vector<double> reference = enclosed_volumes_mm3(smooth(extract(heart), heart));
+  for (const double mirror : {1.0, -1.0}) {
+    LabelVolume moved = heart;
+    moved.index_to_mm.topLeftCorner<3, 3>() =
+        Eigen::AngleAxisd(0.9, Eigen::Vector3d(1, 2, -1).normalized()).toRotationMatrix() *
+        Eigen::Vector3d(mirror * 1.4, 1.4, 8).asDiagonal();
+    moved.index_to_mm.topRightCorner<3, 1>() = Eigen::Vector3d(70, -90, 1200);
+    const SurfaceMesh surface = smooth(extract(moved), moved);
+    EXPECT_TRUE(is_valid_surface(surface));
+    for (const Label label : test::labels_of(surface))
+      EXPECT_NEAR(enclosed_volume_mm3(surface, label) / moved.voxel_mm3(), reference[label],
+                  1e-6 * reference[label])
+          << label << " mirror " << mirror;
+  }
+}
+
+TEST(SmoothSurface, KeepsSpecksAndPillarsFromCollapsing) {
+  // A lone voxel, a pillar one voxel thick and a voxel of a second label inside the first.
+  const LabelVolume volume = test::make_volume(20, 14, 14, [](int i, int j, int k) {
+    if (i == 1 && j == 1 && k == 1) return 1;
+    if (j == 1 && k == 8) return 1;
+    if (i == 12 && j == 9 && k == 9) return 2;
+    return i > 8 && i < 16 && j > 5 && k > 5 ? 1 : 0;
+  });
+  for (const ExtractMethod method : kBothMethods) {
+    const SurfaceMesh raw = extract(volume, method);
+    const SurfaceMesh surface = smooth(raw, volume);
+    EXPECT_TRUE(is_valid_surface(surface));
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      const Triangle& v = surface.triangles[t];
+      const auto area = [&v](const SurfaceMesh& s) {
+        return triangle_area_mm2(s.points[v[0]], s.points[v[1]], s.points[v[2]]);
+      };
+      ASSERT_GE(area(surface), 0.005 * area(raw)) << t;
+    }
+  }
+}
+
+TEST(SmoothSurface, LeavesFixedVerticesWhereTheyAre) {
+  const LabelVolume noise = test::random_volume(10, 4, 21);
+  const SurfaceMesh raw = extract(noise);
+  const SurfaceMesh surface = smooth(raw, noise);
+  const SurfaceGraph graph = build_surface_graph(raw);
+  for (std::size_t v = 0; v < raw.points.size(); ++v) {
+    ASSERT_TRUE(graph.kinds[v] != VertexKind::kFixed || surface.points[v] == raw.points[v]) << v;
+  }
+}
+
+TEST(SmoothSurface, ReturnsTheInputForNoIterations) {
+  const LabelVolume heart = test::heart_volume(24, 20, 22);
+  const SurfaceMesh raw = extract(heart);
+  SmoothParams params;
+  params.iterations = 0;
+  EXPECT_EQ(digest_of(smooth(raw, heart, params)), digest_of(raw));
+}
+
+TEST(SmoothSurface, GivesTheSameBytesEveryTime) {
+  const LabelVolume heart = test::heart_volume(30, 24, 26);
+  const SurfaceMesh raw = extract(heart);
+  EXPECT_EQ(digest_of(smooth(raw, heart)), digest_of(smooth(raw, heart)));
+}
+
+TEST(SmoothSurface, GivesTheSameBytesOnEveryPlatform) {
+  const LabelVolume noise = test::random_volume(12, 4, 11);
+  const SurfaceMesh raw = extract(noise);
+  EXPECT_EQ(digest_of(raw), "d37b8592e9cfb41a8f6b1c17ef3b857513e20cfac8a796c0600aef98f2a093df");
+  EXPECT_EQ(digest_of(smooth(raw, noise)),
+            "add07bfe95b86d108f0c68bc8e5e9589d00f5d33d1cbedf69f32f291c761e055");
+}
+
+TEST(SmoothSurface, KeepsNoisyVolumesClosedAndOutward) {
+  for (int seed = 0; seed < 40; ++seed) {
+    const LabelVolume noise = test::random_volume(12, 1 + seed % 5, static_cast<std::uint64_t>(500 + seed));
+    ASSERT_TRUE(is_valid_surface(smooth(extract(noise), noise))) << seed;
+  }
+}
+
+TEST(SmoothSurface, RejectsParametersOutOfRange) {
+  const LabelVolume ball = test::ball_volume(10, 4.5, 3);
+  const SurfaceMesh raw = extract(ball);
+  RunContext ctx;
+  const auto code_of = [&](const SurfaceMesh& surface, int iterations, double step, double reach) {
+    SmoothParams params;
+    params.iterations = iterations;
+    params.step = step;
+    params.max_move_voxels = reach;
+    const Result<SurfaceMesh> result = smooth_surface(surface, ball, params, ctx);
+    EXPECT_FALSE(result.ok());
+    return result.ok() ? ErrorCode::kInternal : result.error().code;
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(code_of(raw, -1, 0.4, 0.5), ErrorCode::kUsage);
+  EXPECT_EQ(code_of(raw, 50, 0.5, 0.5), ErrorCode::kUsage);
+  EXPECT_EQ(code_of(raw, 50, 0, 0.5), ErrorCode::kUsage);
+  EXPECT_EQ(code_of(raw, 50, nan, 0.5), ErrorCode::kUsage);
+  EXPECT_EQ(code_of(raw, 50, 0.4, 0), ErrorCode::kUsage);
+  EXPECT_EQ(code_of(raw, 50, 0.4, nan), ErrorCode::kUsage);
+  EXPECT_EQ(code_of(SurfaceMesh{}, 50, 0.4, 0.5), ErrorCode::kBadInput);
+  SurfaceMesh broken = raw;
+  broken.triangles[3][1] = static_cast<std::uint32_t>(raw.points.size());
+  EXPECT_EQ(code_of(broken, 50, 0.4, 0.5), ErrorCode::kBadInput);
+}
+
+TEST(SmoothSurface, ReportsProgressAndHonoursCancel) {
+  const LabelVolume ball = test::ball_volume(16, 7.5, 6);
+  const SurfaceMesh raw = extract(ball);
+  RunContext ctx;
+  std::vector<double> fractions;
+  ctx.on_progress = [&](const std::string&, double fraction) { fractions.push_back(fraction); };
+  ASSERT_TRUE(smooth_surface(raw, ball, {}, ctx).ok());
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_DOUBLE_EQ(fractions.back(), 1.0);
+  int asked = 0;
+  ctx.on_cancelled = [&] { return ++asked > 5; };
+  const Result<SurfaceMesh> stopped = smooth_surface(raw, ball, {}, ctx);
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().code, ErrorCode::kCancelled);
+  EXPECT_EQ(asked, 6);
+}
+
+}  // namespace
+}  // namespace voxtet
