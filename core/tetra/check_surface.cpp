@@ -81,7 +81,7 @@ Status check_closed(const SurfaceMesh& surface, const EdgeGroups& edges) {
   };
   for (std::size_t e = 0; e < edges.size(); ++e) {
     balance.clear();
-    for (const EdgeUse& use : edges[e]) {
+    for (const TriangleUse& use : edges[e]) {
       const int step = use.forward ? 1 : -1;
       count(surface.sides[use.triangle][0], step);
       count(surface.sides[use.triangle][1], -step);
@@ -89,7 +89,7 @@ Status check_closed(const SurfaceMesh& surface, const EdgeGroups& edges) {
     if (std::all_of(balance.begin(), balance.end(), [](const auto& entry) { return entry.second == 0; }))
       continue;
     if (++open_edges > kMaxPlaces) continue;
-    for (const EdgeUse& use : edges[e]) open.elements.push_back(use.triangle);
+    for (const TriangleUse& use : edges[e]) open.elements.push_back(use.triangle);
     open.points.push_back((surface.points[edges[e][0].low] + surface.points[edges[e][0].high]) / 2);
   }
   if (open_edges == 0) return std::monostate{};
@@ -105,11 +105,11 @@ SharpestEdge find_sharpest_edge(const SurfaceMesh& surface, const EdgeGroups& ed
   SharpestEdge sharpest;
   std::vector<Eigen::Vector3d> away;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const EdgeUse& first = edges[e][0];
+    const TriangleUse& first = edges[e][0];
     const Eigen::Vector3d& low = surface.points[first.low];
     const Eigen::Vector3d axis = (surface.points[first.high] - low).normalized();
     away.clear();
-    for (const EdgeUse& use : edges[e]) {
+    for (const TriangleUse& use : edges[e]) {
       const Eigen::Vector3d arm = surface.points[surface.triangles[use.triangle][(use.corner + 2) % 3]] - low;
       away.push_back((arm - axis * axis.dot(arm)).normalized());
     }

@@ -11,7 +11,7 @@ namespace voxtet {
 
 /// One triangle at an edge: its side from corner `corner` to the next one. `forward`: it runs from the edge's
 /// lower vertex to its higher one.
-struct EdgeUse {
+struct TriangleUse {
   std::uint32_t low = 0, high = 0;
   std::uint32_t triangle = 0;
   std::uint8_t corner = 0;
@@ -25,12 +25,12 @@ class EdgeGroups {
   explicit EdgeGroups(const SurfaceMesh& surface);
 
   std::size_t size() const { return first_.size() - 1; }
-  std::span<const EdgeUse> operator[](std::size_t edge) const {
+  std::span<const TriangleUse> operator[](std::size_t edge) const {
     return {uses_.data() + first_[edge], uses_.data() + first_[edge + 1]};
   }
 
  private:
-  std::vector<EdgeUse> uses_;
+  std::vector<TriangleUse> uses_;
   std::vector<std::uint32_t> first_;
 };
 

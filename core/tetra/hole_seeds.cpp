@@ -48,7 +48,7 @@ std::vector<std::uint32_t> largest_triangles(const SurfaceMesh& surface, const E
   for (std::size_t e = 0; e < edges.size(); ++e) {
     std::array<std::uint32_t, 2> pair{};
     int found = 0;
-    for (const EdgeUse& use : edges[e])
+    for (const TriangleUse& use : edges[e])
       if (surface.sides[use.triangle][1] == kBackground && ++found <= 2)
         pair[static_cast<std::size_t>(found - 1)] = use.triangle;
     // Four meet where background touches itself along an edge: left apart, each part gets a seed of its own.

@@ -1,4 +1,5 @@
-// A small labelled tetrahedral mesh whose every number is known: a cube of n^3 cells, six Kuhn tetrahedra each.
+// A small labelled tetrahedral mesh whose every number is known: a cube of n^3 cells, six Kuhn tetrahedra
+// each.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,8 @@
 
 namespace voxtet::test {
 
-/// The triangles between different labels, by the definition in TetMesh: normal from the greater label to the lesser.
+/// The triangles between different labels, by the definition in TetMesh: normal from the greater label to the
+/// lesser.
 inline void add_faces(TetMesh& mesh) {
   struct Half {
     Triangle outward;
@@ -35,8 +37,8 @@ inline void add_faces(TetMesh& mesh) {
   }
 }
 
-/// A cube of 10 mm in n^3 cells around (-5, 20, 3), inner points displaced so that coordinates need all their digits.
-/// Label 1 below the middle, 300 above, and 7 in the cell at the origin corner.
+/// A cube of 10 mm in n^3 cells around (-5, 20, 3), inner points displaced so that coordinates need all their
+/// digits. Label 1 below the middle, 300 above, and 7 in the cell at the origin corner.
 inline TetMesh kuhn_cube(std::uint32_t n) {
   TetMesh mesh;
   std::uint64_t state = 12345;
@@ -48,8 +50,10 @@ inline TetMesh kuhn_cube(std::uint32_t n) {
   for (std::uint32_t k = 0; k <= n; ++k)
     for (std::uint32_t j = 0; j <= n; ++j)
       for (std::uint32_t i = 0; i <= n; ++i) {
-        const Eigen::Vector3d shift(random(), random(), random());
-        mesh.points.push_back(Eigen::Vector3d(-10, 15, -2) + edge * Eigen::Vector3d(i, j, k) + 0.2 * edge * shift);
+        // Braces: their order of evaluation is defined, that of arguments is not.
+        const std::array<double, 3> shift{random(), random(), random()};
+        mesh.points.push_back(Eigen::Vector3d(-10, 15, -2) + edge * Eigen::Vector3d(i, j, k) +
+                              0.2 * edge * Eigen::Vector3d(shift[0], shift[1], shift[2]));
       }
   const auto at = [n](std::array<std::uint32_t, 3> c) { return c[0] + (n + 1) * (c[1] + (n + 1) * c[2]); };
   constexpr std::array<std::array<std::size_t, 3>, 6> kPaths{
@@ -74,7 +78,8 @@ inline TetMesh kuhn_cube(std::uint32_t n) {
 
 /// Names with what formats stumble on: quotes, bars, letters beyond ASCII. Label 7 has none.
 inline std::vector<LabelInfo> cube_infos() {
-  return {{1, "LV myocardium", {0.8F, 0.1F, 0.1F}}, {300, "veine \"cave\" | sup\xc3\xa9rieure", {0.1F, 0.1F, 0.8F}}};
+  return {{1, "LV myocardium", {0.8F, 0.1F, 0.1F}},
+          {300, "veine \"cave\" | sup\xc3\xa9rieure", {0.1F, 0.1F, 0.8F}}};
 }
 
 }  // namespace voxtet::test

@@ -12,7 +12,9 @@
 namespace voxtet {
 namespace {
 
-Bytes bytes_of(const std::string& text) { return {text.begin(), text.end()}; }
+Bytes bytes_of(const std::string& text) {
+  return {text.begin(), text.end()};
+}
 
 Result<TetMesh> read_text(const std::string& name, const std::string& text) {
   const Bytes bytes = bytes_of(text);
@@ -47,7 +49,8 @@ std::string refusal(const Result<TetMesh>& result) {
 
 void expect_refusal(const std::string& name, const std::string& text, const std::vector<std::string>& parts) {
   const std::string message = refusal(read_text(name, text));
-  for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
 }
 
 TEST(KuhnCube, IsAValidLabelledMesh) {
@@ -95,7 +98,8 @@ TEST(ReadTetMesh, ReadsOpenCarpFromEitherFile) {
     EXPECT_TRUE(read->labels == mesh.labels);
     ASSERT_EQ(read->points.size(), mesh.points.size());
     // Two roundings, of the product and of the quotient.
-    for (std::size_t p = 0; p < mesh.points.size(); ++p) EXPECT_LT((read->points[p] - mesh.points[p]).norm(), 1e-14);
+    for (std::size_t p = 0; p < mesh.points.size(); ++p)
+      EXPECT_LT((read->points[p] - mesh.points[p]).norm(), 1e-14);
   }
   EXPECT_NE(refusal(read_tet_mesh({"a.elem", files->back().bytes, {}})).find("a.pts"), std::string::npos);
 }
@@ -151,7 +155,8 @@ TEST(ReadMedit, SkipsOtherSectionsAndCommentsInAnyOrder) {
 }
 
 TEST(ReadMedit, NamesWhatIsWrong) {
-  expect_refusal("a.mesh", replaced(kMesh, "1 2 3 5 9", "1 2 3 6 9"), {"a.mesh", "tetrahedron 1", "vertex 6", "1 to 5"});
+  expect_refusal("a.mesh", replaced(kMesh, "1 2 3 5 9", "1 2 3 6 9"),
+                 {"a.mesh", "tetrahedron 1", "vertex 6", "1 to 5"});
   expect_refusal("a.mesh", replaced(kMesh, "1 2 3 5 9", "1 2 3 0 9"), {"line 5", "\"0\""});
   expect_refusal("a.mesh", replaced(kMesh, "1 2 3 5 9", "1 2 3 5 0"), {"tetrahedron 1", "reference is 0"});
   expect_refusal("a.mesh", replaced(kMesh, "1e0", "nan"), {"line 12", "nan", "finite"});
@@ -235,7 +240,8 @@ TEST(ReadMsh, Reads41WithParametricNodesAndTakesTheFirstGroup) {
 
 TEST(ReadMsh, NamesWhatIsWrong) {
   expect_refusal("a.msh", replaced(kMsh22, "20 15 5\n", "20 15 6\n"), {"element 2", "node 6", "4 nodes"});
-  expect_refusal("a.msh", replaced(kMsh22, "2 4 2 4 1", "2 4 2 0 1"), {"tetrahedron 2", "physical group is 0"});
+  expect_refusal("a.msh", replaced(kMsh22, "2 4 2 4 1", "2 4 2 0 1"),
+                 {"tetrahedron 2", "physical group is 0"});
   expect_refusal("a.msh", replaced(kMsh22, "5 0 0 1", "10 0 0 1"), {"node tag 10", "twice"});
   expect_refusal("a.msh", replaced(kMsh22, "0 0 1\n", "0 0 inf\n"), {"line 12", "inf"});
   expect_refusal("a.msh", replaced(kMsh22, "$EndElements\n", ""), {"$EndElements"});
@@ -277,7 +283,8 @@ const std::string kVtu = R"(<?xml version="1.0"?>
 TEST(ReadVtu, ReadsAsciiMixedCellsAndTheSpace) {
   const auto mesh = read_text("a.vtu", kVtu);
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;
-  EXPECT_EQ(mesh->points, (std::vector<Eigen::Vector3d>{{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {2.5, -4, 8}}));
+  EXPECT_EQ(mesh->points,
+            (std::vector<Eigen::Vector3d>{{0, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {2.5, -4, 8}}));
   EXPECT_EQ(mesh->tets, (std::vector<Tet>{{0, 1, 2, 3}}));
   EXPECT_EQ(mesh->labels, std::vector<Label>{65535});
 }
@@ -299,17 +306,21 @@ TEST(ReadVtu, NamesWhatIsWrong) {
   expect_refusal("a.vtu", replaced(kVtu, "-2.5", "nan"), {"Points", "nan"});
   expect_refusal("a.vtu", replaced(kVtu, "-2.5", ""), {"Points", "14 numbers, expected 15"});
   expect_refusal("a.vtu", replaced(kVtu, "-2.5", "1 1"), {"Points", "behind 15 numbers"});
-  expect_refusal("a.vtu", replaced(kVtu, "\"label\" format", "\"tag\" format"), {"\"label\"", "\"other\"", "\"tag\""});
+  expect_refusal("a.vtu", replaced(kVtu, "\"label\" format", "\"tag\" format"),
+                 {"\"label\"", "\"other\"", "\"tag\""});
   expect_refusal("a.vtu", replaced(kVtu, "3 7", "8 7"), {"offsets", "cell 1"});
   expect_refusal("a.vtu", replaced(kVtu, "5 10", "5 5"), {"no linear tetrahedra"});
   expect_refusal("a.vtu", replaced(kVtu, "UnstructuredGrid'", "PolyData'"), {"PolyData", "UnstructuredGrid"});
   expect_refusal("a.vtu", replaced(kVtu, "</Cells>", ""), {"line 23", "</Piece>"});
   expect_refusal("a.vtu", replaced(kVtu, "Points=\"5\"", "Points=\"4000000000\""), {"Points", "12000000000"});
-  expect_refusal("a.vtu", replaced(kVtu, "version=\"0.1\"", "byte_order=\"BigEndian\""), {"byte_order", "BigEndian"});
-  expect_refusal("a.vtu", replaced(kVtu, "version=\"0.1\"", "compressor=\"vtkLZ4DataCompressor\""), {"vtkLZ4"});
+  expect_refusal("a.vtu", replaced(kVtu, "version=\"0.1\"", "byte_order=\"BigEndian\""),
+                 {"byte_order", "BigEndian"});
+  expect_refusal("a.vtu", replaced(kVtu, "version=\"0.1\"", "compressor=\"vtkLZ4DataCompressor\""),
+                 {"vtkLZ4"});
 }
 
-/// The result must be an error or a mesh whose indices and labels are in range: in both cases there was no crash.
+/// The result must be an error or a mesh whose indices and labels are in range: in both cases there was no
+/// crash.
 void expect_no_harm(const std::vector<OutputFile>& files, int& read) {
   const auto mesh = read_export(files);
   if (!mesh.ok()) {
@@ -328,7 +339,8 @@ void expect_no_harm(const std::vector<OutputFile>& files, int& read) {
 std::vector<std::vector<OutputFile>> sample_exports() {
   const TetMesh mesh = test::kuhn_cube(2);
   std::vector<std::vector<OutputFile>> exports;
-  for (const MeshFormat format : {MeshFormat::kVtu, MeshFormat::kMsh, MeshFormat::kMedit, MeshFormat::kCarp}) {
+  for (const MeshFormat format :
+       {MeshFormat::kVtu, MeshFormat::kMsh, MeshFormat::kMedit, MeshFormat::kCarp}) {
     auto files = write_tet_mesh(mesh, format, {PatientSpace::kLps, test::cube_infos()});
     EXPECT_TRUE(files.ok());
     // The .elem first: it is the file whose cuts are read below.
@@ -348,7 +360,8 @@ TEST(ReadTetMesh, RefusesEveryCutFile) {
     const std::size_t size = whole.front().bytes.size();
     std::size_t kept = 0;
     for (std::size_t length = 0; length < size; length += 1 + size / 3000) {
-      cut.front().bytes.assign(whole.front().bytes.begin(), whole.front().bytes.begin() + static_cast<std::ptrdiff_t>(length));
+      cut.front().bytes.assign(whole.front().bytes.begin(),
+                               whole.front().bytes.begin() + static_cast<std::ptrdiff_t>(length));
       int read = 0;
       expect_no_harm(cut, read);
       kept += static_cast<std::size_t>(read);
@@ -356,7 +369,8 @@ TEST(ReadTetMesh, RefusesEveryCutFile) {
         // Only the end of the file, which says nothing of the mesh, may be missing.
         const auto mesh = read_export(cut);
         const auto wanted = read_export(whole);
-        EXPECT_TRUE(mesh->points == wanted->points && mesh->tets == wanted->tets && mesh->labels == wanted->labels)
+        EXPECT_TRUE(mesh->points == wanted->points && mesh->tets == wanted->tets &&
+                    mesh->labels == wanted->labels)
             << whole.front().suffix << " cut to " << length << " of " << size;
       }
     }
@@ -378,7 +392,8 @@ TEST(ReadTetMesh, SurvivesDamagedFiles) {
       Bytes& bytes = damaged[random(damaged.size())].bytes;
       for (std::size_t hits = 1 + random(4); hits > 0; --hits) {
         // The first bytes hold the headers: hit them as often as all the rest.
-        const std::size_t at = random(random(2) == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 1500));
+        const std::size_t at =
+            random(random(2) == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 1500));
         if (random(2) == 0) {
           bytes[at] = static_cast<std::uint8_t>(random(256));
         } else if (random(3) > 0) {

@@ -3,17 +3,29 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <string>
 
 namespace voxtet {
 namespace {
+
+std::uint64_t bits_of(double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
+
+double double_of(std::uint64_t bits) {
+  double value = 0;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
 
 std::string text_of(double value) {
   std::array<char, kRealChars> buffer;
@@ -25,7 +37,7 @@ void expect_round_trip(double value) {
   ASSERT_LT(text.size(), static_cast<std::size_t>(kRealChars));
   double read = 0;
   ASSERT_TRUE(parse_real(text, read)) << text;
-  ASSERT_EQ(std::bit_cast<std::uint64_t>(read), std::bit_cast<std::uint64_t>(value)) << text;
+  ASSERT_EQ(bits_of(read), bits_of(value)) << text;
   ASSERT_EQ(std::strtod(text.c_str(), nullptr), value) << text;
 }
 
@@ -47,10 +59,10 @@ TEST(FormatReal, ReadsBackToTheSameBits) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 200000; ++i) {
     const std::uint64_t bits = random();
-    const double any = std::bit_cast<double>(bits);
+    const double any = double_of(bits);
     if (std::isfinite(any) && any != 0) expect_round_trip(any);
     const std::uint64_t exponent = 1009 + bits % 64;
-    expect_round_trip(std::bit_cast<double>((random() & ~(0x7ffULL << 52)) | exponent << 52));
+    expect_round_trip(double_of((random() & ~(0x7ffULL << 52)) | exponent << 52));
     if (HasFatalFailure()) return;
   }
   for (int power = -14; power < 50; ++power)
@@ -59,7 +71,8 @@ TEST(FormatReal, ReadsBackToTheSameBits) {
       expect_round_trip(value);
   double ten = 1e-4;
   for (int i = 0; i < 20; ++i, ten *= 10)
-    for (const double value : {ten, std::nextafter(ten, 0.0), std::nextafter(ten, 1e300)}) expect_round_trip(value);
+    for (const double value : {ten, std::nextafter(ten, 0.0), std::nextafter(ten, 1e300)})
+      expect_round_trip(value);
   expect_round_trip(std::numeric_limits<double>::denorm_min());
   expect_round_trip(std::numeric_limits<double>::max());
 }
@@ -68,7 +81,7 @@ TEST(FormatReal, GivesTheDigitsOfPrintfWhereAllSeventeenAreNeeded) {
   std::mt19937_64 random(2);
   int compared = 0;
   for (int i = 0; i < 100000; ++i) {
-    const double value = std::bit_cast<double>((random() & ~(0xfffULL << 52)) | (1010 + random() % 62) << 52);
+    const double value = double_of((random() & ~(0xfffULL << 52)) | (1010 + random() % 62) << 52);
     std::array<char, 64> expected;
     std::snprintf(expected.data(), expected.size(), "%.16g", value);
     if (std::strtod(expected.data(), nullptr) == value) continue;
@@ -81,7 +94,8 @@ TEST(FormatReal, GivesTheDigitsOfPrintfWhereAllSeventeenAreNeeded) {
 
 TEST(ParseReal, RefusesWhatIsNotAFiniteDecimal) {
   double value = 0;
-  for (const char* text : {"", "nan", "inf", "-inf", "0x10", "1.0x", "1e999", "--1", "+-1", "++1", "1e", ".", "1 "})
+  for (const char* text :
+       {"", "nan", "inf", "-inf", "0x10", "1.0x", "1e999", "--1", "+-1", "++1", "1e", ".", "1 "})
     EXPECT_FALSE(parse_real(text, value)) << text;
   for (const char* text : {"+1.5", "1.5", "15e-1", ".15E1", "1.50000"}) {
     EXPECT_TRUE(parse_real(text, value)) << text;

@@ -24,7 +24,9 @@ namespace {
 constexpr std::array<MeshFormat, 6> kFormats{MeshFormat::kVtu,  MeshFormat::kMsh, MeshFormat::kMedit,
                                              MeshFormat::kCarp, MeshFormat::kStl, MeshFormat::kPly};
 
-std::string text_of(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
+std::string text_of(const Bytes& bytes) {
+  return {bytes.begin(), bytes.end()};
+}
 
 template <class T>
 T value_at(const Bytes& bytes, std::size_t at) {
@@ -34,12 +36,15 @@ T value_at(const Bytes& bytes, std::size_t at) {
   return value;
 }
 
-SurfaceMesh surface_of(const TetMesh& mesh) { return {mesh.points, mesh.faces, mesh.face_sides}; }
+SurfaceMesh surface_of(const TetMesh& mesh) {
+  return {mesh.points, mesh.faces, mesh.face_sides};
+}
 
 /// An empty folder of this test's own.
 class Folder {
  public:
-  explicit Folder(const std::string& name) : path_(std::filesystem::temp_directory_path() / ("voxtet_" + name)) {
+  explicit Folder(const std::string& name)
+      : path_(std::filesystem::temp_directory_path() / ("voxtet_" + name)) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }
@@ -47,7 +52,8 @@ class Folder {
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
   std::vector<std::string> names() const {
     std::vector<std::string> result;
-    for (const auto& entry : std::filesystem::directory_iterator(path_)) result.push_back(entry.path().filename().string());
+    for (const auto& entry : std::filesystem::directory_iterator(path_))
+      result.push_back(entry.path().filename().string());
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -57,15 +63,16 @@ class Folder {
 };
 
 TEST(MeshFormatOf, KnowsEveryEndingInAnyCaseAndListsThemOtherwise) {
-  for (const auto& [path, format] : std::vector<std::pair<std::string, MeshFormat>>{{"a.vtu", MeshFormat::kVtu},
-                                                                                   {"x/b.c.MSH", MeshFormat::kMsh},
-                                                                                   {"a.mesh", MeshFormat::kMedit},
-                                                                                   {"a.pts", MeshFormat::kCarp},
-                                                                                   {"a.elem", MeshFormat::kCarp},
-                                                                                   {"a.lon", MeshFormat::kCarp},
-                                                                                   {"a.carp", MeshFormat::kCarp},
-                                                                                   {"a.stl", MeshFormat::kStl},
-                                                                                   {"a.ply", MeshFormat::kPly}}) {
+  for (const auto& [path, format] :
+       std::vector<std::pair<std::string, MeshFormat>>{{"a.vtu", MeshFormat::kVtu},
+                                                       {"x/b.c.MSH", MeshFormat::kMsh},
+                                                       {"a.mesh", MeshFormat::kMedit},
+                                                       {"a.pts", MeshFormat::kCarp},
+                                                       {"a.elem", MeshFormat::kCarp},
+                                                       {"a.lon", MeshFormat::kCarp},
+                                                       {"a.carp", MeshFormat::kCarp},
+                                                       {"a.stl", MeshFormat::kStl},
+                                                       {"a.ply", MeshFormat::kPly}}) {
     const auto found = mesh_format_of(path);
     ASSERT_TRUE(found.ok()) << path;
     EXPECT_EQ(*found, format) << path;
@@ -74,7 +81,8 @@ TEST(MeshFormatOf, KnowsEveryEndingInAnyCaseAndListsThemOtherwise) {
     const auto found = mesh_format_of(path);
     ASSERT_FALSE(found.ok()) << path;
     EXPECT_EQ(found.error().code, ErrorCode::kUsage);
-    EXPECT_NE(found.error().message.find(".vtu .msh .mesh .pts .elem .lon .carp .stl .ply"), std::string::npos);
+    EXPECT_NE(found.error().message.find(".vtu .msh .mesh .pts .elem .lon .carp .stl .ply"),
+              std::string::npos);
   }
 }
 
@@ -122,7 +130,8 @@ TEST(WriteTetMesh, RefusesMeshesThatBreakTheirInvariants) {
 }
 
 TEST(WriteTetMesh, NamesThePhysicalGroupsOfMsh) {
-  const auto files = write_tet_mesh(test::kuhn_cube(2), MeshFormat::kMsh, {PatientSpace::kRas, test::cube_infos()});
+  const auto files =
+      write_tet_mesh(test::kuhn_cube(2), MeshFormat::kMsh, {PatientSpace::kRas, test::cube_infos()});
   ASSERT_TRUE(files.ok());
   const std::string text = text_of(files->front().bytes);
   for (const char* line :
@@ -135,7 +144,8 @@ TEST(WriteTetMesh, NamesThePhysicalGroupsOfMsh) {
 TEST(GroupNames, AreDistinctAndShort) {
   std::string long_name = "a";
   for (int i = 0; i < 50; ++i) long_name += "\xc3\xa9";
-  const auto names = group_names({1, 2, 3, 4}, {{1, "wall", {}}, {2, "wall", {}}, {3, long_name, {}}, {4, " \n ", {}}});
+  const auto names =
+      group_names({1, 2, 3, 4}, {{1, "wall", {}}, {2, "wall", {}}, {3, long_name, {}}, {4, " \n ", {}}});
   EXPECT_EQ(names[0], "wall (1)");
   EXPECT_EQ(names[1], "wall (2)");
   EXPECT_EQ(names[2], long_name.substr(0, 59));
@@ -225,7 +235,8 @@ TEST(WriteFiles, LeavesNothingBehindWhenAFileCannotBePlaced) {
   const Status missing = write_files(folder / "no_such_folder/a.carp", files);
   ASSERT_FALSE(missing.ok());
   EXPECT_EQ(missing.error().code, ErrorCode::kBadInput);
-  EXPECT_NE(missing.error().message.find("no_such_folder/a.pts"), std::string::npos) << missing.error().message;
+  EXPECT_NE(missing.error().message.find("no_such_folder/a.pts"), std::string::npos)
+      << missing.error().message;
   std::filesystem::create_directories(folder / "a.elem/inside");
   const Status blocked = write_files(folder / "a.carp", files);
   ASSERT_FALSE(blocked.ok());

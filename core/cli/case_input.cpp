@@ -1,0 +1,100 @@
+#include "cli/case_input.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "io/files.h"
+#include "recipe/link.h"
+
+namespace voxtet {
+namespace {
+
+Error usage(const std::string& message) { return {ErrorCode::kUsage, "cli", message, {}}; }
+
+bool is_case_file(const std::string& input) { return input.size() > 5 && input.ends_with(".json"); }
+
+Status load_file(const std::string& path, Session& session) {
+  Result<Bytes> bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const SiblingReader sibling = [folder](const std::string& name) { return read_file((folder / name).string()); };
+  return session.load_volume({std::filesystem::path(path).filename().string(), *bytes, sibling});
+}
+
+/// "a=b" -> {a, b}. Errors: kUsage.
+Result<std::pair<std::string, std::string>> split_pair(const std::string& option, const std::string& text) {
+  const std::size_t at = text.find('=');
+  if (at == std::string::npos || at == 0) return usage(option + " " + text + ": expected NAME=VALUE");
+  return std::pair{text.substr(0, at), text.substr(at + 1)};
+}
+
+Result<double> to_number(const std::string& option, const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0') return usage(option + ": found '" + text + "', expected a number");
+  return value;
+}
+
+Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
+  nlohmann::json json = recipe_to_json(recipe);
+  if (!options.labels.empty()) json["labels"] = options.labels;
+  if (options.merge) json["merge"] = true;
+  if (options.edge_mm != 0) json["sizing"]["edge_mm"] = options.edge_mm;
+  for (const std::string& text : options.edge_labels) {
+    auto pair = split_pair("--edge-label", text);
+    if (!pair) return pair.error();
+    Result<double> label = to_number("--edge-label " + text, pair->first);
+    if (!label) return label.error();
+    Result<double> edge = to_number("--edge-label " + text, pair->second);
+    if (!edge) return edge.error();
+    nlohmann::json& sizes = json["sizing"]["labels"];
+    std::erase_if(sizes.get_ref<nlohmann::json::array_t&>(), [&](const auto& s) { return s["label"] == *label; });
+    sizes.push_back({{"label", *label}, {"edge_mm", *edge}});
+  }
+  Result<Recipe> changed = parse_recipe(json);
+  for (const std::string& text : options.set) {
+    if (!changed) return changed;
+    auto pair = split_pair("--set", text);
+    if (!pair) return pair.error();
+    changed = with_field(*changed, pair->first, pair->second);
+  }
+  return changed;
+}
+
+}  // namespace
+
+Result<Recipe> read_case(const std::string& input) {
+  if (is_link(input)) return recipe_of_link(input);
+  if (!is_case_file(input)) return Recipe{};
+  Result<Bytes> bytes = read_file(input);
+  if (!bytes) return bytes.error();
+  Result<Recipe> recipe = parse_recipe(std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+  if (!recipe) {
+    Error error = recipe.error();
+    error.message = input + ": " + error.message;
+    return error;
+  }
+  return recipe;
+}
+
+Status open_case(const CaseOptions& options, Session& session) {
+  Result<Recipe> recipe = read_case(options.input);
+  if (!recipe) return recipe.error();
+  std::string path;
+  if (!is_link(options.input) && !is_case_file(options.input)) {
+    path = options.input;
+  } else if (recipe->source.file) {
+    path = recipe->source.file->name;
+    if (is_case_file(options.input)) path = (std::filesystem::path(options.input).parent_path() / path).string();
+  }
+  if (!path.empty()) {
+    if (Status loaded = load_file(path, session); !loaded) return loaded;
+    if (!recipe->source.file) recipe->source = session.recipe().source;
+  }
+  Result<Recipe> changed = with_options(std::move(recipe).value(), options);
+  if (!changed) return changed.error();
+  return session.set_recipe(*changed);
+}
+
+}  // namespace voxtet

@@ -1,0 +1,27 @@
+// What `mesh`, `verify` and `url` take: a volume, a case file or a link, and the options that change it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/session.h"
+#include "types/result.h"
+
+namespace voxtet {
+
+struct CaseOptions {
+  std::string input;                     ///< volume file, case .json, link, or "-" for none
+  std::vector<int> labels;               ///< --labels 1,2,5
+  bool merge = false;                    ///< --merge
+  double edge_mm = 0;                    ///< --edge-mm; 0: as in the recipe
+  std::vector<std::string> edge_labels;  ///< --edge-label 5=0.8
+  std::vector<std::string> set;          ///< --set path=value
+};
+
+/// Recipe of a case file or link; default recipe (source still empty) for a volume.
+Result<Recipe> read_case(const std::string& input);
+
+/// Loads the volume, if the case names one (a case's file is looked up beside the case), applies the options.
+Status open_case(const CaseOptions& options, Session& session);
+
+}  // namespace voxtet

@@ -1,0 +1,257 @@
+#include "cli/cli.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "cli/case_input.h"
+#include "cli/print.h"
+#include "geometry/digest.h"
+#include "io/files.h"
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+#include "io/write_volume.h"
+#include "pipeline/report.h"
+#include "recipe/link.h"
+
+namespace voxtet {
+namespace {
+
+using nlohmann::json;
+
+/// What the commands share: where results go.
+struct Output {
+  bool as_json = false;
+  double time_limit_s = 0;
+  std::string lps_or_ras = "ras";
+  PatientSpace space() const { return lps_or_ras == "lps" ? PatientSpace::kLps : PatientSpace::kRas; }
+};
+
+void print_json(const json& value) { std::printf("%s\n", value.dump(1).c_str()); }
+
+int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, const std::string& path,
+                const Output& output) {
+  Result<MeshFormat> format = mesh_format_of(path);
+  if (!format) return fail(format.error());
+  Result<std::vector<OutputFile>> files = write_tet_mesh(mesh, *format, {output.space(), infos});
+  if (!files) return fail(files.error());
+  if (Status written = write_files(path, *files); !written) return fail(written.error());
+  return kExitOk;
+}
+
+int run_mesh(const CaseOptions& options, const std::string& out, const std::string& report_path,
+             const Output& output) {
+  if (!out.empty())
+    if (Result<MeshFormat> format = mesh_format_of(out); !format) return fail(format.error());
+  Session session;
+  if (Status opened = open_case(options, session); !opened) return fail(opened.error());
+  RunContext ctx = printing_context(output.time_limit_s);
+  const Status done = session.run(Stage::kQuality, ctx);
+  if (!done) {
+    json failed = report_json(session);
+    failed["error"] = error_json(done.error());
+    if (output.as_json) print_json(failed);
+    if (!report_path.empty()) write_file(report_path, failed.dump(1));
+    return fail(done.error());
+  }
+  if (!out.empty())
+    if (const int code = export_mesh(*session.mesh(), session.volume()->infos, out, output); code != kExitOk)
+      return code;
+  const json report = report_json(session);
+  if (!report_path.empty())
+    if (Status written = write_file(report_path, report.dump(1)); !written) return fail(written.error());
+  if (output.as_json)
+    print_json(report);
+  else
+    print_report(report, stdout);
+  if (!session.quality()->passed())
+    return fail({ErrorCode::kMeshing, "quality", "the mesh fails a hard check, see the checklist", {}});
+  return kExitOk;
+}
+
+int run_check(const std::string& path, const Output& output) {
+  Result<TetMesh> mesh = read_tet_mesh_file(path);
+  if (!mesh) return fail(mesh.error());
+  RunContext ctx;
+  Result<QualityReport> report = measure_mesh(*mesh, {}, ctx);
+  if (!report) return fail(report.error());
+  const json quality = quality_json(*report);
+  if (output.as_json) {
+    print_json({{"digest", digest_of(*mesh)},
+                {"tets", mesh->tets.size()},
+                {"points", mesh->points.size()},
+                {"quality", quality}});
+  } else {
+    std::printf("%zu tetrahedra, %zu points\n", mesh->tets.size(), mesh->points.size());
+    print_quality(quality, stdout);
+  }
+  return report->passed() ? kExitOk : kExitMeshing;
+}
+
+int run_phantom(const std::string& name, const std::vector<std::string>& set, const std::string& out) {
+  CaseOptions options;
+  Result<Recipe> recipe = with_field(Recipe{}, "source.phantom.kind", name);
+  for (const std::string& text : set) {
+    if (!recipe) break;
+    const std::size_t at = text.find('=');
+    if (at == std::string::npos) return fail({ErrorCode::kUsage, "cli", "--set " + text + ": expected NAME=VALUE", {}});
+    recipe = with_field(*recipe, "source.phantom." + text.substr(0, at), text.substr(at + 1));
+  }
+  if (!recipe) return fail(recipe.error());
+  Result<LabelVolume> volume = make_phantom(*recipe->source.phantom);
+  if (!volume) return fail(volume.error());
+  const bool gzip = out.ends_with(".gz");
+  if (!out.ends_with(".nii") && !out.ends_with(".nii.gz"))
+    return fail({ErrorCode::kUsage, "cli", out + ": a phantom is written as .nii or .nii.gz", {}});
+  Result<Bytes> bytes = write_nifti(*volume, gzip);
+  if (!bytes) return fail(bytes.error());
+  if (Status written = write_file(out, bytes->data(), bytes->size()); !written) return fail(written.error());
+  std::printf("%s: %d x %d x %d voxels, digest %s\n", out.c_str(), volume->size[0], volume->size[1], volume->size[2],
+              digest_of(*volume).c_str());
+  return kExitOk;
+}
+
+int run_convert(const std::string& in, const std::string& out, const Output& output) {
+  if (mesh_format_of(in).ok()) {
+    Result<TetMesh> mesh = read_tet_mesh_file(in);
+    if (!mesh) return fail(mesh.error());
+    return export_mesh(*mesh, {}, out, output);
+  }
+  Result<LabelVolume> volume = read_volume_file(in);
+  if (!volume) return fail(volume.error());
+  if (!out.ends_with(".nii") && !out.ends_with(".nii.gz"))
+    return fail({ErrorCode::kUsage, "cli", out + ": a volume is written as .nii or .nii.gz", {}});
+  Result<Bytes> bytes = write_nifti(*volume, out.ends_with(".gz"));
+  if (!bytes) return fail(bytes.error());
+  if (Status written = write_file(out, bytes->data(), bytes->size()); !written) return fail(written.error());
+  return kExitOk;
+}
+
+int run_url(const std::string& input, const std::string& base) {
+  Result<Recipe> recipe = read_case(input);
+  if (!recipe) return fail(recipe.error());
+  if (is_link(input))
+    print_json(recipe_to_json(*recipe, true));
+  else
+    std::printf("%s%s\n", base.c_str(), link_fragment(*recipe).c_str());
+  return kExitOk;
+}
+
+/// `expected` of the case itself, or of an expected.json beside the case file.
+Result<Expected> expected_of(const Recipe& recipe, const std::string& input) {
+  if (!recipe.expected.digest.empty()) return recipe.expected;
+  const std::string beside = (std::filesystem::path(input).parent_path() / "expected.json").string();
+  if (is_link(input) || !std::filesystem::exists(beside))
+    return Error{ErrorCode::kUsage, "verify", input + ": the case promises no digest (field expected.digest, or " +
+                                                  beside + ")", {}};
+  Result<Bytes> bytes = read_file(beside);
+  if (!bytes) return bytes.error();
+  const json value = json::parse(bytes->begin(), bytes->end(), nullptr, false);
+  if (value.is_discarded() || !value.contains("digest") || !value["digest"].is_string())
+    return Error{ErrorCode::kBadInput, "verify", beside + ": expected a JSON object with the text field digest", {}};
+  Expected expected;
+  expected.digest = value["digest"];
+  expected.tets = value.value("tets", 0U);
+  expected.engine = value.value("engine", "");
+  return expected;
+}
+
+int run_verify(const CaseOptions& options, const Output& output) {
+  Session session;
+  if (Status opened = open_case(options, session); !opened) return fail(opened.error());
+  Result<Expected> expected = expected_of(session.recipe(), options.input);
+  if (!expected) return fail(expected.error());
+  RunContext ctx = printing_context(output.time_limit_s);
+  if (Status done = session.run(Stage::kTetra, ctx); !done) return fail(done.error());
+  const std::string digest = digest_of(*session.mesh());
+  const bool same = digest == expected->digest;
+  const std::string other =
+      expected->engine.empty() || expected->engine == engine_version() ? "" : "made with another engine, ";
+  const std::string verdict = same ? "reproduced" : other + "differs";
+  if (output.as_json)
+    print_json({{"verdict", verdict},
+                {"digest", digest},
+                {"expected", expected->digest},
+                {"tets", session.mesh()->tets.size()},
+                {"expected_tets", expected->tets},
+                {"engine", engine_version()},
+                {"expected_engine", expected->engine}});
+  else
+    std::printf("%s\n  digest %s, expected %s\n  tets %zu, expected %u\n", verdict.c_str(), digest.c_str(),
+                expected->digest.c_str(), session.mesh()->tets.size(), expected->tets);
+  return same ? kExitOk : kExitDiffers;
+}
+
+void add_case_options(CLI::App& command, CaseOptions& options, Output& output, const std::string& input_name) {
+  command.add_option(input_name, options.input, "volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), case.json or link")
+      ->required();
+  command.add_option("--labels", options.labels, "labels to mesh, as 1,2,5; all if absent")->delimiter(',');
+  command.add_flag("--merge", options.merge, "mesh the labels as one region");
+  command.add_option("--edge-mm", options.edge_mm, "edge length, mm");
+  command.add_option("--edge-label", options.edge_labels, "edge length inside a label, as 5=0.8");
+  command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");
+  command.add_flag("--json", output.as_json, "print the report as JSON");
+  command.add_option("--time-limit", output.time_limit_s, "give up after so many seconds");
+}
+
+}  // namespace
+
+int run_cli(int argc, const char* const* argv) {
+  CLI::App app{"voxtet " + engine_version() + ": segmented volumes to simulation-ready tetrahedra"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", engine_version());
+  CaseOptions options;
+  Output output;
+  std::string in, out, report, base;
+  std::vector<std::string> set;
+  int code = kExitOk;
+
+  CLI::App* mesh = app.add_subcommand("mesh", "mesh a volume or a case");
+  add_case_options(*mesh, options, output, "VOLUME|CASE.json");
+  mesh->add_option("-o,--output", out, "mesh file: .vtu .msh .mesh .carp .stl .ply");
+  mesh->add_option("--report", report, "write the report as JSON to this file");
+  mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")->check(CLI::IsMember({"ras", "lps"}));
+  mesh->callback([&] { code = run_mesh(options, out, report, output); });
+
+  CLI::App* verify = app.add_subcommand("verify", "mesh a case and compare with the digest it promises");
+  add_case_options(*verify, options, output, "CASE.json");
+  verify->callback([&] { code = run_verify(options, output); });
+
+  CLI::App* check = app.add_subcommand("check", "measure a mesh file");
+  check->add_option("MESH", in, ".vtu .msh .mesh .elem")->required();
+  check->add_flag("--json", output.as_json, "print the report as JSON");
+  check->callback([&] { code = run_check(in, output); });
+
+  CLI::App* phantom = app.add_subcommand("phantom", "generate a body as a label volume");
+  phantom->add_option("NAME", in, "sphere, shell, torus, slab, nested_boxes, branching_tube, biventricle")->required();
+  phantom->add_option("--set", set, "a field of the phantom, as spacing_mm=[1,1,1]");
+  phantom->add_option("-o,--output", out, ".nii or .nii.gz")->required();
+  phantom->callback([&] { code = run_phantom(in, set, out); });
+
+  CLI::App* convert = app.add_subcommand("convert", "convert a mesh file, or a volume to NIfTI");
+  convert->add_option("INPUT", in)->required();
+  convert->add_option("OUTPUT", out)->required();
+  convert->add_option("--space", output.lps_or_ras, "patient space written")->check(CLI::IsMember({"ras", "lps"}));
+  convert->callback([&] { code = run_convert(in, out, output); });
+
+  CLI::App* url = app.add_subcommand("url", "the link of a case, or the case of a link");
+  url->add_option("CASE.json", in)->required();
+  url->add_option("--base", base, "address of the app, put before the link's fragment");
+  url->callback([&] { code = run_url(in, base); });
+
+  CLI::App* schema = app.add_subcommand("schema", "the fields of a case, as JSON");
+  schema->callback([&] { print_json({{"version", engine_version()}, {"fields", recipe_schema()}}); });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kExitOk : kExitUsage;
+  } catch (const std::bad_alloc&) {
+    return fail({ErrorCode::kOutOfMemory, "cli", "out of memory", {}});
+  } catch (const std::exception& error) {
+    return fail({ErrorCode::kInternal, "cli", error.what(), {}});
+  }
+  return code;
+}
+
+}  // namespace voxtet

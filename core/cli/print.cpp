@@ -1,0 +1,115 @@
+#include "cli/print.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "cli/cli.h"
+
+#if !defined(__EMSCRIPTEN__)
+#include <unistd.h>
+#endif
+
+namespace voxtet {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool on_terminal() {
+#if defined(__EMSCRIPTEN__)
+  return false;
+#else
+  return isatty(2) != 0;
+#endif
+}
+
+}  // namespace
+
+RunContext printing_context(double time_limit_s) {
+  RunContext ctx;
+  const auto start = std::make_shared<Clock::time_point>(Clock::now());
+  const bool terminal = on_terminal();
+  ctx.on_progress = [start, terminal](const std::string& stage, double fraction) {
+    if (fraction <= 0) {
+      *start = Clock::now();
+      if (terminal) std::fprintf(stderr, "%-8s ...", stage.c_str());
+    } else if (fraction >= 1) {
+      const double seconds = std::chrono::duration<double>(Clock::now() - *start).count();
+      std::fprintf(stderr, "%s%-8s %6.2f s\n", terminal ? "\r" : "", stage.c_str(), seconds);
+    } else if (terminal) {
+      std::fprintf(stderr, "\r%-8s %3.0f %%", stage.c_str(), 100 * fraction);
+    }
+  };
+  ctx.on_warning = [](const std::string& stage, const std::string& message) {
+    std::fprintf(stderr, "warning: %s: %s\n", stage.c_str(), message.c_str());
+  };
+  if (time_limit_s > 0) {
+    const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                     std::chrono::duration<double>(time_limit_s));
+    ctx.on_cancelled = [end] { return Clock::now() > end; };
+  }
+  return ctx;
+}
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "voxtet: %s: %s\n", error.stage.c_str(), error.message.c_str());
+  for (std::size_t i = 0; i < error.where.points.size() && i < 5; ++i) {
+    const Eigen::Vector3d& p = error.where.points[i];
+    std::fprintf(stderr, "  at %.3f %.3f %.3f mm\n", p.x(), p.y(), p.z());
+  }
+  if (error.where.points.size() > 5)
+    std::fprintf(stderr, "  and %zu places more\n", error.where.points.size() - 5);
+  switch (error.code) {
+    case ErrorCode::kUsage: return kExitUsage;
+    case ErrorCode::kBadInput: return kExitBadInput;
+    case ErrorCode::kMeshing: return kExitMeshing;
+    case ErrorCode::kDiffers: return kExitDiffers;
+    case ErrorCode::kOutOfMemory:
+    case ErrorCode::kCancelled: return kExitLimits;
+    case ErrorCode::kInternal: return kExitMeshing;
+  }
+  return kExitMeshing;
+}
+
+void print_quality(const nlohmann::json& quality, std::FILE* out) {
+  std::fprintf(out, "\n%-24s %9s %9s %9s %9s %9s\n", "measure", "min", "1 %", "median", "99 %", "max");
+  for (const auto& m : quality["metrics"])
+    std::fprintf(out, "%-24s %9.3f %9.3f %9.3f %9.3f %9.3f  %s\n", m["name"].get<std::string>().c_str(),
+                 m["min"].get<double>(), m["p1"].get<double>(), m["median"].get<double>(), m["p99"].get<double>(),
+                 m["max"].get<double>(), m["unit"] == "1" ? "" : m["unit"].get<std::string>().c_str());
+  std::fprintf(out, "\n");
+  for (const auto& item : quality["checklist"])
+    std::fprintf(out, "%s %-28s %s (expected %s)\n",
+                 item["passed"].get<bool>() ? "ok  " : (item["hard"].get<bool>() ? "FAIL" : "note"),
+                 item["name"].get<std::string>().c_str(), item["found"].get<std::string>().c_str(),
+                 item["expected"].get<std::string>().c_str());
+}
+
+void print_report(const nlohmann::json& report, std::FILE* out) {
+  std::fprintf(out, "%u tetrahedra, %u points, digest %s\n", report["tets"].get<unsigned>(),
+               report["points"].get<unsigned>(), report["digest"].get<std::string>().c_str());
+  std::fprintf(out, "\n%5s %9s %9s %11s %7s %8s %9s %9s\n", "label", "voxels", "tets", "volume mm3", "error", "Dice",
+               "edge mm", "wished");
+  for (const auto& f : report["fidelity"]["labels"])
+    std::fprintf(out, "%5u %9u %9u %11.1f %6.2f%% %8.4f %9.3f %9.3f\n", f["label"].get<unsigned>(),
+                 f["voxels"].get<unsigned>(), f["tets"].get<unsigned>(), f["mesh_mm3"].get<double>(),
+                 f["volume_error_percent"].get<double>(), f["dice"].get<double>(), f["median_edge_mm"].get<double>(),
+                 f["wished_edge_mm"].get<double>());
+  for (const char* direction : {"mesh_to_surface", "surface_to_mesh"}) {
+    const auto& d = report["fidelity"][direction];
+    std::fprintf(out, "distance %-16s mean %.3f  rms %.3f  p95 %.3f  max %.3f (+- %.3f) mm\n", direction,
+                 d["mean_mm"].get<double>(), d["rms_mm"].get<double>(), d["p95_mm"].get<double>(),
+                 d["max_mm"].get<double>(), d["uncertainty_mm"].get<double>());
+  }
+  print_quality(report["quality"], out);
+  std::fprintf(out, "\n");
+  double total = 0;
+  for (const auto& s : report["stages"]) {
+    std::fprintf(out, "%-8s %7.2f s %8.0f MB peak\n", s["name"].get<std::string>().c_str(),
+                 s["seconds"].get<double>(), s["peak_mb"].get<double>());
+    total += s["seconds"].get<double>();
+  }
+  std::fprintf(out, "%-8s %7.2f s\n", "total", total);
+}
+
+}  // namespace voxtet

@@ -1,0 +1,25 @@
+// How the command line speaks: progress and errors on standard error, results on standard output.
+#pragma once
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "types/result.h"
+#include "types/run_context.h"
+
+namespace voxtet {
+
+/// A context that prints a line for each stage (and percentages on a terminal) to standard error.
+/// `time_limit_s` > 0 cancels when it is over.
+RunContext printing_context(double time_limit_s);
+
+/// Prints the error and gives its exit code.
+int fail(const Error& error);
+
+/// The report of a mesh, for people.
+void print_report(const nlohmann::json& report, std::FILE* out);
+
+/// Metrics and checklist, for people.
+void print_quality(const nlohmann::json& quality, std::FILE* out);
+
+}  // namespace voxtet

@@ -1,0 +1,12 @@
+// MEDIT .mesh (ASCII) -> TetMesh.
+#pragma once
+
+#include "io/read_mesh.h"
+
+namespace voxtet {
+
+/// Vertices and Tetrahedra; other sections are skipped, End is required. A comment line "# space LPS" is
+/// obeyed.
+Result<TetMesh> read_medit(const VolumeFile& file);
+
+}  // namespace voxtet

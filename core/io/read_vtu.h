@@ -1,0 +1,13 @@
+// VTK XML UnstructuredGrid (.vtu) -> TetMesh.
+#pragma once
+
+#include "io/read_mesh.h"
+
+namespace voxtet {
+
+/// Linear tetrahedra of all pieces; the label is the cell array `label` (any numeric type, whole numbers).
+/// Little-endian, ascii, base64 or raw, inline or appended, uncompressed or zlib. A field-data array `space`
+/// that says "LPS" is obeyed.
+Result<TetMesh> read_vtu(const VolumeFile& file);
+
+}  // namespace voxtet

@@ -1,0 +1,56 @@
+#include "io/write_carp.h"
+
+#include <string>
+
+#include "io/byte_writer.h"
+#include "io/mesh_groups.h"
+
+namespace voxtet {
+namespace {
+
+constexpr double kUmPerMm = 1000;
+
+Bytes write_points(const TetMesh& mesh, PatientSpace space) {
+  ByteWriter out(64 * mesh.points.size() + 64);
+  out.text(std::to_string(mesh.points.size()) + "\n");
+  for (const Eigen::Vector3d& ras : mesh.points) {
+    const Eigen::Vector3d p = kUmPerMm * in_space(ras, space);
+    for (int d = 0; d < 3; ++d) {
+      out.real(p[d]);
+      out.text(d < 2 ? " " : "\n");
+    }
+  }
+  return out.take();
+}
+
+Bytes write_elements(const TetMesh& mesh) {
+  ByteWriter out(40 * mesh.tets.size() + 64);
+  out.text(std::to_string(mesh.tets.size()) + "\n");
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    out.text("Tt ");
+    for (const std::uint32_t corner : mesh.tets[t]) {
+      out.integer(corner);
+      out.text(" ");
+    }
+    out.integer(mesh.labels[t]);
+    out.text("\n");
+  }
+  return out.take();
+}
+
+Bytes write_fibres(const TetMesh& mesh) {
+  ByteWriter out(6 * mesh.tets.size() + 64);
+  out.text("1\n");
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) out.text("1 0 0\n");
+  return out.take();
+}
+
+}  // namespace
+
+std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& options) {
+  return {{".pts", write_points(mesh, options.space)},
+          {".elem", write_elements(mesh)},
+          {".lon", write_fibres(mesh)}};
+}
+
+}  // namespace voxtet

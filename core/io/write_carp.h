@@ -1,0 +1,12 @@
+// openCARP's mesh files .pts, .elem, .lon (openCARP manual, "File formats").
+#pragma once
+
+#include "io/write_mesh.h"
+
+namespace voxtet {
+
+/// .pts in um; .elem of type Tt with region = label; .lon with one fibre axis per element, (1, 0, 0)
+/// throughout as a placeholder. The files have no place to say their space.
+std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& options);
+
+}  // namespace voxtet

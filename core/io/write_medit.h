@@ -1,0 +1,13 @@
+// MEDIT / Gamma Mesh Format .mesh, ASCII (P. Frey, "MEDIT: an interactive mesh visualization software", INRIA
+// RT-0253).
+#pragma once
+
+#include "io/write_mesh.h"
+
+namespace voxtet {
+
+/// mm, numbers that read back exactly. Tetrahedra with reference = label; triangles with reference = rank of
+/// their pair of sides (from 1). Comment lines ("#") say the space and what each reference means.
+Bytes write_medit(const TetMesh& mesh, const WriteMeshOptions& options);
+
+}  // namespace voxtet

@@ -1,0 +1,154 @@
+#include "io/write_mesh.h"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "io/header_text.h"
+#include "io/write_carp.h"
+#include "io/write_medit.h"
+#include "io/write_msh.h"
+#include "io/write_ply.h"
+#include "io/write_stl.h"
+#include "io/write_vtu.h"
+
+namespace voxtet {
+namespace {
+
+constexpr const char* kStage = "write_mesh";
+constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+
+struct Ending {
+  std::string_view text;
+  MeshFormat format;
+};
+constexpr std::array<Ending, 9> kEndings{{{".vtu", MeshFormat::kVtu},
+                                          {".msh", MeshFormat::kMsh},
+                                          {".mesh", MeshFormat::kMedit},
+                                          {".pts", MeshFormat::kCarp},
+                                          {".elem", MeshFormat::kCarp},
+                                          {".lon", MeshFormat::kCarp},
+                                          {".carp", MeshFormat::kCarp},
+                                          {".stl", MeshFormat::kStl},
+                                          {".ply", MeshFormat::kPly}}};
+
+std::optional<Error> broken(const std::string& message) {
+  return Error{ErrorCode::kInternal, kStage, message, {}};
+}
+
+/// The invariants that the writers rely on to stay inside their arrays and to write files that can be read.
+template <std::size_t kCorners>
+std::optional<Error> check_elements(const std::vector<Eigen::Vector3d>& points,
+                                    const std::vector<std::array<std::uint32_t, kCorners>>& elements,
+                                    std::size_t attributes, const std::string& name) {
+  if (elements.size() != attributes)
+    return broken(std::to_string(elements.size()) + " " + name + " carry " + std::to_string(attributes) +
+                  " labels, expected as many");
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    for (const std::uint32_t corner : elements[e])
+      if (corner >= points.size())
+        return broken(name + ": element " + std::to_string(e) + " uses point " + std::to_string(corner) +
+                      " of " + std::to_string(points.size()));
+  return {};
+}
+
+std::optional<Error> check_points(const std::vector<Eigen::Vector3d>& points) {
+  if (points.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+    return broken(std::to_string(points.size()) + " points, expected fewer than 2^31");
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (!points[p].allFinite())
+      return broken("point " + std::to_string(p) + " has a coordinate that is not finite");
+  return {};
+}
+
+/// The boundary faces as a surface of their own, with only the points that they use.
+SurfaceMesh boundary_of(const TetMesh& mesh) {
+  SurfaceMesh surface;
+  surface.sides = mesh.face_sides;
+  std::vector<std::uint32_t> place(mesh.points.size(), kUnused);
+  for (const Triangle& face : mesh.faces)
+    for (const std::uint32_t corner : face) place[corner] = 0;
+  for (std::size_t p = 0; p < place.size(); ++p) {
+    if (place[p] == kUnused) continue;
+    place[p] = static_cast<std::uint32_t>(surface.points.size());
+    surface.points.push_back(mesh.points[p]);
+  }
+  for (const Triangle& face : mesh.faces)
+    surface.triangles.push_back({place[face[0]], place[face[1]], place[face[2]]});
+  return surface;
+}
+
+std::optional<Error> check_surface(const SurfaceMesh& surface) {
+  if (surface.triangles.empty())
+    return Error{
+        ErrorCode::kUsage, kStage, "no triangles to write (a mesh read from a file carries no faces)", {}};
+  if (auto error = check_points(surface.points)) return error;
+  return check_elements(surface.points, surface.triangles, surface.sides.size(), "triangles");
+}
+
+std::optional<Error> check_mesh(const TetMesh& mesh) {
+  if (mesh.tets.empty()) return Error{ErrorCode::kUsage, kStage, "no tetrahedra to write", {}};
+  if (auto error = check_points(mesh.points)) return error;
+  if (auto error = check_elements(mesh.points, mesh.tets, mesh.labels.size(), "tetrahedra")) return error;
+  return check_elements(mesh.points, mesh.faces, mesh.face_sides.size(), "faces");
+}
+
+}  // namespace
+
+Result<MeshFormat> mesh_format_of(const std::string& path) {
+  const std::string ending = lower_case(mesh_ending_of(path));
+  std::string known;
+  for (const Ending& candidate : kEndings) {
+    if (ending == candidate.text) return candidate.format;
+    known += ' ';
+    known += candidate.text;
+  }
+  return Error{ErrorCode::kUsage, kStage, path + ": ending \"" + ending + "\", expected one of" + known, {}};
+}
+
+std::string_view mesh_ending_of(std::string_view path) {
+  const std::size_t name = path.find_last_of("/\\");
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string_view::npos || (name != std::string_view::npos && dot < name)) return {};
+  return path.substr(dot);
+}
+
+Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat format,
+                                               const WriteMeshOptions& options) {
+  if (auto error = check_mesh(mesh)) return *std::move(error);
+  switch (format) {
+    case MeshFormat::kVtu:
+      return std::vector<OutputFile>{{".vtu", write_vtu(mesh, options)}};
+    case MeshFormat::kMsh:
+      return std::vector<OutputFile>{{".msh", write_msh(mesh, options)}};
+    case MeshFormat::kMedit:
+      return std::vector<OutputFile>{{".mesh", write_medit(mesh, options)}};
+    case MeshFormat::kCarp:
+      return write_carp(mesh, options);
+    case MeshFormat::kStl:
+    case MeshFormat::kPly:
+      break;
+  }
+  return write_surface(boundary_of(mesh), format, options);
+}
+
+Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFormat format,
+                                              const WriteMeshOptions& options) {
+  if (auto error = check_surface(surface)) return *std::move(error);
+  switch (format) {
+    case MeshFormat::kVtu:
+      return std::vector<OutputFile>{{".vtu", write_vtu(surface, options)}};
+    case MeshFormat::kStl:
+      return std::vector<OutputFile>{{".stl", write_stl(surface, options)}};
+    case MeshFormat::kPly:
+      return std::vector<OutputFile>{{".ply", write_ply(surface, options)}};
+    case MeshFormat::kMsh:
+    case MeshFormat::kMedit:
+    case MeshFormat::kCarp:
+      break;
+  }
+  return Error{ErrorCode::kUsage, kStage, "a surface is written as .stl, .ply or .vtu only", {}};
+}
+
+}  // namespace voxtet

@@ -1,0 +1,57 @@
+// Tetrahedral and surface meshes -> the bytes of files that simulation codes and viewers read.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/read_volume.h"
+#include "types/label_volume.h"
+#include "types/result.h"
+#include "types/surface_mesh.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+enum class MeshFormat { kVtu, kMsh, kMedit, kCarp, kStl, kPly };
+enum class PatientSpace { kRas, kLps };
+
+struct WriteMeshOptions {
+  PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
+  std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
+};
+
+/// A file of an export: openCARP makes three, every other format one. `suffix` is appended to the base name.
+struct OutputFile {
+  std::string suffix;  ///< ".vtu", ".msh", ".mesh", ".pts", ".elem", ".lon", ".stl", ".ply"
+  Bytes bytes;
+};
+
+/// Format of a file name by its ending (.vtu .msh .mesh .pts/.elem/.lon/.carp .stl .ply), in any case.
+/// Errors: kUsage listing the endings that are known.
+Result<MeshFormat> mesh_format_of(const std::string& path);
+
+/// The ending of a path's last name with its dot (".vtu"); empty where it has none.
+std::string_view mesh_ending_of(std::string_view path);
+
+/// VTU: binary appended raw, zlib-free, cell array `label`, mm. MSH 4.1: binary, physical groups per label
+/// (volumes, named) and per pair of sides (surfaces). MEDIT: ASCII, mm. openCARP: .pts (um), .elem (Tt,
+/// label), .lon (one axis, unit x direction as placeholder for fibres). STL (binary) and PLY (binary):
+/// boundary faces. The header of each format (write_vtu.h, write_msh.h, ...) says the details, and where a
+/// file says that it is LPS. The flip to LPS is a rotation: orientation stays. Equal meshes give equal bytes.
+/// Errors: kUsage for a mesh without tetrahedra, or without faces where only these are written; kInternal
+/// where the mesh breaks an invariant of TetMesh (indices in range, finite points, one label per element).
+Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat format,
+                                               const WriteMeshOptions& options);
+
+/// STL, PLY, VTU (triangles with cell arrays `label_behind`, `label_front`) of a surface. Errors: kUsage for
+/// others.
+Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFormat format,
+                                              const WriteMeshOptions& options);
+
+/// Writes each file to a temporary name beside its target ("a.vtu.part"), then renames. `path` carries any
+/// known ending: "a.carp" or "a.pts" -> a.pts, a.elem, a.lon. On failure none of the new files remains.
+/// Errors: kUsage for an unknown ending; kBadInput naming the path that cannot be written.
+Status write_files(const std::string& path, const std::vector<OutputFile>& files);
+
+}  // namespace voxtet

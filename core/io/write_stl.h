@@ -1,0 +1,13 @@
+// Binary STL: triangles without names or sides, 32-bit floats (3D Systems, "Stereolithography interface
+// specification").
+#pragma once
+
+#include "io/write_mesh.h"
+
+namespace voxtet {
+
+/// mm, every triangle once, normal from the side behind to the side in front; the 80-byte header says space
+/// and unit.
+Bytes write_stl(const SurfaceMesh& surface, const WriteMeshOptions& options);
+
+}  // namespace voxtet

@@ -1,0 +1,16 @@
+// VTK's XML UnstructuredGrid: binary, appended, raw (VTK file formats, "XML File Formats").
+#pragma once
+
+#include "io/write_mesh.h"
+
+namespace voxtet {
+
+/// Tetrahedra with the Int32 cell array `label`; Float64 points, mm. In LPS the grid has a field-data array
+/// `space` of three Int8 letters, "LPS"; without it a file is RAS. (Letters and not a VTK string: meshio
+/// refuses files with strings.)
+Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options);
+
+/// Triangles with the Int32 cell arrays `label_behind` and `label_front`.
+Bytes write_vtu(const SurfaceMesh& surface, const WriteMeshOptions& options);
+
+}  // namespace voxtet

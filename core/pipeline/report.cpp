@@ -1,0 +1,185 @@
+#include "pipeline/report.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "geometry/digest.h"
+#include "pipeline/select_labels.h"
+
+namespace voxtet {
+namespace {
+
+using nlohmann::json;
+
+json matrix_json(const Eigen::Matrix4d& m) {
+  json out = json::array();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) out.push_back(m(row, column));
+  return out;
+}
+
+json colour_json(const LabelInfo& info) {
+  if (info.colour[0] < 0) return nullptr;
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(info.colour[0] * 255 + 0.5F) & 255U,
+                static_cast<unsigned>(info.colour[1] * 255 + 0.5F) & 255U,
+                static_cast<unsigned>(info.colour[2] * 255 + 0.5F) & 255U);
+  return text;
+}
+
+json distance_json(const DistanceSummary& d) {
+  return {{"samples", d.samples}, {"mean_mm", d.mean_mm}, {"rms_mm", d.rms_mm},
+          {"p95_mm", d.p95_mm},   {"max_mm", d.max_mm},   {"uncertainty_mm", d.uncertainty_mm}};
+}
+
+json metric_json(const MetricSummary& m) {
+  return {{"name", m.name},
+          {"unit", m.unit},
+          {"elements", m.elements},
+          {"count", m.count},
+          {"min", m.min},
+          {"p01", m.p01},
+          {"p1", m.p1},
+          {"p5", m.p5},
+          {"median", m.median},
+          {"p95", m.p95},
+          {"p99", m.p99},
+          {"max", m.max},
+          {"mean", m.mean},
+          {"sd", m.sd},
+          {"histogram", {{"lo", m.histogram.lo}, {"hi", m.histogram.hi}, {"counts", m.histogram.counts}}},
+          {"worst", m.worst}};
+}
+
+json fidelity_json(const QualityReport& report) {
+  json labels = json::array();
+  for (const LabelFidelity& f : report.labels)
+    labels.push_back({{"label", f.label},
+                      {"voxels", f.voxels},
+                      {"tets", f.tets},
+                      {"voxel_mm3", f.voxel_mm3},
+                      {"mesh_mm3", f.mesh_mm3},
+                      {"volume_error_percent", f.volume_error_percent},
+                      {"dice", f.dice},
+                      {"median_edge_mm", f.median_edge_mm},
+                      {"wished_edge_mm", f.wished_edge_mm}});
+  return {{"labels", labels},
+          {"mesh_to_surface", distance_json(report.mesh_to_surface)},
+          {"surface_to_mesh", distance_json(report.surface_to_mesh)}};
+}
+
+json surface_counts(const SurfaceMesh& surface) {
+  return {{"points", surface.points.size()}, {"triangles", surface.triangles.size()}};
+}
+
+json counts_json(const Session& session, Stage stage) {
+  switch (stage) {
+    case Stage::kVolume: return volume_json(session);
+    case Stage::kSurface: return surface_counts(*session.surface());
+    case Stage::kSmooth: return surface_counts(*session.smooth());
+    case Stage::kRemesh: return surface_counts(*session.remeshed());
+    case Stage::kSizing: {
+      const SizingField& field = *session.sizing();
+      const auto [low, high] = std::minmax_element(field.h_mm.begin(), field.h_mm.end());
+      return {{"size", field.size},
+              {"index_to_mm", matrix_json(field.index_to_mm)},
+              {"min_mm", *low},
+              {"max_mm", *high}};
+    }
+    case Stage::kTetra:
+      return {{"points", session.mesh()->points.size()},
+              {"tets", session.mesh()->tets.size()},
+              {"faces", session.mesh()->faces.size()}};
+    case Stage::kQuality: return json::object();
+  }
+  return json::object();
+}
+
+std::string result_digest(const Session& session, Stage stage) {
+  switch (stage) {
+    case Stage::kVolume: return digest_of(*session.volume());
+    case Stage::kSurface: return digest_of(*session.surface());
+    case Stage::kSmooth: return digest_of(*session.smooth());
+    case Stage::kRemesh: return digest_of(*session.remeshed());
+    case Stage::kTetra: return digest_of(*session.mesh());
+    default: return session.record(stage).key;
+  }
+}
+
+}  // namespace
+
+json volume_json(const Session& session) {
+  const LabelVolume& volume = *session.source_volume();
+  const Eigen::Vector3d spacing = volume.spacing_mm();
+  json labels = json::array();
+  for (const auto& [label, count] : count_labels(volume)) {
+    json entry{{"label", label}, {"name", "label " + std::to_string(label)}, {"colour", nullptr}, {"voxels", count}};
+    for (const LabelInfo& info : volume.infos) {
+      if (info.label != label) continue;
+      if (!info.name.empty()) entry["name"] = info.name;
+      entry["colour"] = colour_json(info);
+    }
+    labels.push_back(std::move(entry));
+  }
+  const Source& source = session.recipe().source;
+  return {{"name", source.file ? source.file->name : "phantom"},
+          {"size", volume.size},
+          {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
+          {"index_to_mm", matrix_json(volume.index_to_mm)},
+          {"digest", digest_of(volume)},
+          {"labels", labels}};
+}
+
+json stage_json(const Session& session, Stage stage) {
+  const StageRecord& record = session.record(stage);
+  return {{"name", kStageNames[static_cast<std::size_t>(stage)]},
+          {"seconds", record.seconds},
+          {"cached", record.cached},
+          {"peak_mb", record.peak_mb},
+          {"digest", result_digest(session, stage)},
+          {"counts", counts_json(session, stage)}};
+}
+
+json quality_json(const QualityReport& report) {
+  json metrics = json::array(), checklist = json::array();
+  for (const MetricSummary& m : report.metrics) metrics.push_back(metric_json(m));
+  for (const ChecklistItem& item : report.checklist)
+    checklist.push_back({{"name", item.name},
+                         {"passed", item.passed},
+                         {"hard", item.hard},
+                         {"found", item.found},
+                         {"expected", item.expected}});
+  return {{"metrics", metrics}, {"checklist", checklist}, {"passed", report.passed()}};
+}
+
+json report_json(const Session& session) {
+  json out{{"engine", engine_version()},
+           {"recipe", recipe_to_json(session.recipe())},
+           {"stages", json::array()},
+           {"warnings", session.warnings()}};
+  if (session.volume()) out["source"] = volume_json(session);
+  for (int i = 0; i < kStageCount; ++i)
+    if (!session.record(static_cast<Stage>(i)).key.empty())
+      out["stages"].push_back(stage_json(session, static_cast<Stage>(i)));
+  if (session.mesh()) {
+    out["digest"] = digest_of(*session.mesh());
+    out["tets"] = session.mesh()->tets.size();
+    out["points"] = session.mesh()->points.size();
+  }
+  if (session.quality()) {
+    out["quality"] = quality_json(*session.quality());
+    out["fidelity"] = fidelity_json(*session.quality());
+  }
+  return out;
+}
+
+json error_json(const Error& error) {
+  json points = json::array();
+  for (const Eigen::Vector3d& p : error.where.points) points.push_back({p.x(), p.y(), p.z()});
+  return {{"code", to_string(error.code)},
+          {"stage", error.stage},
+          {"message", error.message},
+          {"where", {{"points", points}, {"elements", error.where.elements}}}};
+}
+
+}  // namespace voxtet

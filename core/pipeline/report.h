@@ -1,0 +1,26 @@
+// A session's results as JSON: what --json prints, what the browser shows.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/session.h"
+
+namespace voxtet {
+
+/// engine, digest, tets, points, source, stages, quality, fidelity, recipe, warnings; parts whose stage has not
+/// run are absent.
+nlohmann::json report_json(const Session& session);
+
+/// Name, size, spacing, affine, digest and labels of the volume as it was read.
+nlohmann::json volume_json(const Session& session);
+
+/// One entry of "stages": name, seconds, cached, peak_mb, key, counts.
+nlohmann::json stage_json(const Session& session, Stage stage);
+
+/// metrics, checklist and verdict of a report on its own (for `voxtet check`).
+nlohmann::json quality_json(const QualityReport& report);
+
+/// {code, stage, message, where}.
+nlohmann::json error_json(const Error& error);
+
+}  // namespace voxtet

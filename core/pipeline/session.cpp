@@ -1,0 +1,186 @@
+#include "pipeline/session.h"
+
+#include <chrono>
+#include <new>
+#include <stdexcept>
+
+#include "geometry/digest.h"
+#include "phantom/make_phantom.h"
+#include "pipeline/memory.h"
+#include "pipeline/select_labels.h"
+#include "quality/measure_quality.h"
+#include "remesh/remesh_surface.h"
+#include "surface/extract_surface.h"
+#include "surface/smooth_surface.h"
+#include "tetra/fill_tets.h"
+
+namespace voxtet {
+namespace {
+
+/// Stages whose results a stage reads.
+std::vector<Stage> inputs_of(Stage stage) {
+  switch (stage) {
+    case Stage::kVolume: return {};
+    case Stage::kSurface: return {Stage::kVolume};
+    case Stage::kSmooth: return {Stage::kSurface};
+    case Stage::kSizing: return {Stage::kVolume};
+    case Stage::kRemesh: return {Stage::kVolume, Stage::kSizing};
+    case Stage::kTetra: return {Stage::kRemesh, Stage::kSizing};
+    case Stage::kQuality: return {Stage::kTetra, Stage::kSmooth};
+  }
+  return {};
+}
+
+bool contains(const std::vector<Stage>& stages, Stage stage) {
+  for (const Stage s : stages)
+    if (s == stage) return true;
+  return false;
+}
+
+void collect(Stage stage, std::vector<Stage>& order) {
+  for (const Stage input : inputs_of(stage)) collect(input, order);
+  if (!contains(order, stage)) order.push_back(stage);
+}
+
+template <class T>
+Status keep(Result<T>&& result, std::optional<T>& slot) {
+  if (!result) return result.error();
+  slot = std::move(result).value();
+  return std::monostate{};
+}
+
+}  // namespace
+
+std::string engine_version() { return VOXTET_VERSION; }
+
+Result<Stage> stage_of(std::string_view name) {
+  std::string names;
+  for (int i = 0; i < kStageCount; ++i) {
+    if (kStageNames[static_cast<std::size_t>(i)] == name) return static_cast<Stage>(i);
+    names += (names.empty() ? "" : ", ") + std::string(kStageNames[static_cast<std::size_t>(i)]);
+  }
+  return Error{ErrorCode::kUsage, "session", "no stage '" + std::string(name) + "'; the stages are " + names, {}};
+}
+
+Status Session::load_volume(const VolumeFile& file) {
+  Result<LabelVolume> read = read_volume(file);
+  if (!read) return read.error();
+  file_volume_ = std::move(read).value();
+  file_digest_ = digest_of(*file_volume_);
+  recipe_.source = {};
+  recipe_.source.file = FileSource{file.name, file_digest_};
+  return std::monostate{};
+}
+
+Status Session::set_recipe(const Recipe& recipe) {
+  const std::optional<FileSource>& file = recipe.source.file;
+  if (file && file_volume_ && !file->sha256.empty() && file->sha256 != file_digest_)
+    return Error{ErrorCode::kBadInput, "session",
+                 "source.file: the case was made with '" + file->name + "' of digest " + file->sha256.substr(0, 12) +
+                     "..., the volume loaded has " + file_digest_.substr(0, 12) + "...: these are different volumes",
+                 {}};
+  recipe_ = recipe;
+  return std::monostate{};
+}
+
+std::string Session::key_of(Stage stage) const {
+  const nlohmann::json recipe = recipe_to_json(recipe_);
+  const std::string name(kStageNames[static_cast<std::size_t>(stage)]);
+  Sha256 sha;
+  sha.update(engine_version() + name);
+  if (stage == Stage::kVolume) {
+    sha.update(recipe_.source.phantom ? recipe["source"]["phantom"].dump() : file_digest_);
+    sha.update(recipe["labels"].dump() + recipe["merge"].dump());
+  } else {
+    for (const Stage input : inputs_of(stage)) sha.update(key_of(input));
+    sha.update(recipe[name].dump());
+  }
+  return sha.hex();
+}
+
+void Session::forget(Stage stage) {
+  switch (stage) {
+    case Stage::kVolume: source_.reset(), volume_.reset(); break;
+    case Stage::kSurface: surface_.reset(); break;
+    case Stage::kSmooth: smooth_.reset(); break;
+    case Stage::kSizing: sizing_.reset(); break;
+    case Stage::kRemesh: remeshed_.reset(); break;
+    case Stage::kTetra: mesh_.reset(); break;
+    case Stage::kQuality: quality_.reset(); break;
+  }
+  records_[static_cast<std::size_t>(stage)] = {};
+}
+
+Status Session::run_volume() {
+  if (recipe_.source.phantom) {
+    if (Status made = keep(make_phantom(*recipe_.source.phantom), source_); !made) return made;
+  } else if (file_volume_) {
+    source_ = file_volume_;
+  } else if (recipe_.source.file) {
+    return Error{ErrorCode::kBadInput, "volume",
+                 "source.file: the volume '" + recipe_.source.file->name + "' has not been loaded", {}};
+  } else {
+    return Error{ErrorCode::kUsage, "volume", "source: no volume; give a phantom or load a file", {}};
+  }
+  return keep(select_labels(*source_, recipe_.labels, recipe_.merge), volume_);
+}
+
+Status Session::run_stage(Stage stage, RunContext& ctx) {
+  switch (stage) {
+    case Stage::kVolume: return run_volume();
+    case Stage::kSurface: return keep(extract_surface(*volume_, recipe_.surface, ctx), surface_);
+    case Stage::kSmooth: return keep(smooth_surface(*surface_, *volume_, recipe_.smooth, ctx), smooth_);
+    case Stage::kSizing: return keep(build_sizing_field(*volume_, recipe_.sizing, ctx), sizing_);
+    case Stage::kRemesh: return keep(remesh_surface(*volume_, *sizing_, recipe_.remesh, ctx), remeshed_);
+    case Stage::kTetra: return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), mesh_);
+    case Stage::kQuality:
+      return keep(measure_quality(*mesh_, {*volume_, *smooth_, *remeshed_, *sizing_}, recipe_.quality, ctx), quality_);
+  }
+  return Error{ErrorCode::kInternal, "session", "unknown stage", {}};
+}
+
+Status Session::run(Stage last, RunContext& ctx) {
+  std::vector<Stage> order;
+  collect(last, order);
+  // What the recipe no longer describes goes, so that results never mix two cases.
+  for (int i = 0; i < kStageCount; ++i)
+    if (record(static_cast<Stage>(i)).key != key_of(static_cast<Stage>(i))) forget(static_cast<Stage>(i));
+  for (const Stage stage : order) {
+    StageRecord& record = records_[static_cast<std::size_t>(stage)];
+    record.cached = !record.key.empty();
+    if (record.cached) continue;
+    if (ctx.cancelled()) return cancelled_error("session");
+    const std::string name(kStageNames[static_cast<std::size_t>(stage)]);
+    std::vector<std::string> warnings;
+    RunContext watched = ctx;
+    watched.on_warning = [&](const std::string& from, const std::string& message) {
+      warnings.push_back(from + ": " + message);
+      ctx.warn(from, message);
+    };
+    watched.progress(name, 0);
+    reset_peak_memory();
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      if (Status done = run_stage(stage, watched); !done) {
+        forget(stage);
+        return done;
+      }
+    } catch (const std::bad_alloc&) {
+      return Error{ErrorCode::kOutOfMemory, name, "out of memory in stage " + name, {}};
+    } catch (const std::exception& error) {
+      return Error{ErrorCode::kInternal, name, "stage " + name + " failed: " + error.what(), {}};
+    }
+    record = {key_of(stage), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+              peak_memory_mb(), false, std::move(warnings)};
+    watched.progress(name, 1);
+  }
+  return std::monostate{};
+}
+
+std::vector<std::string> Session::warnings() const {
+  std::vector<std::string> all;
+  for (const StageRecord& record : records_) all.insert(all.end(), record.warnings.begin(), record.warnings.end());
+  return all;
+}
+
+}  // namespace voxtet

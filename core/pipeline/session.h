@@ -1,0 +1,84 @@
+// The only place that knows the order of the stages: one case, its results, and what can be reused.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/read_volume.h"
+#include "recipe/recipe.h"
+#include "types/quality_report.h"
+#include "types/result.h"
+#include "types/run_context.h"
+#include "types/sizing_field.h"
+#include "types/surface_mesh.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+/// Version of the engine, as it stands in reports and links.
+std::string engine_version();
+
+enum class Stage { kVolume, kSurface, kSmooth, kSizing, kRemesh, kTetra, kQuality };
+inline constexpr int kStageCount = 7;
+inline constexpr std::array<std::string_view, kStageCount> kStageNames{"volume", "surface", "smooth", "sizing",
+                                                                       "remesh", "tetra",   "quality"};
+/// Stage of a name. Errors: kUsage listing the names.
+Result<Stage> stage_of(std::string_view name);
+
+/// What one stage did.
+struct StageRecord {
+  std::string key;     ///< digest of everything the stage depends on
+  double seconds = 0;  ///< wall time of the run that made the result
+  double peak_mb = 0;  ///< native: peak resident memory during the stage; wasm: size of the linear memory after it
+  bool cached = false; ///< the last run() reused an earlier result
+  std::vector<std::string> warnings;
+};
+
+/// A case being meshed. Results stay valid until a run replaces them; each is null before its stage has run.
+class Session {
+ public:
+  /// Takes the volume of a file; the recipe's source becomes that file. Nothing changes on failure.
+  Status load_volume(const VolumeFile& file);
+
+  /// Replaces the recipe. A `file` source keeps the volume that load_volume gave, and must match its digest.
+  Status set_recipe(const Recipe& recipe);
+  const Recipe& recipe() const { return recipe_; }
+
+  /// Runs `last` and whatever it needs that is not there yet. On failure earlier results stay.
+  Status run(Stage last, RunContext& ctx);
+
+  const LabelVolume* source_volume() const { return source_ ? &*source_ : nullptr; }  ///< all labels
+  const LabelVolume* volume() const { return volume_ ? &*volume_ : nullptr; }          ///< labels to be meshed
+  const SurfaceMesh* surface() const { return surface_ ? &*surface_ : nullptr; }
+  const SurfaceMesh* smooth() const { return smooth_ ? &*smooth_ : nullptr; }
+  const SizingField* sizing() const { return sizing_ ? &*sizing_ : nullptr; }
+  const SurfaceMesh* remeshed() const { return remeshed_ ? &*remeshed_ : nullptr; }
+  const TetMesh* mesh() const { return mesh_ ? &*mesh_ : nullptr; }
+  const QualityReport* quality() const { return quality_ ? &*quality_ : nullptr; }
+  const StageRecord& record(Stage stage) const { return records_[static_cast<std::size_t>(stage)]; }
+  std::vector<std::string> warnings() const;  ///< of all results at hand, in the order of stages
+
+ private:
+  std::string key_of(Stage stage) const;
+  Status run_stage(Stage stage, RunContext& ctx);
+  Status run_volume();
+  void forget(Stage stage);
+
+  Recipe recipe_;
+  std::optional<LabelVolume> file_volume_;
+  std::string file_digest_;
+  std::optional<LabelVolume> source_;
+  std::optional<LabelVolume> volume_;
+  std::optional<SurfaceMesh> surface_, smooth_, remeshed_;
+  std::optional<SizingField> sizing_;
+  std::optional<TetMesh> mesh_;
+  std::optional<QualityReport> quality_;
+  std::array<StageRecord, kStageCount> records_;
+};
+
+}  // namespace voxtet

@@ -1,0 +1,129 @@
+#include "cli/cli.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "io/files.h"
+#include "io/read_mesh.h"
+#include "recipe/link.h"
+#include "support/check_tets.h"
+
+namespace voxtet {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+class CliTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / ("voxtet_cli_" + std::string(info->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string at(const std::string& name) const { return (folder_ / name).string(); }
+  static int run(std::vector<std::string> words) {
+    std::vector<const char*> argv{"voxtet"};
+    for (const std::string& word : words) argv.push_back(word.c_str());
+    return run_cli(static_cast<int>(argv.size()), argv.data());
+  }
+  json read_json(const std::string& name) const {
+    const Result<Bytes> bytes = read_file(at(name));
+    return bytes.ok() ? json::parse(bytes->begin(), bytes->end()) : json();
+  }
+  void write(const std::string& name, const std::string& text) const { ASSERT_TRUE(write_file(at(name), text).ok()); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
+  }
+
+  fs::path folder_;
+};
+
+constexpr const char* kSphere =
+    R"({"source":{"phantom":{"kind":"sphere","radius_mm":8,"spacing_mm":[1,1,1]}},"sizing":{"edge_mm":3}})";
+
+TEST_F(CliTest, MeshesAPhantomWrittenAsAVolume) {
+  ASSERT_EQ(run({"phantom", "nested_boxes", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
+                 at("boxes.nii.gz")}),
+            kExitOk);
+  ASSERT_EQ(run({"mesh", at("boxes.nii.gz"), "--labels", "1,2", "--edge-mm", "3", "--edge-label", "2=2", "-o",
+                 at("a.vtu"), "--report", at("report.json")}),
+            kExitOk);
+  const Result<TetMesh> mesh = read_tet_mesh_file(at("a.vtu"));
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  test::check_tets(*mesh);
+  const json report = read_json("report.json");
+  EXPECT_EQ(report["recipe"]["labels"], json({1, 2}));
+  EXPECT_EQ(report["recipe"]["sizing"]["labels"][0]["edge_mm"], 2);
+  for (const char* part : {"digest", "tets", "stages", "quality", "fidelity", "recipe", "engine"})
+    EXPECT_TRUE(report.contains(part)) << part;
+  EXPECT_EQ(run({"check", at("a.vtu")}), kExitOk);
+  EXPECT_EQ(run({"convert", at("a.vtu"), at("b.msh")}), kExitOk);
+  EXPECT_EQ(read_tet_mesh_file(at("b.msh"))->tets, mesh->tets);
+}
+
+TEST_F(CliTest, AnswersBadUsageWith2AndWritesNothing) {
+  write("case.json", kSphere);
+  EXPECT_EQ(run({"mesh"}), kExitUsage);
+  EXPECT_EQ(run({"nothing"}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "-o", at("a.xyz")}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--labels", "9", "-o", at("a.vtu")}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--set", "sizing.edge_mm", "-o", at("a.vtu")}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--set", "sizing.edge=2", "-o", at("a.vtu")}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--edge-label", "1=x", "-o", at("a.vtu")}), kExitUsage);
+  EXPECT_EQ(run({"phantom", "cow", "-o", at("cow.nii")}), kExitUsage);
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(CliTest, AnswersBadInputWith3AndWritesNothing) {
+  write("heart.nii", "this is no heart");
+  EXPECT_EQ(run({"mesh", at("heart.nii"), "-o", at("a.vtu")}), kExitBadInput);
+  EXPECT_EQ(run({"mesh", at("absent.nii"), "-o", at("a.vtu")}), kExitBadInput);
+  EXPECT_EQ(run({"check", at("heart.nii")}), kExitBadInput);
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(CliTest, VerifiesThePromisedDigest) {
+  write("case.json", kSphere);
+  ASSERT_EQ(run({"mesh", at("case.json"), "--report", at("report.json")}), kExitOk);
+  json promise = json::parse(kSphere);
+  promise["expected"] = {{"digest", read_json("report.json")["digest"]}};
+  write("case.json", promise.dump());
+  EXPECT_EQ(run({"verify", at("case.json")}), kExitOk);
+  EXPECT_EQ(run({"verify", at("case.json"), "--edge-mm", "2.5"}), kExitDiffers);
+  write("other.json", kSphere);
+  EXPECT_EQ(run({"verify", at("other.json")}), kExitUsage);
+  write("expected.json", json{{"digest", promise["expected"]["digest"]}}.dump());
+  EXPECT_EQ(run({"verify", at("other.json")}), kExitOk);
+  EXPECT_EQ(run({"verify", link_fragment(*parse_recipe(promise))}), kExitOk);
+}
+
+TEST_F(CliTest, StopsAtTheTimeLimitWith6) {
+  write("case.json", kSphere);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--time-limit", "1e-9", "-o", at("a.vtu")}), kExitLimits);
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(CliTest, FindsTheVolumeBesideItsCase) {
+  ASSERT_EQ(run({"phantom", "sphere", "--set", "radius_mm=8", "-o", at("ball.nii")}), kExitOk);
+  write("case.json", R"({"source":{"file":{"name":"ball.nii"}},"sizing":{"edge_mm":3}})");
+  EXPECT_EQ(run({"mesh", at("case.json"), "-o", at("a.vtu")}), kExitOk);
+  write("wrong.json", R"({"source":{"file":{"name":"ball.nii","sha256":"00"}},"sizing":{"edge_mm":3}})");
+  EXPECT_EQ(run({"mesh", at("wrong.json")}), kExitBadInput);
+}
+
+TEST_F(CliTest, MakesLinksThatComeBack) {
+  write("case.json", kSphere);
+  EXPECT_EQ(run({"url", at("case.json")}), kExitOk);
+  EXPECT_EQ(run({"url", "#c1=broken"}), kExitUsage);
+}
+
+}  // namespace
+}  // namespace voxtet

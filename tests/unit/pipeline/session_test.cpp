@@ -1,0 +1,133 @@
+#include "pipeline/session.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/digest.h"
+#include "io/write_volume.h"
+#include "pipeline/report.h"
+#include "support/check_tets.h"
+
+namespace voxtet {
+namespace {
+
+Recipe small_case() {
+  Recipe recipe;
+  PhantomParams& phantom = recipe.source.phantom.emplace();
+  phantom.kind = PhantomKind::kNestedBoxes;
+  phantom.radius_mm = 10;
+  phantom.spacing_mm = Eigen::Vector3d::Constant(1);
+  phantom.rotation_deg = {20, 30, 40};
+  recipe.sizing.edge_mm = 3;
+  return recipe;
+}
+
+TEST(Session, TakesAVolumeToAMeasuredMesh) {
+  Session session;
+  ASSERT_TRUE(session.set_recipe(small_case()).ok());
+  RunContext ctx;
+  const Status done = session.run(Stage::kQuality, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  test::check_tets(*session.mesh());
+  EXPECT_TRUE(session.quality()->passed());
+  const nlohmann::json report = report_json(session);
+  EXPECT_EQ(report["digest"], digest_of(*session.mesh()));
+  EXPECT_EQ(report["tets"], session.mesh()->tets.size());
+  EXPECT_EQ(report["stages"].size(), static_cast<std::size_t>(kStageCount));
+  EXPECT_EQ(report["fidelity"]["labels"].size(), 3U);
+}
+
+TEST(Session, ReusesWhatDidNotChange) {
+  Session session;
+  Recipe recipe = small_case();
+  session.set_recipe(recipe);
+  RunContext ctx;
+  ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
+  const std::string first = digest_of(*session.mesh());
+  recipe.tetra.radius_edge = 1.8;
+  session.set_recipe(recipe);
+  std::vector<std::string> ran;
+  ctx.on_progress = [&](const std::string& stage, double fraction) {
+    if (fraction == 0) ran.push_back(stage);
+  };
+  ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
+  EXPECT_EQ(ran, (std::vector<std::string>{"tetra", "quality"}));
+  EXPECT_TRUE(session.record(Stage::kRemesh).cached);
+  recipe.tetra.radius_edge = FillParams{}.radius_edge;
+  session.set_recipe(recipe);
+  ASSERT_TRUE(session.run(Stage::kTetra, ctx).ok());
+  EXPECT_EQ(digest_of(*session.mesh()), first);
+  EXPECT_EQ(session.quality(), nullptr) << "the quality of another mesh must not stay";
+}
+
+TEST(Session, TreatsAFileLikeThePhantomItWasWrittenFrom) {
+  Session by_phantom, by_file;
+  RunContext ctx;
+  by_phantom.set_recipe(small_case());
+  ASSERT_TRUE(by_phantom.run(Stage::kTetra, ctx).ok());
+  const Result<Bytes> bytes = write_nifti(*by_phantom.source_volume(), true);
+  ASSERT_TRUE(bytes.ok());
+  ASSERT_TRUE(by_file.load_volume({"boxes.nii.gz", *bytes, {}}).ok());
+  Recipe recipe = small_case();
+  recipe.source = by_file.recipe().source;
+  ASSERT_TRUE(by_file.set_recipe(recipe).ok());
+  ASSERT_TRUE(by_file.run(Stage::kTetra, ctx).ok());
+  EXPECT_EQ(by_file.mesh()->tets.size(), by_phantom.mesh()->tets.size());
+}
+
+TEST(Session, RefusesARecipeMadeForAnotherVolume) {
+  Session session;
+  RunContext ctx;
+  session.set_recipe(small_case());
+  session.run(Stage::kVolume, ctx);
+  const Bytes bytes = *write_nifti(*session.source_volume(), false);
+  ASSERT_TRUE(session.load_volume({"a.nii", bytes, {}}).ok());
+  Recipe other = session.recipe();
+  other.source.file->sha256 = std::string(64, '0');
+  const Status set = session.set_recipe(other);
+  ASSERT_FALSE(set.ok());
+  EXPECT_EQ(set.error().code, ErrorCode::kBadInput);
+  EXPECT_NE(set.error().message.find("different volumes"), std::string::npos);
+}
+
+TEST(Session, KeepsEverythingWhenAFileIsDamaged) {
+  Session session;
+  RunContext ctx;
+  session.set_recipe(small_case());
+  ASSERT_TRUE(session.run(Stage::kSmooth, ctx).ok());
+  const std::string before = digest_of(*session.smooth());
+  const Bytes rubbish(1000, 7);
+  EXPECT_FALSE(session.load_volume({"rubbish.nii", rubbish, {}}).ok());
+  ASSERT_NE(session.smooth(), nullptr);
+  EXPECT_EQ(digest_of(*session.smooth()), before);
+  EXPECT_TRUE(session.recipe().source.phantom.has_value());
+}
+
+TEST(Session, SaysWhatIsMissing) {
+  Session session;
+  RunContext ctx;
+  EXPECT_EQ(session.run(Stage::kSurface, ctx).error().code, ErrorCode::kUsage);
+  Recipe recipe;
+  recipe.source.file = FileSource{"heart.nii", ""};
+  session.set_recipe(recipe);
+  EXPECT_NE(session.run(Stage::kSurface, ctx).error().message.find("heart.nii"), std::string::npos);
+  EXPECT_FALSE(stage_of("nothing").ok());
+}
+
+TEST(Session, StopsWhenCancelledAndGoesOnLater) {
+  Session session;
+  session.set_recipe(small_case());
+  RunContext ctx;
+  bool stop = false;
+  ctx.on_cancelled = [&] { return stop; };
+  ctx.on_progress = [&](const std::string& stage, double) { stop = stage == "remesh"; };
+  const Status cancelled = session.run(Stage::kQuality, ctx);
+  ASSERT_FALSE(cancelled.ok());
+  EXPECT_EQ(cancelled.error().code, ErrorCode::kCancelled);
+  EXPECT_NE(session.sizing(), nullptr);
+  EXPECT_EQ(session.remeshed(), nullptr);
+  RunContext free_run;
+  EXPECT_TRUE(session.run(Stage::kQuality, free_run).ok());
+}
+
+}  // namespace
+}  // namespace voxtet

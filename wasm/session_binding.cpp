@@ -1,0 +1,196 @@
+// The browser's view of the engine: one class, JSON text for what has structure, typed views for arrays.
+// web/src/engine/contract.ts holds the TypeScript types of the same surface.
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "io/write_mesh.h"
+#include "pipeline/report.h"
+#include "pipeline/session.h"
+#include "quality/measure_quality.h"
+
+namespace voxtet {
+namespace {
+
+using emscripten::val;
+using nlohmann::json;
+
+std::string reply(const json& value) { return json{{"ok", true}, {"value", value}}.dump(); }
+std::string reply(const Error& error) { return json{{"ok", false}, {"error", error_json(error)}}.dump(); }
+
+Bytes to_bytes(const val& typed_array) { return emscripten::convertJSArrayToNumberVector<std::uint8_t>(typed_array); }
+
+template <class T>
+val view_of(const T* data, std::size_t count) {
+  return val(emscripten::typed_memory_view(count, data));
+}
+
+Result<MeshFormat> format_of(const std::string& name) {
+  return mesh_format_of(name == "medit" ? "x.mesh" : "x." + name);
+}
+
+std::vector<float> to_float(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<float> out(3 * points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t d = 0; d < 3; ++d) out[3 * i + d] = static_cast<float>(points[i][static_cast<Eigen::Index>(d)]);
+  return out;
+}
+
+class SessionBinding {
+ public:
+  std::string schema() const { return json{{"version", engine_version()}, {"fields", recipe_schema()}}.dump(); }
+  std::string defaults() const { return recipe_to_json(Recipe{}).dump(); }
+  std::string report() const { return report_json(session_).dump(); }
+
+  std::string load_volume(const std::string& name, const val& bytes, const val& siblings) {
+    const Bytes content = to_bytes(bytes);
+    std::map<std::string, Bytes> beside;
+    if (!siblings.isUndefined() && !siblings.isNull()) {
+      const val keys = val::global("Object").call<val>("keys", siblings);
+      for (int i = 0; i < keys["length"].as<int>(); ++i)
+        beside[keys[i].as<std::string>()] = to_bytes(siblings[keys[i]]);
+    }
+    const SiblingReader sibling = [&](const std::string& wanted) -> Result<Bytes> {
+      const auto found = beside.find(wanted);
+      if (found != beside.end()) return found->second;
+      return Error{ErrorCode::kBadInput, "read_volume",
+                   name + ": its data file '" + wanted + "' is not there; drop both files together", {}};
+    };
+    if (Status loaded = session_.load_volume({name, content, sibling}); !loaded) return reply(loaded.error());
+    RunContext ctx;
+    if (Status ran = session_.run(Stage::kVolume, ctx); !ran) return reply(ran.error());
+    return reply(volume_json(session_));
+  }
+
+  std::string set_recipe(const std::string& text) {
+    Result<Recipe> recipe = parse_recipe(std::string_view(text));
+    if (!recipe) return reply(recipe.error());
+    if (Status set = session_.set_recipe(*recipe); !set) return reply(set.error());
+    return reply({{"recipe", recipe_to_json(*recipe)}, {"minimal", recipe_to_json(*recipe, true)}});
+  }
+
+  std::string run(const std::string& stage_name, const val& on_progress) {
+    Result<Stage> last = stage_of(stage_name);
+    if (!last) return reply(last.error());
+    RunContext ctx;
+    if (!on_progress.isUndefined() && !on_progress.isNull())
+      ctx.on_progress = [&](const std::string& stage, double fraction) { on_progress(stage, fraction); };
+    if (Status done = session_.run(*last, ctx); !done) return reply(done.error());
+    json stages = json::array();
+    for (int i = 0; i < kStageCount; ++i)
+      if (!session_.record(static_cast<Stage>(i)).key.empty())
+        stages.push_back(stage_json(session_, static_cast<Stage>(i)));
+    return reply(stages);
+  }
+
+  val view(const std::string& stage, const std::string& array) {
+    Result<Stage> which = stage_of(stage);
+    if (!which) return val::undefined();
+    switch (*which) {
+      case Stage::kVolume:
+        if (const LabelVolume* v = session_.source_volume(); v && array == "labels")
+          return view_of(v->labels.data(), v->labels.size());
+        break;
+      case Stage::kSurface: return surface_view(session_.surface(), array);
+      case Stage::kSmooth: return surface_view(session_.smooth(), array);
+      case Stage::kRemesh: return surface_view(session_.remeshed(), array);
+      case Stage::kSizing:
+        if (const SizingField* s = session_.sizing(); s && array == "h_mm")
+          return view_of(s->h_mm.data(), s->h_mm.size());
+        break;
+      case Stage::kTetra: return mesh_view(array);
+      case Stage::kQuality: return quality_view(array);
+    }
+    return val::undefined();
+  }
+
+  std::string export_mesh(const std::string& format, const std::string& space) {
+    exported_.clear();
+    if (!session_.mesh()) return reply(Error{ErrorCode::kUsage, "export", "no mesh yet: run the stage tetra", {}});
+    Result<MeshFormat> which = format_of(format);
+    if (!which) return reply(which.error());
+    const PatientSpace patient = space == "lps" ? PatientSpace::kLps : PatientSpace::kRas;
+    Result<std::vector<OutputFile>> files =
+        write_tet_mesh(*session_.mesh(), *which, {patient, session_.volume()->infos});
+    if (!files) return reply(files.error());
+    exported_ = std::move(files).value();
+    json list = json::array();
+    for (const OutputFile& file : exported_) list.push_back({{"suffix", file.suffix}, {"bytes", file.bytes.size()}});
+    return reply({{"files", list}});
+  }
+
+  val export_bytes(int index) {
+    const OutputFile& file = exported_.at(static_cast<std::size_t>(index));
+    return view_of(file.bytes.data(), file.bytes.size());
+  }
+
+ private:
+  /// Keeps what was made for a view alive until the next one is asked for.
+  template <class T>
+  val keep_view(std::vector<T>& slot, std::vector<T>&& values) {
+    slot = std::move(values);
+    return view_of(slot.data(), slot.size());
+  }
+
+  val surface_view(const SurfaceMesh* surface, const std::string& array) {
+    if (!surface) return val::undefined();
+    if (array == "points") return keep_view(floats_, to_float(surface->points));
+    if (array == "triangles")
+      return view_of(reinterpret_cast<const std::uint32_t*>(surface->triangles.data()), 3 * surface->triangles.size());
+    if (array == "sides")
+      return view_of(reinterpret_cast<const std::uint16_t*>(surface->sides.data()), 2 * surface->sides.size());
+    return val::undefined();
+  }
+
+  val mesh_view(const std::string& array) {
+    const TetMesh* mesh = session_.mesh();
+    if (!mesh) return val::undefined();
+    if (array == "points") return keep_view(floats_, to_float(mesh->points));
+    if (array == "tets")
+      return view_of(reinterpret_cast<const std::uint32_t*>(mesh->tets.data()), 4 * mesh->tets.size());
+    if (array == "labels") return view_of(mesh->labels.data(), mesh->labels.size());
+    if (array == "faces")
+      return view_of(reinterpret_cast<const std::uint32_t*>(mesh->faces.data()), 3 * mesh->faces.size());
+    if (array == "face_sides")
+      return view_of(reinterpret_cast<const std::uint16_t*>(mesh->face_sides.data()), 2 * mesh->face_sides.size());
+    return val::undefined();
+  }
+
+  val quality_view(const std::string& array) {
+    if (!session_.mesh()) return val::undefined();
+    TetMeasures m = measure_tets(*session_.mesh(), session_.sizing());
+    if (array == "min_dihedral_deg") return keep_view(floats_, std::move(m.min_dihedral_deg));
+    if (array == "max_dihedral_deg") return keep_view(floats_, std::move(m.max_dihedral_deg));
+    if (array == "radius_ratio") return keep_view(floats_, std::move(m.radius_ratio));
+    if (array == "mean_ratio") return keep_view(floats_, std::move(m.mean_ratio));
+    if (array == "aspect_ratio") return keep_view(floats_, std::move(m.aspect_ratio));
+    if (array == "edge_mm") return keep_view(floats_, std::move(m.edge_mm));
+    if (array == "size_log2") return keep_view(floats_, std::move(m.size_log2));
+    return val::undefined();
+  }
+
+  Session session_;
+  std::vector<OutputFile> exported_;
+  std::vector<float> floats_;
+};
+
+}  // namespace
+}  // namespace voxtet
+
+EMSCRIPTEN_BINDINGS(voxtet) {
+  using voxtet::SessionBinding;
+  emscripten::class_<SessionBinding>("Session")
+      .constructor<>()
+      .function("schema", &SessionBinding::schema)
+      .function("defaults", &SessionBinding::defaults)
+      .function("loadVolume", &SessionBinding::load_volume)
+      .function("setRecipe", &SessionBinding::set_recipe)
+      .function("run", &SessionBinding::run)
+      .function("view", &SessionBinding::view)
+      .function("exportMesh", &SessionBinding::export_mesh)
+      .function("exportBytes", &SessionBinding::export_bytes)
+      .function("report", &SessionBinding::report);
+}
