@@ -6,6 +6,7 @@
 
 #include "cli/case_input.h"
 #include "cli/print.h"
+#include "geometry/adjacency.h"
 #include "geometry/digest.h"
 #include "io/files.h"
 #include "io/read_mesh.h"
@@ -51,7 +52,7 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
     json failed = report_json(session);
     failed["error"] = error_json(done.error());
     if (output.as_json) print_json(failed);
-    if (!report_path.empty()) write_file(report_path, failed.dump(1));
+    if (!report_path.empty()) write_text_file(report_path, failed.dump(1));
     return fail(done.error());
   }
   if (!out.empty())
@@ -59,7 +60,7 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
       return code;
   const json report = report_json(session);
   if (!report_path.empty())
-    if (Status written = write_file(report_path, report.dump(1)); !written) return fail(written.error());
+    if (Status written = write_text_file(report_path, report.dump(1)); !written) return fail(written.error());
   if (output.as_json)
     print_json(report);
   else
@@ -105,7 +106,7 @@ int run_phantom(const std::string& name, const std::vector<std::string>& set, co
     return fail({ErrorCode::kUsage, "cli", out + ": a phantom is written as .nii or .nii.gz", {}});
   Result<Bytes> bytes = write_nifti(*volume, gzip);
   if (!bytes) return fail(bytes.error());
-  if (Status written = write_file(out, bytes->data(), bytes->size()); !written) return fail(written.error());
+  if (Status written = place_files({{out, *bytes}}); !written) return fail(written.error());
   std::printf("%s: %d x %d x %d voxels, digest %s\n", out.c_str(), volume->size[0], volume->size[1], volume->size[2],
               digest_of(*volume).c_str());
   return kExitOk;
@@ -115,6 +116,7 @@ int run_convert(const std::string& in, const std::string& out, const Output& out
   if (mesh_format_of(in).ok()) {
     Result<TetMesh> mesh = read_tet_mesh_file(in);
     if (!mesh) return fail(mesh.error());
+    add_label_faces(*mesh);
     return export_mesh(*mesh, {}, out, output);
   }
   Result<LabelVolume> volume = read_volume_file(in);
@@ -123,7 +125,7 @@ int run_convert(const std::string& in, const std::string& out, const Output& out
     return fail({ErrorCode::kUsage, "cli", out + ": a volume is written as .nii or .nii.gz", {}});
   Result<Bytes> bytes = write_nifti(*volume, out.ends_with(".gz"));
   if (!bytes) return fail(bytes.error());
-  if (Status written = write_file(out, bytes->data(), bytes->size()); !written) return fail(written.error());
+  if (Status written = place_files({{out, *bytes}}); !written) return fail(written.error());
   return kExitOk;
 }
 

@@ -27,16 +27,21 @@ bool on_terminal() {
 
 RunContext printing_context(double time_limit_s) {
   RunContext ctx;
-  const auto start = std::make_shared<Clock::time_point>(Clock::now());
+  struct Running {
+    std::string stage;
+    Clock::time_point start;
+  };
+  const auto running = std::make_shared<Running>();
   const bool terminal = on_terminal();
-  ctx.on_progress = [start, terminal](const std::string& stage, double fraction) {
+  ctx.on_progress = [running, terminal](const std::string& stage, double fraction) {
     if (fraction <= 0) {
-      *start = Clock::now();
+      *running = {stage, Clock::now()};
       if (terminal) std::fprintf(stderr, "%-8s ...", stage.c_str());
-    } else if (fraction >= 1) {
-      const double seconds = std::chrono::duration<double>(Clock::now() - *start).count();
+    } else if (fraction >= 1 && running->stage == stage) {
+      const double seconds = std::chrono::duration<double>(Clock::now() - running->start).count();
       std::fprintf(stderr, "%s%-8s %6.2f s\n", terminal ? "\r" : "", stage.c_str(), seconds);
-    } else if (terminal) {
+      running->stage.clear();
+    } else if (terminal && running->stage == stage) {
       std::fprintf(stderr, "\r%-8s %3.0f %%", stage.c_str(), 100 * fraction);
     }
   };

@@ -98,6 +98,23 @@ std::vector<TetFace> tet_faces(std::span<const Tet> tets, std::size_t point_coun
   return faces;
 }
 
+void add_label_faces(TetMesh& mesh) {
+  mesh.faces.clear();
+  mesh.face_sides.clear();
+  for (const TetFace& face : tet_faces(mesh.tets, mesh.points.size())) {
+    const Label first = mesh.labels[face.first];
+    const Label second = face.count > 1 ? mesh.labels[face.second] : kBackground;
+    if (first == second) continue;
+    // Outward from the tetrahedron whose label is greater.
+    const auto& [a, b, c, d] = mesh.tets[first > second ? face.first : face.second];
+    for (const Triangle& outward : {Triangle{b, c, d}, Triangle{a, d, c}, Triangle{a, b, d}, Triangle{a, c, b}}) {
+      if (ascending(outward[0], outward[1], outward[2]) != face.corners) continue;
+      mesh.faces.push_back(outward);
+      mesh.face_sides.push_back({std::max(first, second), std::min(first, second)});
+    }
+  }
+}
+
 std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles, std::size_t point_count) {
   Buckets<std::uint32_t> buckets(point_count);
   const auto for_each = [&](const auto& visit) {

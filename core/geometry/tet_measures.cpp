@@ -26,8 +26,8 @@ TetShape measure_tet(const TetCorners& p) {
   double surface = 0, squares = 0, longest = 0;
   for (const Eigen::Vector3d& n : normal) surface += 0.5 * n.norm();
   for (std::size_t e = 0; e < 6; ++e) {
-    const auto [a, b] = kTetEdges[e];
-    const auto [c, d] = kTetEdges[5 - e];
+    const auto [a, b] = kEdgesOfTet[e];
+    const auto [c, d] = kEdgesOfTet[5 - e];
     const double length = (p[static_cast<std::size_t>(b)] - p[static_cast<std::size_t>(a)]).norm();
     shape.edge_mm[e] = length;
     squares += length * length;

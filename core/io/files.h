@@ -1,17 +1,30 @@
 // Files on disk: read whole, written whole or not at all.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "io/read_volume.h"
 #include "types/result.h"
 
 namespace voxtet {
 
+/// Errors: kBadInput naming the path and the system's reason.
 Result<Bytes> read_file(const std::string& path);
 
-/// Writes to a temporary file beside `path`, then renames.
-Status write_file(const std::string& path, const void* data, std::size_t size);
-Status write_file(const std::string& path, const std::string& text);
+/// A file to be written.
+struct TargetFile {
+  std::string path;
+  std::span<const std::uint8_t> bytes;
+};
+
+/// Writes every file to a new temporary one beside its target, then renames; on failure none of them remains.
+/// Errors: kBadInput naming the path and the system's reason.
+Status place_files(const std::vector<TargetFile>& files);
+
+/// The same for one text.
+Status write_text_file(const std::string& path, const std::string& text);
 
 }  // namespace voxtet

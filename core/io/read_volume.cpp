@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <new>
 #include <stdexcept>
 #include <string_view>
 
 #include "io/byte_source.h"
+#include "io/files.h"
 #include "io/header_text.h"
 #include "io/read_metaimage.h"
 #include "io/read_nifti.h"
@@ -49,18 +49,6 @@ Result<LabelVolume> read_any(const VolumeFile& file) {
                        "; expected NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)");
 }
 
-Result<Bytes> read_bytes(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::error_code code;
-  const auto size = std::filesystem::file_size(path, code);
-  if (!stream || code) return bad_input(kStage, path.string() + ": cannot be opened");
-  Bytes bytes(static_cast<std::size_t>(size));
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (static_cast<std::size_t>(stream.gcount()) != bytes.size())
-    return bad_input(kStage, path.string() + ": cannot be read to its end");
-  return bytes;
-}
-
 template <class Read>
 auto guarded(const std::string& name, Read read) -> decltype(read()) {
   try {
@@ -86,10 +74,10 @@ Result<LabelVolume> read_volume(const VolumeFile& file) {
 Result<LabelVolume> read_volume_file(const std::string& path) {
   return guarded(path, [&]() -> Result<LabelVolume> {
     const std::filesystem::path place(path);
-    const Result<Bytes> bytes = read_bytes(place);
+    const Result<Bytes> bytes = read_file(path);
     if (!bytes) return bytes.error();
     return read_volume(
-        {path, *bytes, [&](const std::string& name) { return read_bytes(place.parent_path() / name); }});
+        {path, *bytes, [&](const std::string& name) { return read_file((place.parent_path() / name).string()); }});
   });
 }
 

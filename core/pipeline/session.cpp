@@ -26,7 +26,7 @@ std::vector<Stage> inputs_of(Stage stage) {
     case Stage::kSizing: return {Stage::kVolume};
     case Stage::kRemesh: return {Stage::kVolume, Stage::kSizing};
     case Stage::kTetra: return {Stage::kRemesh, Stage::kSizing};
-    case Stage::kQuality: return {Stage::kTetra, Stage::kSmooth};
+    case Stage::kQuality: return {Stage::kSmooth, Stage::kTetra};
   }
   return {};
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 
 #include "surface/cell_tables.h"
 #include "surface/extract_methods.h"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/adjacency.h"
 #include "io/files.h"
 #include "io/read_mesh.h"
 #include "recipe/link.h"
@@ -38,7 +39,7 @@ class CliTest : public testing::Test {
     const Result<Bytes> bytes = read_file(at(name));
     return bytes.ok() ? json::parse(bytes->begin(), bytes->end()) : json();
   }
-  void write(const std::string& name, const std::string& text) const { ASSERT_TRUE(write_file(at(name), text).ok()); }
+  void write(const std::string& name, const std::string& text) const { ASSERT_TRUE(write_text_file(at(name), text).ok()); }
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
   }
@@ -56,8 +57,9 @@ TEST_F(CliTest, MeshesAPhantomWrittenAsAVolume) {
   ASSERT_EQ(run({"mesh", at("boxes.nii.gz"), "--labels", "1,2", "--edge-mm", "3", "--edge-label", "2=2", "-o",
                  at("a.vtu"), "--report", at("report.json")}),
             kExitOk);
-  const Result<TetMesh> mesh = read_tet_mesh_file(at("a.vtu"));
+  Result<TetMesh> mesh = read_tet_mesh_file(at("a.vtu"));
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  add_label_faces(*mesh);
   test::check_tets(*mesh);
   const json report = read_json("report.json");
   EXPECT_EQ(report["recipe"]["labels"], json({1, 2}));
@@ -67,6 +69,7 @@ TEST_F(CliTest, MeshesAPhantomWrittenAsAVolume) {
   EXPECT_EQ(run({"check", at("a.vtu")}), kExitOk);
   EXPECT_EQ(run({"convert", at("a.vtu"), at("b.msh")}), kExitOk);
   EXPECT_EQ(read_tet_mesh_file(at("b.msh"))->tets, mesh->tets);
+  EXPECT_EQ(run({"convert", at("b.msh"), at("b.stl")}), kExitOk);
 }
 
 TEST_F(CliTest, AnswersBadUsageWith2AndWritesNothing) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "support/check_tets.h"
+#include "support/labelled_mesh.h"
+
 namespace voxtet {
 namespace {
 
@@ -23,6 +26,14 @@ TEST(Adjacency, CountsFacesOfBrokenMeshes) {
   const std::vector<TetFace> faces = tet_faces(tets, 6);
   EXPECT_EQ(faces.front().corners, (Triangle{0, 1, 2}));
   EXPECT_EQ(faces.front().count, 3U);
+}
+
+TEST(AddLabelFaces, FindsTheFacesBetweenLabelsOutwardFromTheGreater) {
+  TetMesh mesh = test::kuhn_cube(4);
+  const std::size_t count = mesh.faces.size();
+  add_label_faces(mesh);
+  ASSERT_EQ(mesh.faces.size(), count);
+  test::check_tets(mesh);
 }
 
 TEST(Adjacency, CountsTrianglesOnEachEdge) {

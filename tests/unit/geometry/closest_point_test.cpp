@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -12,7 +14,9 @@ using Eigen::Vector3d;
 
 class ClosestPoint : public testing::Test {
  protected:
-  Vector3d random_point(double scale) { return scale * Vector3d(unit_(random_), unit_(random_), unit_(random_)); }
+  Vector3d random_point(double scale) {
+    return scale * Vector3d(unit_(random_), unit_(random_), unit_(random_));
+  }
   std::mt19937 random_{7};
   std::uniform_real_distribution<double> unit_{-1, 1};
 };
@@ -56,6 +60,29 @@ TEST_F(ClosestPoint, TreeAgreesWithBruteForceWhateverTheHint) {
       EXPECT_DOUBLE_EQ(hit.distance_mm, best);
       EXPECT_NEAR((hit.point - p).norm(), best, 1e-12);
     }
+  }
+}
+
+TEST_F(ClosestPoint, TakesTheLowestTriangleOfEquallyCloseOnesWhateverTheHint) {
+  // A fan around the origin, seen from above its hub: all triangles are equally close.
+  std::vector<Vector3d> points{{0, 0, 0}};
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < 32; ++i) points.push_back({std::cos(i * 0.2), std::sin(i * 0.2), -1});
+  for (std::uint32_t i = 1; i < 32; ++i) triangles.push_back({0, i, i + 1});
+  const ClosestPointTree tree(points, triangles);
+  for (std::uint32_t hint = 0; hint < triangles.size(); ++hint)
+    EXPECT_EQ(tree.closest({0, 0, 2}, hint).triangle, 0U) << hint;
+}
+
+TEST_F(ClosestPoint, IsThatOfTheSegmentOnTrianglesWithTwoEqualCorners) {
+  for (int round = 0; round < 200; ++round) {
+    const Vector3d a = random_point(1), b = random_point(1), p = random_point(2);
+    const double along = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    const double segment = (a + along * (b - a) - p).norm();
+    EXPECT_NEAR((closest_on_triangle(p, a, a, b) - p).norm(), segment, 1e-12);
+    EXPECT_NEAR((closest_on_triangle(p, a, b, a) - p).norm(), segment, 1e-12);
+    EXPECT_NEAR((closest_on_triangle(p, b, a, a) - p).norm(), segment, 1e-12);
+    EXPECT_NEAR((closest_on_triangle(p, a, a, a) - p).norm(), (a - p).norm(), 1e-12);
   }
 }
 

@@ -216,7 +216,7 @@ TEST(WriteSurface, WritesPlyWithSidesAndOnlyTheFormatsOfSurfaces) {
 TEST(WriteFiles, PutsASetInPlaceAndReplacesWhatWasThere) {
   const Folder folder("write_files_set");
   const std::vector<OutputFile> files{{".pts", {1}}, {".elem", {2, 2}}, {".lon", {3}}};
-  ASSERT_TRUE(write_file(folder / "heart.v1.pts", "old").ok());
+  ASSERT_TRUE(write_text_file(folder / "heart.v1.pts", "old").ok());
   for (const char* name : {"heart.v1.carp", "heart.v1.elem"}) {
     const Status status = write_files(folder / name, files);
     ASSERT_TRUE(status.ok()) << status.error().message;
@@ -249,7 +249,7 @@ TEST(WriteFiles, LeavesNothingBehindWhenAFileCannotBePlaced) {
 
 TEST(WriteFiles, NeverTouchesAnotherFileOfItsTemporaryName) {
   const Folder folder("write_files_temporary");
-  ASSERT_TRUE(write_file(folder / "other", "mine").ok());
+  ASSERT_TRUE(write_text_file(folder / "other", "mine").ok());
   std::filesystem::rename(folder / "other", folder / "a.vtu.part");
   ASSERT_TRUE(write_files(folder / "a.vtu", {{".vtu", {5}}}).ok());
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.vtu", "a.vtu.part"}));

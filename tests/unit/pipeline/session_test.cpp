@@ -47,7 +47,7 @@ TEST(Session, ReusesWhatDidNotChange) {
   session.set_recipe(recipe);
   std::vector<std::string> ran;
   ctx.on_progress = [&](const std::string& stage, double fraction) {
-    if (fraction == 0) ran.push_back(stage);
+    if (fraction == 0 && (ran.empty() || ran.back() != stage)) ran.push_back(stage);
   };
   ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
   EXPECT_EQ(ran, (std::vector<std::string>{"tetra", "quality"}));
@@ -62,16 +62,17 @@ TEST(Session, ReusesWhatDidNotChange) {
 TEST(Session, TreatsAFileLikeThePhantomItWasWrittenFrom) {
   Session by_phantom, by_file;
   RunContext ctx;
-  by_phantom.set_recipe(small_case());
+  Recipe recipe = small_case();
+  recipe.source.phantom->rotation_deg.setZero();  // NIfTI keeps single precision only
+  by_phantom.set_recipe(recipe);
   ASSERT_TRUE(by_phantom.run(Stage::kTetra, ctx).ok());
   const Result<Bytes> bytes = write_nifti(*by_phantom.source_volume(), true);
   ASSERT_TRUE(bytes.ok());
   ASSERT_TRUE(by_file.load_volume({"boxes.nii.gz", *bytes, {}}).ok());
-  Recipe recipe = small_case();
   recipe.source = by_file.recipe().source;
   ASSERT_TRUE(by_file.set_recipe(recipe).ok());
   ASSERT_TRUE(by_file.run(Stage::kTetra, ctx).ok());
-  EXPECT_EQ(by_file.mesh()->tets.size(), by_phantom.mesh()->tets.size());
+  EXPECT_EQ(digest_of(*by_file.mesh()), digest_of(*by_phantom.mesh()));
 }
 
 TEST(Session, RefusesARecipeMadeForAnotherVolume) {

@@ -77,14 +77,14 @@ TEST(SmoothSurface, LeavesVolumesAloneWhenAsked) {
   EXPECT_NE(digest_of(smooth(extract(ball), ball, params)), digest_of(smooth(extract(ball), ball)));
 }
 
-TEST(SmoothSurface, KeepsLabelsOfVoxelsDeeperThanOneVoxel) {
+TEST(SmoothSurface, KeepsLabelsOfVoxelCentresDeeperThanHalfAVoxel) {
   for (int seed = 0; seed < 6; ++seed) {
     const LabelVolume noise = test::random_volume(12, 1 + seed % 4, static_cast<std::uint64_t>(300 + seed));
-    EXPECT_EQ(test::changed_voxels(smooth(extract(noise), noise), noise).deep, 0U) << seed;
+    EXPECT_EQ(test::changed_voxels(smooth(extract(noise), noise), noise).inner, 0U) << seed;
   }
   const LabelVolume heart = test::heart_volume(60, 44, 52);
   const test::ChangedVoxels changed = test::changed_voxels(smooth(extract(heart), heart), heart);
-  EXPECT_EQ(changed.deep, 0U);
+  EXPECT_EQ(changed.inner, 0U);
   EXPECT_LE(static_cast<double>(changed.all), 0.002 * static_cast<double>(heart.voxel_count()));
 }
 
