@@ -38,7 +38,7 @@ constexpr double kScarHalfArc = 24;
 constexpr double kScarHalfHeight = 20;
 constexpr double kScarTransmural = 0.7;
 constexpr double kBorderWidth = 3;
-constexpr double kIsthmusWidth = 6;
+constexpr double kIsthmusWidth = 8;              // at mid-wall; the endocardial end is a quarter narrower
 const Eigen::Vector2d kIsthmusNormal(0.8, 0.6);  // across the channel, in (arc, height)
 constexpr double kMidWallRadius = 28;
 

@@ -1,5 +1,6 @@
 #include "phantom/make_phantom.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -40,7 +41,8 @@ std::optional<Error> find_parameter_error(const PhantomParams& p) {
   const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
   const std::string length = "a finite length > 0";
   for (int d = 0; d < 3; ++d) {
-    const std::string index = std::string("[") + std::to_string(d) + "]";
+    std::string index = "[0]";
+    index[1] = static_cast<char>('0' + d);
     if (!positive(p.spacing_mm[d])) return refuse("spacing_mm" + index, p.spacing_mm[d], length);
     if (!std::isfinite(p.rotation_deg[d]))
       return refuse("rotation_deg" + index, p.rotation_deg[d], "a finite angle");

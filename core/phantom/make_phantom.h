@@ -32,13 +32,14 @@ struct PhantomParams {
   std::uint32_t seed = 1;       ///< biventricle: roughness
 };
 
-/// A label volume sampled at voxel centres, cropped to the body with two background voxels around it. The body
-/// is centred near the origin; torus and slab lie across z; the heart's base faces +z, its right ventricle +x.
+/// A label volume sampled at voxel centres, cropped to the body with two background voxels around it. The
+/// body is centred near the origin; torus and slab lie across z; the heart's base faces +z, its right
+/// ventricle +x.
 ///
 /// Labels: 1 (sphere, shell, torus, slab, tube); nested boxes 1 (outer), 2, 3; biventricle: 1 LV myocardium,
-/// 2 RV myocardium, 3 LV blood pool, 4 RV blood pool, 5 scar core, 6 border zone. Each label of the heart is one
-/// 6-connected component, except the scar core, which the isthmus cuts in two: voxels that sampling cuts off
-/// from their label go to a neighbouring label.
+/// 2 RV myocardium, 3 LV blood pool, 4 RV blood pool, 5 scar core, 6 border zone. Each label of the heart is
+/// one 6-connected component, except the scar core, which the isthmus cuts in two: voxels that sampling cuts
+/// off from their label go to a neighbouring label.
 ///
 /// Errors: kUsage naming the parameter that is out of range, a volume that would exceed 512^3 voxels, or a
 /// spacing so coarse that no voxel centre lies inside.

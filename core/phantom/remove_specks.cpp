@@ -1,5 +1,6 @@
 #include "phantom/remove_specks.h"
 
+#include <algorithm>
 #include <map>
 
 namespace voxtet {

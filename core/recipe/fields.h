@@ -42,7 +42,7 @@ void visit_fields(V& v, PhantomParams& p) {
           p.inner_radius_mm);
   v.field({"thickness_mm", "mm", 0.1, 1000, "Thickness of the slab."}, p.thickness_mm);
   v.field({"scale", "", 0.1, 10, "Biventricle: size, 1 is an adult heart."}, p.scale);
-  v.field({"roughness_mm", "mm", 0, 5, "Biventricle: amplitude of the seeded roughness of the walls."},
+  v.field({"roughness_mm", "mm", 0, 12, "Biventricle: amplitude of the seeded roughness of the walls."},
           p.roughness_mm);
   v.field({"blood_pools", "", 0, 0, "Biventricle: label the cavities as 3 and 4."}, p.blood_pools);
   v.field({"scar", "", 0, 0, "Biventricle: scar core 5, crossed by an isthmus, with border zone 6."}, p.scar);

@@ -1,0 +1,276 @@
+#include "remesh/label_field.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "remesh/balance_volumes.h"
+#include "remesh/smooth_labels.h"
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr std::int32_t kPairBase = 65536;
+constexpr double kTolerance = 1e-4;  ///< of a crossing, voxels
+constexpr int kMaxRounds = 100;
+constexpr double kLeastSigmaVoxels = 0.4;
+constexpr float kWeightScale = 1.F / static_cast<float>(1 << 30);
+
+LabelGrid padded(const LabelVolume& volume) {
+  constexpr int kPad = LabelField::kPad;
+  LabelGrid grid;
+  for (int d = 0; d < 3; ++d) grid.size[d] = volume.size[d] + 2 * kPad;
+  grid.labels.assign(grid.voxel_count(), kBackground);
+  for (int k = 0; k < volume.size[2]; ++k)
+    for (int j = 0; j < volume.size[1]; ++j) {
+      const std::size_t row =
+          kPad + static_cast<std::size_t>(grid.size[0]) *
+                     (static_cast<std::size_t>(j + kPad) +
+                      static_cast<std::size_t>(grid.size[1]) * static_cast<std::size_t>(k + kPad));
+      const auto from = volume.labels.begin() + static_cast<std::ptrdiff_t>(volume.offset(0, j, k));
+      std::copy(from, from + volume.size[0], grid.labels.begin() + static_cast<std::ptrdiff_t>(row));
+    }
+  return grid;
+}
+
+double trilinear(const float* v, const std::array<double, 3>& t) {
+  const double a = v[0] + t[0] * (static_cast<double>(v[1]) - v[0]);
+  const double b = v[2] + t[0] * (static_cast<double>(v[3]) - v[2]);
+  const double c = v[4] + t[0] * (static_cast<double>(v[5]) - v[4]);
+  const double d = v[6] + t[0] * (static_cast<double>(v[7]) - v[6]);
+  const double ab = a + t[1] * (b - a);
+  const double cd = c + t[1] * (d - c);
+  return ab + t[2] * (cd - ab);
+}
+
+/// Gradient of `trilinear` with respect to t.
+Eigen::Vector3d trilinear_gradient(const std::array<double, 8>& v, const std::array<double, 3>& t) {
+  const std::array<double, 3> u{1 - t[0], 1 - t[1], 1 - t[2]};
+  return {u[2] * (u[1] * (v[1] - v[0]) + t[1] * (v[3] - v[2])) +
+              t[2] * (u[1] * (v[5] - v[4]) + t[1] * (v[7] - v[6])),
+          u[2] * (u[0] * (v[2] - v[0]) + t[0] * (v[3] - v[1])) +
+              t[2] * (u[0] * (v[6] - v[4]) + t[0] * (v[7] - v[5])),
+          u[1] * (u[0] * (v[4] - v[0]) + t[0] * (v[5] - v[1])) +
+              t[1] * (u[0] * (v[6] - v[2]) + t[0] * (v[7] - v[3]))};
+}
+
+/// The labels of one cell's eight corners with their weights.
+struct CellTable {
+  std::vector<Label> labels;
+  std::vector<std::array<std::int32_t, 8>> weights;
+
+  std::array<std::int32_t, 8>& row(Label label) {
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      if (labels[i] == label) return weights[i];
+    labels.push_back(label);
+    weights.push_back({});
+    return weights.back();
+  }
+
+  /// Removes every label that another one beats or equals at all corners (the lower label on equality).
+  void drop_dominated() {
+    std::vector<std::uint8_t> dominated(labels.size(), 0);
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      for (std::size_t j = 0; j < labels.size() && !dominated[i]; ++j) {
+        if (i == j || dominated[j]) continue;
+        bool beats = true, differs = false;
+        for (int c = 0; c < 8; ++c) {
+          beats = beats && weights[j][c] >= weights[i][c];
+          differs = differs || weights[j][c] != weights[i][c];
+        }
+        dominated[i] = beats && (differs || labels[j] < labels[i]);
+      }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      if (!dominated[i]) {
+        labels[kept] = labels[i];
+        weights[kept++] = weights[i];
+      }
+    labels.resize(kept);
+    weights.resize(kept);
+  }
+};
+
+}  // namespace
+
+LabelField::LabelField(const LabelVolume& volume, double smoothing_voxels) {
+  const Eigen::Vector3d spacing = volume.spacing_mm();
+  smallest_spacing_mm_ = spacing.minCoeff();
+  index_to_mm_ = volume.linear();
+  mm_to_index_ = volume.linear().inverse();
+  mm_origin_ = volume.origin() - volume.linear() * Eigen::Vector3d::Constant(kPad);
+  index_origin_ = -(mm_to_index_ * mm_origin_);
+
+  const LabelGrid grid = padded(volume);
+  size_ = grid.size;
+  std::array<HalfKernel, 3> kernels;
+  // Coarse axes keep a little smoothing of their own: without it the terraces between thick slices meet in
+  // checkerboards, where the interface touches itself along lines.
+  const double least = std::min(kLeastSigmaVoxels, smoothing_voxels);
+  for (int d = 0; d < 3; ++d)
+    kernels[d] = gaussian_kernel(std::max(least, smoothing_voxels * smallest_spacing_mm_ / spacing[d]));
+  VoxelWeights weights = smooth_indicators(grid, kernels);
+  balance_volumes(grid, weights);
+  centre_labels_ = settle_winners(grid, weights, ledger_);
+  build_cells(weights);
+}
+
+void LabelField::build_cells(const VoxelWeights& weights) {
+  const std::size_t sx = static_cast<std::size_t>(size_[0]), sxy = sx * static_cast<std::size_t>(size_[1]);
+  cells_.assign(centre_labels_.size(), kBackground);
+  for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(size_[2]); ++k)
+    for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(size_[1]); ++j)
+      for (std::size_t i = 0; i + 1 < sx; ++i) {
+        const std::size_t v = i + sx * j + sxy * k;
+        const std::array<std::size_t, 8> corners{v,       v + 1,       v + sx,       v + sx + 1,
+                                                 v + sxy, v + sxy + 1, v + sxy + sx, v + sxy + sx + 1};
+        bool one = true;
+        for (const std::size_t c : corners) one = one && centre_labels_[c] == centre_labels_[v];
+        // The same winner at all eight corners wins everywhere between them.
+        cells_[v] = centre_labels_[v];
+        if (!one) resolve_cell(weights, corners, cells_[v]);
+      }
+}
+
+Label LabelField::resolve_cell(const VoxelWeights& weights, const std::array<std::size_t, 8>& corners,
+                               std::int32_t& code) {
+  CellTable table;
+  for (int c = 0; c < 8; ++c) {
+    const std::size_t v = corners[c];
+    if (weights.offsets[v] == weights.offsets[v + 1]) table.row(centre_labels_[v])[c] = 1 << 30;
+    for (std::uint32_t e = weights.offsets[v]; e < weights.offsets[v + 1]; ++e)
+      table.row(weights.labels[e])[c] = weights.weights[e];
+  }
+  table.drop_dominated();
+  if (table.labels.size() == 2) {
+    Pair pair{{}, table.labels[0], table.labels[1]};
+    for (int c = 0; c < 8; ++c)
+      pair.difference[c] = static_cast<float>(table.weights[0][c] - table.weights[1][c]) * kWeightScale;
+    code = kPairBase + static_cast<std::int32_t>(pairs_.size());
+    pairs_.push_back(pair);
+  } else {
+    if (many_start_.empty()) many_start_.push_back(0);
+    code = -static_cast<std::int32_t>(many_start_.size());
+    for (std::size_t i = 0; i < table.labels.size(); ++i) {
+      many_labels_.push_back(table.labels[i]);
+      for (int c = 0; c < 8; ++c)
+        many_values_.push_back(static_cast<float>(table.weights[i][c]) * kWeightScale);
+    }
+    many_start_.push_back(static_cast<std::uint32_t>(many_labels_.size()));
+  }
+  return table.labels[0];
+}
+
+std::int32_t LabelField::code_at(const Eigen::Vector3d& index, std::array<double, 3>& t) const {
+  std::size_t offset = 0;
+  // Compared as doubles first: circumcentres of flat cells do not fit into an int, or are not numbers.
+  for (int d = 2; d >= 0; --d) {
+    if (!(index[d] >= 0 && index[d] < size_[d] - 1)) return kBackground;
+    const int base = static_cast<int>(index[d]);
+    t[d] = index[d] - base;
+    offset = offset * static_cast<std::size_t>(size_[d]) + static_cast<std::size_t>(base);
+  }
+  return cells_[offset];
+}
+
+Label LabelField::at_index(const Eigen::Vector3d& index) const {
+  Sample sample{};
+  margin(index, kBackground, sample);
+  return sample.label;
+}
+
+double LabelField::margin(const Eigen::Vector3d& index, Label wanted, Sample& sample) const {
+  std::array<double, 3> t{};
+  const std::int32_t code = code_at(index, t);
+  if (code >= 0 && code < kPairBase) {
+    sample = {static_cast<Label>(code), false};
+    return sample.label == wanted ? 1 : -1;
+  }
+  if (code >= kPairBase) {
+    const Pair& pair = pairs_[static_cast<std::size_t>(code - kPairBase)];
+    const double difference = trilinear(pair.difference.data(), t);
+    sample = {difference >= 0 ? pair.a : pair.b, pair.a == wanted || pair.b == wanted};
+    return pair.a == wanted ? difference : pair.b == wanted ? -difference : -1;
+  }
+  const std::size_t many = static_cast<std::size_t>(-(code + 1));
+  double best = -1, own = -1, rival = -1;
+  sample.mixed = false;
+  for (std::uint32_t e = many_start_[many]; e < many_start_[many + 1]; ++e) {
+    const double value = trilinear(&many_values_[8 * static_cast<std::size_t>(e)], t);
+    if (value > best) {
+      best = value;
+      sample.label = many_labels_[e];
+    }
+    if (many_labels_[e] == wanted) {
+      own = value;
+      sample.mixed = true;
+    } else {
+      rival = std::max(rival, value);
+    }
+  }
+  return sample.mixed ? own - rival : -1;
+}
+
+Eigen::Vector3d LabelField::gradient(const Eigen::Vector3d& mm, Label a, Label b) const {
+  std::array<double, 3> t{};
+  const std::int32_t code = code_at(to_index(mm), t);
+  std::array<double, 8> difference{};
+  if (code >= kPairBase) {
+    const Pair& pair = pairs_[static_cast<std::size_t>(code - kPairBase)];
+    if (!((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a))) return Eigen::Vector3d::Zero();
+    const double sign = pair.a == a ? 1 : -1;
+    for (std::size_t c = 0; c < 8; ++c) difference[c] = sign * pair.difference[c];
+  } else if (code < 0) {
+    const std::size_t many = static_cast<std::size_t>(-(code + 1));
+    int found = 0;
+    for (std::uint32_t e = many_start_[many]; e < many_start_[many + 1]; ++e) {
+      const double sign = many_labels_[e] == a ? 1 : many_labels_[e] == b ? -1 : 0;
+      if (sign != 0) ++found;
+      for (std::size_t c = 0; c < 8; ++c)
+        difference[c] += sign * many_values_[8 * static_cast<std::size_t>(e) + c];
+    }
+    if (found < 2) return Eigen::Vector3d::Zero();
+  }
+  return mm_to_index_.transpose() * trilinear_gradient(difference, t);
+}
+
+Eigen::Vector3d LabelField::crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b,
+                                     Label label_b, Label& other) const {
+  const Eigen::Vector3d origin = to_index(a);
+  const Eigen::Vector3d step = to_index(b) - origin;
+  // The surface stays inside the padded grid; what sticks out of it is background.
+  double t0 = 0, t1 = 1;
+  for (int d = 0; d < 3; ++d) {
+    if (step[d] == 0) continue;
+    const double lo = -origin[d] / step[d], hi = (size_[d] - 1 - origin[d]) / step[d];
+    t0 = std::max(t0, std::min(lo, hi));
+    t1 = std::min(t1, std::max(lo, hi));
+  }
+  const double tolerance = kTolerance / step.norm();
+  Sample s0{label_a, false}, s1{label_b, false};
+  double g0 = 1, g1 = -1;
+  int run = 0;  // how often in a row the same end moved: positive for t0, negative for t1
+  for (int round = 0; round < kMaxRounds && t1 - t0 > tolerance; ++round) {
+    double t = 0.5 * (t0 + t1);
+    if (s0.mixed && s1.mixed && round % 4 != 3) {
+      t = t0 + (t1 - t0) * (g0 / (g0 - g1));
+      t = std::clamp(t, t0 + 0.4 * tolerance, t1 - 0.4 * tolerance);
+    }
+    Sample s{};
+    const double g = margin(origin + t * step, label_a, s);
+    // Illinois: an end that stays twice in a row counts half, so that both ends close in.
+    if (s.label == label_a) {
+      t0 = t, g0 = std::max(g, 0.0), s0 = s;
+      run = std::max(run, 0) + 1;
+      if (run > 1) g1 *= 0.5;
+    } else {
+      t1 = t, g1 = std::min(g, -1e-12), s1 = s;
+      run = std::min(run, 0) - 1;
+      if (run < -1) g0 *= 0.5;
+    }
+  }
+  other = s1.label;
+  return a + t0 * (b - a);
+}
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,107 @@
+// The continuous label field whose interfaces are meshed: argmax over smoothed label indicators.
+//
+// Every label, background included, has an indicator (1 in its voxels, 0 elsewhere) that is smoothed by a
+// separable Gaussian and interpolated trilinearly; the label of a point is the one whose indicator is
+// largest. Because background competes like any other label, no cusps of background open along label
+// interfaces.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "types/label_volume.h"
+
+namespace voxtet::remesh {
+
+/// Weights of the smoothed indicators at one voxel centre, in units of 2^-30, as a short list.
+struct VoxelWeights {
+  std::vector<std::uint32_t>
+      offsets;  ///< voxel_count + 1; an empty range: only the voxel's own label, weight 1
+  std::vector<std::uint16_t> labels;
+  std::vector<std::int32_t> weights;
+};
+
+/// How the field differs from the voxels at voxel centres.
+struct FieldLedger {
+  std::uint64_t flipped_voxels = 0;  ///< voxels whose centre lies in another label after smoothing
+  std::uint64_t retained_voxels =
+      0;  ///< voxels kept in their label although the smoothed indicators lose them
+  std::uint64_t dropped_specks = 0;  ///< components of fewer than kSpeckVoxels voxels that smoothing removed
+};
+
+/// Components smaller than this may vanish by smoothing as long as the label keeps another component.
+inline constexpr std::uint32_t kSpeckVoxels = 8;
+
+/// The field on a grid padded by `kPad` background voxels on all sides. Immutable once built; outside of the
+/// grid everything is background.
+class LabelField {
+ public:
+  static constexpr int kPad = 2;
+
+  /// `smoothing_voxels`: sigma in units of the smallest spacing; an axis of coarser voxels is smoothed over
+  /// the same length in mm, but by 0.4 of its own voxels at least. The labels at voxel centres keep the
+  /// topology of the input: a voxel whose smoothed indicator loses gives way only if that neither splits,
+  /// perforates nor removes its label, nor adds a component to the winner (simple points); otherwise its own
+  /// indicator is raised until it wins. So thin walls and thin labels survive, and no fragment appears that
+  /// the input does not have.
+  LabelField(const LabelVolume& volume, double smoothing_voxels);
+
+  /// Label at a patient-space point (mm).
+  Label at(const Eigen::Vector3d& mm) const { return at_index(to_index(mm)); }
+  /// Label at a continuous index of the padded grid.
+  Label at_index(const Eigen::Vector3d& index) const;
+
+  /// A point where the label changes on the segment from `a` to `b` (mm), nearest to `a` as far as bisection
+  /// sees. Needs at(a) == label_a, at(b) == label_b and label_a != label_b. The point lies within 1e-4 voxel
+  /// of the interface, on the side of label_a; `other` is the label behind it.
+  Eigen::Vector3d crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b, Label label_b,
+                           Label& other) const;
+
+  /// Direction in mm along which label `a` gains most on label `b` at a point; zero where one of the two
+  /// cannot win in that cell. Not normalised.
+  Eigen::Vector3d gradient(const Eigen::Vector3d& mm, Label a, Label b) const;
+
+  const std::array<int, 3>& size() const { return size_; }
+  /// Label at a voxel centre of the padded grid, offset x fastest.
+  const std::vector<Label>& centre_labels() const { return centre_labels_; }
+  const FieldLedger& ledger() const { return ledger_; }
+  double smallest_spacing_mm() const { return smallest_spacing_mm_; }
+
+  Eigen::Vector3d to_index(const Eigen::Vector3d& mm) const { return mm_to_index_ * mm + index_origin_; }
+  Eigen::Vector3d to_mm(const Eigen::Vector3d& index) const { return index_to_mm_ * index + mm_origin_; }
+
+ private:
+  /// A cell in which exactly two labels can win: trilinear difference, positive where `a` wins.
+  struct Pair {
+    std::array<float, 8> difference;
+    Label a, b;
+  };
+  struct Sample {
+    Label label;
+    bool mixed;
+  };
+
+  void build_cells(const VoxelWeights& weights);
+  Label resolve_cell(const VoxelWeights& weights, const std::array<std::size_t, 8>& corners,
+                     std::int32_t& code);
+  std::int32_t code_at(const Eigen::Vector3d& index, std::array<double, 3>& t) const;
+  double margin(const Eigen::Vector3d& index, Label wanted, Sample& sample) const;
+
+  std::array<int, 3> size_{};
+  std::vector<Label> centre_labels_;
+  /// Per cell: a label (0..65535: only that label), 65536 + index into pairs_, or -1 - index into
+  /// many_start_.
+  std::vector<std::int32_t> cells_;
+  std::vector<Pair> pairs_;
+  std::vector<std::uint32_t> many_start_;  ///< ranges into many_labels_; eight values of many_values_ each
+  std::vector<Label> many_labels_;
+  std::vector<float> many_values_;
+  Eigen::Matrix3d index_to_mm_, mm_to_index_;
+  Eigen::Vector3d mm_origin_, index_origin_;
+  double smallest_spacing_mm_ = 1;
+  FieldLedger ledger_;
+};
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,297 @@
+#include "remesh/refine_delaunay.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <queue>
+
+namespace voxtet::remesh {
+namespace {
+
+using Eigen::Vector3d;
+
+struct CellInfo {
+  Vector3d centre;           ///< circumcentre, mm
+  std::uint32_t serial = 0;  ///< unique per cell; 0 once the cell is gone
+  Label label = kBackground;
+};
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
+using CellBase = CGAL::Triangulation_cell_base_with_info_3<CellInfo, Kernel,
+                                                           CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using Triangulation =
+    CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+using Point = Kernel::Point_3;
+using Cell = Triangulation::Cell_handle;
+
+/// A facet whose normal is more than 60 degrees off the field's is refined, unless its ball is this small.
+constexpr double kAstrayCosine = 0.5;
+constexpr double kLeastAstrayVoxels = 0.35;
+
+Vector3d vec(const Point& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+/// Circumcentre; not finite for flat cells.
+Vector3d circumcentre(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
+  const Vector3d u = b - a, v = c - a, w = d - a;
+  const Vector3d vw = v.cross(w);
+  const Vector3d sum = u.squaredNorm() * vw + v.squaredNorm() * w.cross(u) + w.squaredNorm() * u.cross(v);
+  return a + sum / (2 * u.dot(vw));
+}
+
+/// A facet that fails the criteria, as it was when it was examined.
+struct BadFacet {
+  double urgency;
+  std::uint32_t serial, other_serial;
+  Cell cell;
+  int facet;
+  Vector3d centre;  ///< of the surface Delaunay ball: where to refine
+};
+
+struct LessUrgent {
+  bool operator()(const BadFacet& a, const BadFacet& b) const {
+    if (a.urgency != b.urgency) return a.urgency < b.urgency;
+    if (a.serial != b.serial) return a.serial > b.serial;
+    return a.facet > b.facet;
+  }
+};
+
+}  // namespace
+
+struct DelaunayRefiner::Impl {
+  const LabelField& field;
+  const SizingField& sizing;
+  RefineCriteria criteria;
+  double ratio_limit = 1;  ///< (circumradius / shortest edge)^2 allowed
+  double jitter = 0;
+  double least_astray = 0;
+  std::uint64_t random = 1;
+
+  Triangulation triangulation;
+  std::uint32_t next_vertex = 0, next_serial = 1;
+  std::priority_queue<BadFacet, std::vector<BadFacet>, LessUrgent> bad;
+  std::vector<Cell> conflict, star;
+  std::vector<Triangulation::Facet> rim;
+  std::vector<Cell> exported;  ///< the cells of the last cells(), in its order
+
+  Impl(const LabelField& f, const SizingField& s, const RefineCriteria& c)
+      : field(f), sizing(s), criteria(c) {
+    const double sine = std::sin(c.facet_angle_deg * (EIGEN_PI / 180));
+    // Rounded, because libms differ in the last digit.
+    ratio_limit = std::round(1e9 / (4 * sine * sine)) / 1e9;
+    jitter = 1e-5 * field.smallest_spacing_mm();
+    least_astray = kLeastAstrayVoxels * field.smallest_spacing_mm();
+    enclose();
+  }
+
+  /// Eight far points, so that every cell near the labels is finite.
+  void enclose() {
+    Vector3d lo = field.to_mm(Vector3d::Zero()), hi = lo;
+    for (int corner = 1; corner < 8; ++corner) {
+      Vector3d index;
+      for (int d = 0; d < 3; ++d) index[d] = (corner >> d) & 1 ? field.size()[d] - 1 : 0;
+      lo = lo.cwiseMin(field.to_mm(index));
+      hi = hi.cwiseMax(field.to_mm(index));
+    }
+    const Vector3d middle = 0.5 * (lo + hi);
+    const double reach = 3 * (hi - lo).norm();
+    for (int corner = 0; corner < 8; ++corner) {
+      Vector3d offset;
+      for (int d = 0; d < 3; ++d)
+        offset[d] = ((corner >> d) & 1 ? reach : -reach) * (1 + 0.01 * ((corner * 5 + d * 3) % 7));
+      const Vector3d p = middle + offset;
+      triangulation.insert(Point(p.x(), p.y(), p.z()))->info() = next_vertex++;
+    }
+    for (Cell cell : triangulation.all_cell_handles()) classify(cell);
+  }
+
+  double noise() {
+    random = random * 6364136223846793005ULL + 1442695040888963407ULL;
+    return jitter * (static_cast<double>(random >> 40) / static_cast<double>(1 << 24) - 0.5);
+  }
+
+  void classify(Cell cell) {
+    CellInfo& info = cell->info();
+    info.serial = next_serial++;
+    info.label = kBackground;
+    if (triangulation.is_infinite(cell)) return;
+    info.centre = circumcentre(vec(cell->vertex(0)->point()), vec(cell->vertex(1)->point()),
+                               vec(cell->vertex(2)->point()), vec(cell->vertex(3)->point()));
+    if (!info.centre.allFinite())
+      info.centre = 0.25 * (vec(cell->vertex(0)->point()) + vec(cell->vertex(1)->point()) +
+                            vec(cell->vertex(2)->point()) + vec(cell->vertex(3)->point()));
+    info.label = field.at(info.centre);
+  }
+
+  /// Centre of the surface Delaunay ball of the facet opposite corner i; false where the facet is on no
+  /// interface.
+  bool surface_centre(Cell cell, int i, Vector3d& centre, Vector3d& normal) const {
+    const Cell other = cell->neighbor(i);
+    const CellInfo& mine = cell->info();
+    const CellInfo& theirs = other->info();
+    if (mine.label == theirs.label) return false;
+    if (triangulation.is_infinite(cell) || triangulation.is_infinite(other)) return false;
+    const bool forward = mine.label > theirs.label;
+    const CellInfo& from = forward ? mine : theirs;
+    const CellInfo& to = forward ? theirs : mine;
+    Label behind = kBackground;
+    centre = field.crossing(from.centre, from.label, to.centre, to.label, behind);
+    normal = field.gradient(centre, from.label, behind);
+    return true;
+  }
+
+  /// Queues the facet opposite corner i of the cell if it lies on an interface and fails a criterion.
+  void examine(Cell cell, int i) {
+    Vector3d centre, normal;
+    if (!surface_centre(cell, i, centre, normal)) return;
+    const double urgency = badness(cell, i, centre, normal);
+    if (urgency > 0)
+      bad.push({urgency, cell->info().serial, cell->neighbor(i)->info().serial, cell, i, centre});
+  }
+
+  /// 0 for a good facet; facets that are too large come before those that are too far off or too thin.
+  double badness(Cell cell, int i, const Vector3d& centre, const Vector3d& normal) const {
+    const auto& corners = kFacetCorners[static_cast<std::size_t>(i)];
+    const Vector3d p = vec(cell->vertex(corners[0])->point());
+    const Vector3d q = vec(cell->vertex(corners[1])->point());
+    const Vector3d r = vec(cell->vertex(corners[2])->point());
+    const double ball = (centre - p).squaredNorm();
+    const double wished = criteria.radius_per_edge * sizing.at(centre);
+    const double relative = std::sqrt(ball) / wished;
+    if (relative > 1) return 1 + relative;
+    const double a = (q - p).squaredNorm(), b = (r - q).squaredNorm(), c = (p - r).squaredNorm();
+    const Vector3d across = (q - p).cross(r - p);
+    const double circle = a * b * c / (4 * across.squaredNorm());
+    const double offset = ball - circle;
+    const bool far = offset > criteria.max_distance_mm * criteria.max_distance_mm;
+    const bool thin = !(circle <= ratio_limit * std::min({a, b, c}));
+    // A facet across the surface spans a wall or a hole that is narrower than itself.
+    const double along = across.dot(normal);
+    const bool astray =
+        ball > least_astray * least_astray &&
+        along * along < kAstrayCosine * kAstrayCosine * across.squaredNorm() * normal.squaredNorm();
+    return far || thin || astray ? relative : 0;
+  }
+
+  /// Inserts a point; false if it coincides with a vertex or would leave the facet (cell, other) standing.
+  bool insert_point(const Vector3d& p, Cell hint, Cell other) {
+    // One after the other: compilers differ in the order in which they evaluate arguments.
+    const double dx = noise(), dy = noise(), dz = noise();
+    const Point point(p.x() + dx, p.y() + dy, p.z() + dz);
+    Triangulation::Locate_type type;
+    int li = 0, lj = 0;
+    const Cell start = triangulation.locate(point, type, li, lj, hint);
+    if (type == Triangulation::VERTEX) return false;
+    conflict.clear();
+    rim.clear();
+    triangulation.find_conflicts(point, start, std::back_inserter(rim), std::back_inserter(conflict));
+    if (other != Cell()) {
+      bool hit = false;
+      for (const Cell c : conflict) hit = hit || c == hint || c == other;
+      if (!hit) return false;
+    }
+    for (const Cell c : conflict) c->info().serial = 0;
+    const auto vertex = triangulation.insert_in_hole(point, conflict.begin(), conflict.end(),
+                                                     rim.front().first, rim.front().second);
+    vertex->info() = next_vertex++;
+    star.clear();
+    triangulation.incident_cells(vertex, std::back_inserter(star));
+    for (const Cell c : star) classify(c);
+    for (const Cell c : star) {
+      const int own = c->index(vertex);
+      examine(c, own);
+      for (int i = 0; i < 4; ++i)
+        if (i != own && c->info().serial < c->neighbor(i)->info().serial) examine(c, i);
+    }
+    return true;
+  }
+};
+
+DelaunayRefiner::DelaunayRefiner(const LabelField& field, const SizingField& sizing,
+                                 const RefineCriteria& criteria)
+    : impl_(std::make_unique<Impl>(field, sizing, criteria)) {}
+
+DelaunayRefiner::~DelaunayRefiner() = default;
+
+std::vector<std::uint32_t> DelaunayRefiner::insert(const std::vector<Vector3d>& points) {
+  std::vector<std::uint32_t> ids;
+  Cell hint = impl_->triangulation.finite_cells_begin();
+  for (const Vector3d& p : points) {
+    const bool inserted = impl_->insert_point(p, hint, Cell());
+    ids.push_back(inserted ? impl_->next_vertex - 1 : CellComplex::kNone);
+    if (inserted) hint = impl_->star.front();
+  }
+  return ids;
+}
+
+bool DelaunayRefiner::refine(RunContext& ctx, double predicted_vertices) {
+  Impl& m = *impl_;
+  constexpr std::size_t kPollEvery = 512;
+  for (std::size_t round = 0; !m.bad.empty(); ++round) {
+    if (round % kPollEvery == 0) {
+      if (ctx.cancelled()) return false;
+      ctx.progress("remesh", std::min(0.95, 0.1 + 0.8 * m.next_vertex / (1 + predicted_vertices)));
+    }
+    const BadFacet facet = m.bad.top();
+    m.bad.pop();
+    if (facet.cell->info().serial != facet.serial) continue;
+    const Cell other = facet.cell->neighbor(facet.facet);
+    if (other->info().serial != facet.other_serial) continue;
+    m.insert_point(facet.centre, facet.cell, other);
+  }
+  return true;
+}
+
+std::size_t DelaunayRefiner::vertex_count() const {
+  return impl_->next_vertex;
+}
+
+bool DelaunayRefiner::request(std::uint32_t cell, std::uint32_t corner, double least_radius_mm) {
+  const Cell handle = impl_->exported[cell];
+  const int i = static_cast<int>(corner);
+  Vector3d centre, normal;
+  if (!impl_->surface_centre(handle, i, centre, normal)) return false;
+  const double radius = (centre - vec(handle->vertex((i + 1) % 4)->point())).norm();
+  if (radius < least_radius_mm) return false;
+  impl_->bad.push({1, handle->info().serial, handle->neighbor(i)->info().serial, handle, i, centre});
+  return true;
+}
+
+CellComplex DelaunayRefiner::cells() {
+  const Triangulation& t = impl_->triangulation;
+  CellComplex out;
+  out.points.resize(impl_->next_vertex);
+  for (auto v : t.finite_vertex_handles()) out.points[v->info()] = vec(v->point());
+  // Serials leave gaps; cells are numbered in the triangulation's own order, which does not depend on
+  // addresses.
+  std::vector<std::uint32_t> id(impl_->next_serial, CellComplex::kNone);
+  std::uint32_t count = 0;
+  impl_->exported.clear();
+  for (Cell c : t.finite_cell_handles()) {
+    id[c->info().serial] = count++;
+    impl_->exported.push_back(c);
+  }
+  out.vertices.reserve(count);
+  out.neighbours.reserve(count);
+  out.labels.reserve(count);
+  for (Cell c : t.finite_cell_handles()) {
+    std::array<std::uint32_t, 4> vertices{}, neighbours{};
+    for (int i = 0; i < 4; ++i) {
+      vertices[static_cast<std::size_t>(i)] = c->vertex(i)->info();
+      neighbours[static_cast<std::size_t>(i)] = id[c->neighbor(i)->info().serial];
+    }
+    out.vertices.push_back(vertices);
+    out.neighbours.push_back(neighbours);
+    out.labels.push_back(c->info().label);
+  }
+  return out;
+}
+
+}  // namespace voxtet::remesh

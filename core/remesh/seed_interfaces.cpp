@@ -1,0 +1,197 @@
+#include "remesh/seed_interfaces.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "remesh/smooth_labels.h"
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr std::size_t kEnough = 8;  ///< seeds wanted per pair of components
+constexpr int kShrinkRounds = 6;    ///< how often the spacing shrinks to get them
+constexpr double kShrink = 0.6;
+constexpr double kSeparationVoxels = 0.25;  ///< no two seeds closer than this
+constexpr double kVerticesPerArea =
+    0.8;  ///< measured: vertices of a finished surface per voxel-face area / edge^2
+
+/// A lattice edge (voxel to its neighbour along `axis`) between two components.
+struct Crossing {
+  std::uint64_t pair;  ///< the two component ids, lower first
+  std::uint32_t voxel;
+  std::uint32_t axis;
+};
+
+std::vector<Crossing> find_crossings(const LabelField& field, Seeds& seeds) {
+  const std::vector<std::uint32_t> ids =
+      label_components(field.size(), field.centre_labels(), seeds.component_sizes);
+  seeds.component_labels.resize(seeds.component_sizes.size());
+  for (std::size_t v = 0; v < ids.size(); ++v) seeds.component_labels[ids[v]] = field.centre_labels()[v];
+  const std::array<int, 3>& size = field.size();
+  const std::array<std::size_t, 3> step{
+      1, static_cast<std::size_t>(size[0]),
+      static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1])};
+  std::vector<Crossing> out;
+  std::size_t v = 0;
+  for (int k = 0; k < size[2]; ++k)
+    for (int j = 0; j < size[1]; ++j)
+      for (int i = 0; i < size[0]; ++i, ++v) {
+        const std::array<bool, 3> inside{i + 1 < size[0], j + 1 < size[1], k + 1 < size[2]};
+        for (std::uint32_t axis = 0; axis < 3; ++axis) {
+          if (!inside[axis] || ids[v] == ids[v + step[axis]]) continue;
+          const std::uint64_t a = ids[v], b = ids[v + step[axis]];
+          out.push_back({(std::min(a, b) << 32) | std::max(a, b), static_cast<std::uint32_t>(v), axis});
+        }
+      }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const Crossing& x, const Crossing& y) { return x.pair < y.pair; });
+  return out;
+}
+
+/// Multiplicative congruential generator: the same sequence everywhere.
+class Shuffler {
+ public:
+  template <class Iterator>
+  void shuffle(Iterator first, Iterator last) {
+    for (auto n = last - first; n > 1; --n) {
+      state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+      const auto pick = static_cast<std::ptrdiff_t>((state_ >> 33) % static_cast<std::uint64_t>(n));
+      std::swap(first[n - 1], first[pick]);
+    }
+  }
+
+ private:
+  std::uint64_t state_ = 20090920;
+};
+
+/// Points in buckets of a coarse grid over the field, for distance queries.
+class PointBuckets {
+ public:
+  PointBuckets(const LabelField& field, double bucket_mm) {
+    Eigen::Vector3d lo = field.to_mm(Eigen::Vector3d::Zero()), hi = lo;
+    for (int corner = 1; corner < 8; ++corner) {
+      Eigen::Vector3d index;
+      for (int d = 0; d < 3; ++d) index[d] = (corner >> d) & 1 ? field.size()[d] - 1 : 0;
+      lo = lo.cwiseMin(field.to_mm(index));
+      hi = hi.cwiseMax(field.to_mm(index));
+    }
+    constexpr double kMostBuckets = 160;
+    lo_ = lo;
+    bucket_ = std::max(bucket_mm, (hi - lo).maxCoeff() / kMostBuckets);
+    for (int d = 0; d < 3; ++d) size_[d] = static_cast<int>((hi - lo)[d] / bucket_) + 1;
+    head_.assign(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
+                     static_cast<std::size_t>(size_[2]),
+                 kNone);
+  }
+
+  void add(const Eigen::Vector3d& p, std::uint32_t group) {
+    const std::size_t b = bucket(slot(p));
+    items_.push_back({p, group, head_[b]});
+    head_[b] = static_cast<std::uint32_t>(items_.size() - 1);
+  }
+
+  /// Whether a point lies closer than `separation`, or one of the same group closer than `distance`.
+  bool occupied(const Eigen::Vector3d& p, std::uint32_t group, double distance, double separation) const {
+    const double reach = std::max(distance, separation);
+    const std::array<int, 3> lo = slot(p - Eigen::Vector3d::Constant(reach));
+    const std::array<int, 3> hi = slot(p + Eigen::Vector3d::Constant(reach));
+    for (int k = lo[2]; k <= hi[2]; ++k)
+      for (int j = lo[1]; j <= hi[1]; ++j)
+        for (int i = lo[0]; i <= hi[0]; ++i)
+          for (std::uint32_t e = head_[bucket({i, j, k})]; e != kNone; e = items_[e].next) {
+            const double least = items_[e].group == group ? reach : separation;
+            if ((items_[e].point - p).squaredNorm() < least * least) return true;
+          }
+    return false;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  struct Item {
+    Eigen::Vector3d point;
+    std::uint32_t group, next;
+  };
+  std::array<int, 3> slot(const Eigen::Vector3d& p) const {
+    std::array<int, 3> s{};
+    for (int d = 0; d < 3; ++d)
+      s[d] = static_cast<int>(std::clamp((p[d] - lo_[d]) / bucket_, 0.0, static_cast<double>(size_[d] - 1)));
+    return s;
+  }
+  std::size_t bucket(const std::array<int, 3>& s) const {
+    return static_cast<std::size_t>(s[0]) +
+           static_cast<std::size_t>(size_[0]) *
+               (static_cast<std::size_t>(s[1]) +
+                static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(s[2]));
+  }
+  Eigen::Vector3d lo_;
+  double bucket_ = 1;
+  std::array<int, 3> size_{};
+  std::vector<std::uint32_t> head_;
+  std::vector<Item> items_;
+};
+
+}  // namespace
+
+Seeds seed_interfaces(const LabelField& field, const SizingField& sizing,
+                      const std::vector<std::uint8_t>& denser) {
+  Seeds out;
+  std::vector<Crossing> crossings = find_crossings(field, out);
+  const std::array<int, 3>& size = field.size();
+  const auto index_of = [&](std::size_t v) {
+    const std::size_t sx = static_cast<std::size_t>(size[0]), sy = static_cast<std::size_t>(size[1]);
+    return Eigen::Vector3d(static_cast<double>(v % sx), static_cast<double>(v / sx % sy),
+                           static_cast<double>(v / (sx * sy)));
+  };
+  std::array<double, 3> facet_mm2{};  // area of a voxel's face across each axis
+  for (int d = 0; d < 3; ++d) {
+    const Eigen::Vector3d u =
+        field.to_mm(Eigen::Vector3d::Unit((d + 1) % 3)) - field.to_mm(Eigen::Vector3d::Zero());
+    const Eigen::Vector3d w =
+        field.to_mm(Eigen::Vector3d::Unit((d + 2) % 3)) - field.to_mm(Eigen::Vector3d::Zero());
+    facet_mm2[static_cast<std::size_t>(d)] = u.cross(w).norm();
+  }
+  const double largest = *std::max_element(sizing.h_mm.begin(), sizing.h_mm.end());
+  PointBuckets buckets(field, kSeedSpacing * largest);
+  const double separation = kSeparationVoxels * field.smallest_spacing_mm();
+
+  Shuffler shuffler;
+  std::uint32_t group = 0;
+  for (std::size_t begin = 0; begin < crossings.size(); ++group) {
+    std::size_t end = begin;
+    while (end < crossings.size() && crossings[end].pair == crossings[begin].pair) ++end;
+    shuffler.shuffle(crossings.begin() + static_cast<std::ptrdiff_t>(begin),
+                     crossings.begin() + static_cast<std::ptrdiff_t>(end));
+    const std::array<std::uint32_t, 2> pair{static_cast<std::uint32_t>(crossings[begin].pair >> 32),
+                                            static_cast<std::uint32_t>(crossings[begin].pair)};
+    double spacing = kSeedSpacing;
+    if (!denser.empty()) spacing /= 1 << std::max(denser[pair[0]], denser[pair[1]]);
+    std::size_t found = 0;
+    double shrink = 1;
+    for (int round = 0; round <= kShrinkRounds && (round == 0 || found < kEnough); ++round, shrink *= kShrink)
+      for (std::size_t c = begin; c < end && (round == 0 || found < kEnough); ++c) {
+        const Eigen::Vector3d index = index_of(crossings[c].voxel);
+        const Eigen::Vector3d step = Eigen::Vector3d::Unit(crossings[c].axis);
+        const double h = sizing.at(field.to_mm(index + 0.5 * step));
+        if (round == 0) out.predicted_vertices += kVerticesPerArea * facet_mm2[crossings[c].axis] / (h * h);
+        const double distance = spacing * h * shrink;
+        if (buckets.occupied(field.to_mm(index + 0.5 * step), group, distance, 0)) continue;
+        const Eigen::Vector3d a = field.to_mm(index), b = field.to_mm(index + step);
+        const Label label_a = field.at(a), label_b = field.at(b);
+        if (label_a == label_b) continue;
+        Label behind = kBackground;
+        const Eigen::Vector3d p = field.crossing(a, label_a, b, label_b, behind);
+        if (buckets.occupied(p, group, distance, separation)) continue;
+        buckets.add(p, group);
+        out.points.push_back(p);
+        out.components.push_back(pair);
+        ++found;
+      }
+    begin = end;
+  }
+  return out;
+}
+
+}  // namespace voxtet::remesh

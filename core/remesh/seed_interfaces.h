@@ -1,0 +1,30 @@
+// First points on every interface, so that the refinement finds all of them.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "remesh/label_field.h"
+#include "types/sizing_field.h"
+
+namespace voxtet::remesh {
+
+struct Seeds {
+  std::vector<Eigen::Vector3d> points;                   ///< mm, on the interfaces
+  std::vector<std::array<std::uint32_t, 2>> components;  ///< per point, the two that touch there
+  std::vector<Label> component_labels;         ///< per 6-connected component of the field's voxel centres
+  std::vector<std::uint32_t> component_sizes;  ///< voxels
+  double predicted_vertices = 0;               ///< rough size of the finished surface, for progress
+};
+
+/// Poisson-spaced points (kSeedSpacing wished edge lengths apart) on the interface of every pair of touching
+/// 6-connected components, at least eight each where the lattice offers as many. Fixed order. `denser`
+/// (empty, or one value per component) halves the spacing on a component's interfaces that many times.
+Seeds seed_interfaces(const LabelField& field, const SizingField& sizing,
+                      const std::vector<std::uint8_t>& denser);
+
+inline constexpr double kSeedSpacing = 2.5;
+
+}  // namespace voxtet::remesh

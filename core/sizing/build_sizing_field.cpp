@@ -1,0 +1,160 @@
+#include "sizing/build_sizing_field.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "geometry/distance_transform.h"
+#include "sizing/check_sizing_params.h"
+#include "sizing/limit_gradation.h"
+#include "sizing/size_region.h"
+
+namespace voxtet {
+namespace {
+
+constexpr const char* kStage = "sizing";
+constexpr int kPadding = 2;
+constexpr float kFar = std::numeric_limits<float>::infinity();
+
+std::optional<Error> find_volume_error(const LabelVolume& volume) {
+  const auto refuse = [](const char* message) { return Error{ErrorCode::kBadInput, kStage, message, {}}; };
+  if (volume.labels.empty() || volume.labels.size() != volume.voxel_count())
+    return refuse("volume: expected size[0] * size[1] * size[2] labels and at least one");
+  if (!volume.index_to_mm.allFinite() || !(volume.voxel_mm3() > 0))
+    return refuse("volume: expected a finite index_to_mm with a determinant that is not 0");
+  return std::nullopt;
+}
+
+/// The grid of the volume with `kPadding` points more on each side, all of them +infinity.
+SizingField padded_grid(const LabelVolume& volume) {
+  SizingField field;
+  std::size_t count = 1;
+  for (int d = 0; d < 3; ++d) {
+    field.size[d] = volume.size[d] + 2 * kPadding;
+    count *= static_cast<std::size_t>(field.size[d]);
+  }
+  field.index_to_mm = volume.index_to_mm;
+  field.index_to_mm.topRightCorner<3, 1>() = volume.to_mm(Eigen::Vector3d::Constant(-kPadding));
+  field.mm_to_index = field.index_to_mm.inverse();
+  field.h_mm.assign(count, kFar);
+  return field;
+}
+
+std::size_t offset_of(const SizingField& field, int i, int j, int k) {
+  return static_cast<std::size_t>(i) +
+         static_cast<std::size_t>(field.size[0]) *
+             (static_cast<std::size_t>(j) +
+              static_cast<std::size_t>(field.size[1]) * static_cast<std::size_t>(k));
+}
+
+/// Calls visit(label of the voxel, offset in the field) for every voxel.
+template <class Visit>
+void for_each_voxel(const LabelVolume& volume, const SizingField& field, Visit visit) {
+  const Label* label = volume.labels.data();
+  for (int k = 0; k < volume.size[2]; ++k)
+    for (int j = 0; j < volume.size[1]; ++j) {
+      const std::size_t row = offset_of(field, kPadding, j + kPadding, k + kPadding);
+      for (int i = 0; i < volume.size[0]; ++i) visit(*label++, row + static_cast<std::size_t>(i));
+    }
+}
+
+void add_label_sizes(const LabelVolume& volume, const SizingParams& params, SizingField& field) {
+  std::vector<float> size_of(65536, static_cast<float>(params.edge_mm));
+  for (const LabelSize& wish : params.labels) size_of[wish.label] = static_cast<float>(wish.edge_mm);
+  size_of[kBackground] = kFar;
+  for_each_voxel(volume, field, [&](Label label, std::size_t at) { field.h_mm[at] = size_of[label]; });
+}
+
+bool add_distance_size(const LabelVolume& volume, const DistanceSize& wish, SizingField& field,
+                       const RunContext& ctx) {
+  const Eigen::Matrix3d linear = volume.linear();
+  std::vector<float> size;
+  if (has_orthogonal_axes(linear)) {
+    std::vector<std::uint8_t> mask(field.h_mm.size(), 0);
+    for_each_voxel(volume, field, [&](Label label, std::size_t at) { mask[at] = label == wish.label; });
+    size = distance_to_mask_mm(field.size, volume.spacing_mm(), mask);
+    for (float& value : size) value = static_cast<float>(wish.edge_mm + wish.slope * value);
+  } else {
+    size.assign(field.h_mm.size(), kFar);
+    for_each_voxel(volume, field, [&](Label label, std::size_t at) {
+      if (label == wish.label) size[at] = static_cast<float>(wish.edge_mm);
+    });
+    if (!limit_gradation(field.size, linear, wish.slope, size, ctx)) return false;
+  }
+  for (std::size_t at = 0; at < size.size(); ++at) field.h_mm[at] = std::min(field.h_mm[at], size[at]);
+  return true;
+}
+
+/// The range of grid indices along each axis in which a box of mm can have points.
+struct IndexBox {
+  std::array<int, 3> low{}, high{};  ///< high is one past the end
+};
+
+IndexBox index_box(const SizingField& field, const Eigen::Vector3d& low_mm, const Eigen::Vector3d& high_mm) {
+  const Eigen::Matrix3d to_index = field.mm_to_index.topLeftCorner<3, 3>();
+  const Eigen::Vector3d middle =
+      to_index * ((low_mm + high_mm) / 2) + field.mm_to_index.topRightCorner<3, 1>();
+  const Eigen::Vector3d half = to_index.cwiseAbs() * ((high_mm - low_mm) / 2);
+  IndexBox box;
+  for (int d = 0; d < 3; ++d) {
+    const double end = field.size[d];
+    box.low[d] = static_cast<int>(std::clamp(std::floor(middle[d] - half[d]), 0.0, end));
+    box.high[d] = static_cast<int>(std::clamp(std::ceil(middle[d] + half[d]) + 1, 0.0, end));
+  }
+  return box;
+}
+
+/// `around` holds the sizes without any region, so that the order of regions does not matter.
+void add_region_size(const SizeRegion& region, double edge_max_mm, const std::vector<float>& around,
+                     SizingField& field) {
+  const RegionDistance distance(region);
+  const IndexBox box = index_box(field, distance.low(region.band_mm), distance.high(region.band_mm));
+  for (int k = box.low[2]; k < box.high[2]; ++k)
+    for (int j = box.low[1]; j < box.high[1]; ++j)
+      for (int i = box.low[0]; i < box.high[0]; ++i) {
+        const Eigen::Vector3d point = field.index_to_mm.topLeftCorner<3, 3>() * Eigen::Vector3d(i, j, k) +
+                                      field.index_to_mm.topRightCorner<3, 1>();
+        const double d = distance.at(point);
+        if (d > 0 && d >= region.band_mm) continue;
+        const std::size_t at = offset_of(field, i, j, k);
+        const double outer = std::min<double>(around[at], edge_max_mm);
+        const double size =
+            d > 0 ? region.edge_mm + (outer - region.edge_mm) * (d / region.band_mm) : region.edge_mm;
+        field.h_mm[at] = std::min(field.h_mm[at], static_cast<float>(size));
+      }
+}
+
+}  // namespace
+
+Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params,
+                                       RunContext& ctx) {
+  if (const auto error = find_volume_error(volume)) return *error;
+  if (const auto error = find_sizing_error(volume, params)) return *error;
+  ctx.progress(kStage, 0);
+  SizingField field = padded_grid(volume);
+  add_label_sizes(volume, params, field);
+  for (const DistanceSize& wish : params.distances) {
+    if (ctx.cancelled() || !add_distance_size(volume, wish, field, ctx)) return cancelled_error(kStage);
+  }
+  ctx.progress(kStage, 0.3);
+  if (!params.regions.empty()) {
+    const std::vector<float> around = field.h_mm;
+    for (const SizeRegion& region : params.regions) {
+      if (ctx.cancelled()) return cancelled_error(kStage);
+      add_region_size(region, params.edge_max_mm, around, field);
+    }
+  }
+  const float least = static_cast<float>(params.edge_min_mm);
+  const float most = static_cast<float>(params.edge_max_mm);
+  for (float& h : field.h_mm) h = std::clamp(h, least, most);
+  ctx.progress(kStage, 0.5);
+  if (!limit_gradation(field.size, volume.linear(), params.gradation, field.h_mm, ctx))
+    return cancelled_error(kStage);
+  ctx.progress(kStage, 1);
+  return field;
+}
+
+}  // namespace voxtet

@@ -1,0 +1,66 @@
+// The wishes of the user -> one edge length per point of space.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "types/label_volume.h"
+#include "types/result.h"
+#include "types/run_context.h"
+#include "types/sizing_field.h"
+
+namespace voxtet {
+
+/// Edge length wished inside one label.
+struct LabelSize {
+  Label label = 0;
+  double edge_mm = 2;
+};
+
+enum class RegionShape { kSphere, kBox, kCapsule };
+
+/// A place with its own size: edge_mm inside, rising linearly to the surrounding size over band_mm outside.
+/// sphere: centre_mm, radius_mm. box: centre_mm, half_size_mm along the RAS axes, rotated by `axes_deg`
+/// (extrinsic x, then y, then z). capsule: segment centre_mm..end_mm with radius_mm.
+struct SizeRegion {
+  std::string name;
+  RegionShape shape = RegionShape::kSphere;
+  Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
+  Eigen::Vector3d end_mm = Eigen::Vector3d::Zero();
+  Eigen::Vector3d half_size_mm = Eigen::Vector3d::Constant(10);
+  Eigen::Vector3d axes_deg = Eigen::Vector3d::Zero();
+  double radius_mm = 10;
+  double edge_mm = 1;
+  double band_mm = 5;
+};
+
+/// Size growing with the distance to a label: edge_mm at the label, + slope * distance.
+struct DistanceSize {
+  Label label = 0;
+  double edge_mm = 1;
+  double slope = 0.2;
+};
+
+struct SizingParams {
+  double edge_mm = 2;                   ///< wherever nothing smaller is asked
+  std::vector<LabelSize> labels;        ///< replaces edge_mm inside these labels (smaller or larger)
+  std::vector<SizeRegion> regions;      ///< minimum with everything else
+  std::vector<DistanceSize> distances;  ///< minimum with everything else
+  double edge_min_mm = 0.1;
+  double edge_max_mm = 50;
+  double gradation = 0.3;  ///< bound on |grad h|; 0 < g <= 1
+};
+
+/// The minimum of all sources at the volume's voxels, clamped to [edge_min_mm, edge_max_mm], then
+/// gradation-limited: h*(x) = min_y h(y) + g|x - y| by fast sweeping (limit_gradation.h states its accuracy).
+/// The grid is that of the volume with two points more on each side. Background takes no wish of its own: it
+/// gets its size from the labels around it through the gradation, from distances and from regions. Regions do
+/// not depend on their order: each rises to what stands without any region.
+/// Errors: kUsage naming the field ("sizing.labels[1].edge_mm") for sizes that are not finite and positive,
+/// labels that the volume does not hold or that are listed twice, empty regions; kBadInput for a volume that
+/// makes no sense; kCancelled.
+Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params,
+                                       RunContext& ctx);
+
+}  // namespace voxtet

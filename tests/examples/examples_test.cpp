@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "io/files.h"
+#include "pipeline/report.h"
+#include "pipeline/session.h"
+#include "support/check_tets.h"
+
+namespace voxtet {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::vector<std::string> example_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(fs::path(VOXTET_SOURCE_DIR) / "examples"))
+    if (fs::exists(entry.path() / "case.json")) names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+json read_json(const fs::path& path) {
+  const Result<Bytes> bytes = read_file(path.string());
+  if (!bytes.ok()) throw std::runtime_error(bytes.error().message);
+  return json::parse(bytes->begin(), bytes->end());
+}
+
+class Example : public testing::TestWithParam<std::string> {};
+
+TEST_P(Example, GivesThePromisedMesh) {
+  const fs::path folder = fs::path(VOXTET_SOURCE_DIR) / "examples" / GetParam();
+  const json expected = read_json(folder / "expected.json");
+  const Result<Recipe> recipe = parse_recipe(read_json(folder / "case.json"));
+  ASSERT_TRUE(recipe.ok()) << recipe.error().message;
+  Session session;
+  ASSERT_TRUE(session.set_recipe(*recipe).ok());
+  RunContext ctx;
+  const Status done = session.run(Stage::kQuality, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  test::check_tets(*session.mesh());
+  const json report = report_json(session);
+  EXPECT_EQ(report["digest"], expected["digest"]);
+  EXPECT_EQ(report["tets"], expected["tets"]);
+  EXPECT_TRUE(report["quality"]["passed"]);
+  ASSERT_FALSE(expected["numbers"].empty());
+  for (const auto& [pointer, range] : expected["numbers"].items()) {
+    const double value = report.at(json::json_pointer(pointer)).get<double>();
+    EXPECT_GE(value, range[0].get<double>()) << pointer;
+    EXPECT_LE(value, range[1].get<double>()) << pointer;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Example, testing::ValuesIn(example_names()), [](const auto& info) {
+  std::string name = info.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace voxtet

@@ -1,0 +1,185 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "geometry/distance_transform.h"
+#include "phantom/make_phantom.h"
+
+namespace voxtet {
+namespace {
+
+using Voxels = std::vector<std::size_t>;
+
+template <class Visit>
+void for_face_neighbours(const LabelVolume& volume, std::size_t voxel, Visit visit) {
+  const int nx = volume.size[0], ny = volume.size[1];
+  const int i = static_cast<int>(voxel) % nx, j = static_cast<int>(voxel) / nx % ny;
+  const int k = static_cast<int>(voxel) / (nx * ny);
+  const int steps[6][3] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
+  for (const auto& s : steps)
+    if (volume.contains(i + s[0], j + s[1], k + s[2])) visit(volume.offset(i + s[0], j + s[1], k + s[2]));
+}
+
+/// The 6-connected components of each label, largest first.
+std::map<Label, std::vector<Voxels>> components(const LabelVolume& volume) {
+  std::map<Label, std::vector<Voxels>> found;
+  std::vector<bool> seen(volume.labels.size(), false);
+  for (std::size_t start = 0; start < seen.size(); ++start) {
+    if (seen[start]) continue;
+    Voxels part{start};
+    seen[start] = true;
+    for (std::size_t next = 0; next < part.size(); ++next)
+      for_face_neighbours(volume, part[next], [&](std::size_t v) {
+        if (seen[v] || volume.labels[v] != volume.labels[start]) return;
+        seen[v] = true;
+        part.push_back(v);
+      });
+    found[volume.labels[start]].push_back(std::move(part));
+  }
+  for (auto& [label, parts] : found)
+    std::sort(parts.begin(), parts.end(),
+              [](const Voxels& a, const Voxels& b) { return a.size() > b.size(); });
+  return found;
+}
+
+LabelVolume heart(const PhantomParams& params) {
+  const Result<LabelVolume> volume = make_phantom(params);
+  EXPECT_TRUE(volume.ok()) << (volume ? "" : volume.error().message);
+  return volume ? *volume : LabelVolume{};
+}
+
+/// Least distance (mm) from a voxel of `from` to one where `is_target(label, z_mm)`.
+template <class IsTarget>
+float least_distance_mm(const LabelVolume& volume, Label from, IsTarget is_target) {
+  std::vector<std::uint8_t> mask(volume.labels.size(), 0);
+  const std::size_t slice = static_cast<std::size_t>(volume.size[0]) * volume.size[1];
+  for (std::size_t v = 0; v < mask.size(); ++v)
+    mask[v] = is_target(volume.labels[v], volume.to_mm({0, 0, static_cast<double>(v / slice)}).z());
+  const std::vector<float> distance = distance_to_mask_mm(volume.size, volume.spacing_mm(), mask);
+  float least = 1e9F;
+  for (std::size_t v = 0; v < mask.size(); ++v)
+    if (volume.labels[v] == from) least = std::min(least, distance[v]);
+  return least;
+}
+
+constexpr double kLowestBaseMm = 29;  // the tilted base plane lies above this height
+
+TEST(Biventricle, EachLabelIsOnePieceAndTheIsthmusCutsTheCoreInTwo) {
+  for (const double spacing : {1.5, 2.5})
+    for (const double roughness : {0.0, 1.2})
+      for (const std::uint32_t seed : {1u, 2u, 3u})
+        for (const bool turned : {false, true}) {
+          PhantomParams params;
+          params.spacing_mm.setConstant(spacing);
+          params.roughness_mm = roughness;
+          params.seed = seed;
+          params.scar = true;
+          if (turned) params.rotation_deg = {33, 21, -48};
+          const auto parts = components(heart(params));
+          ASSERT_EQ(parts.size(), 7u);
+          for (const auto& [label, list] : parts) {
+            ASSERT_EQ(list.size(), label == 5 ? 2u : 1u) << "label " << label << ", spacing " << spacing
+                                                         << ", roughness " << roughness << ", seed " << seed;
+            if (label == 5) {
+              EXPECT_GT(list[1].size(), 0.4 * list[0].size());
+            }
+          }
+        }
+}
+
+TEST(Biventricle, PoolsMeetTheBackgroundOnlyAtTheBase) {
+  for (const std::uint32_t seed : {1u, 2u, 3u}) {
+    PhantomParams params;
+    params.seed = seed;
+    params.roughness_mm = 1.2;
+    const LabelVolume volume = heart(params);
+    const std::size_t slice = static_cast<std::size_t>(volume.size[0]) * volume.size[1];
+    std::map<Label, int> open;
+    for (std::size_t v = 0; v < volume.labels.size(); ++v) {
+      if (volume.labels[v] != 3 && volume.labels[v] != 4) continue;
+      for_face_neighbours(volume, v, [&](std::size_t neighbour) {
+        if (volume.labels[neighbour] != kBackground) return;
+        ++open[volume.labels[v]];
+        EXPECT_GT(volume.to_mm({0, 0, static_cast<double>(v / slice)}).z(), kLowestBaseMm);
+      });
+    }
+    EXPECT_GT(open[3], 300);
+    EXPECT_GT(open[4], 100);
+  }
+}
+
+TEST(Biventricle, WallsHaveAnatomicalThickness) {
+  PhantomParams params;
+  params.spacing_mm.setConstant(0.75);
+  const LabelVolume volume = heart(params);
+  // Between voxel centres of the two sides; the wall itself may be up to a voxel diagonal thinner.
+  const float rv =
+      least_distance_mm(volume, 4, [](Label l, double z) { return l == 0 && z < kLowestBaseMm; });
+  EXPECT_GE(rv, 3.5F);
+  EXPECT_LE(rv, 5.0F);
+  const float lv =
+      least_distance_mm(volume, 3, [](Label l, double z) { return l == 0 && z < kLowestBaseMm; });
+  EXPECT_GE(lv, 4.5F);
+  EXPECT_LE(lv, 7.0F);
+  EXPECT_GE(least_distance_mm(volume, 3, [](Label l, double) { return l == 4; }), 7.0F);
+}
+
+TEST(Biventricle, IsthmusIsAtLeastFiveMillimetresWide) {
+  for (const std::uint32_t seed : {1u, 2u, 3u, 4u}) {
+    PhantomParams params;
+    params.spacing_mm.setConstant(0.75);
+    params.scar = true;
+    params.seed = seed;
+    LabelVolume volume = heart(params);
+    const auto parts = components(volume);
+    ASSERT_EQ(parts.at(5).size(), 2u);
+    for (const std::size_t v : parts.at(5)[1]) volume.labels[v] = 7;
+    EXPECT_GE(least_distance_mm(volume, 5, [](Label l, double) { return l == 7; }), 5.0F + 0.75F);
+  }
+}
+
+TEST(Biventricle, ScarTakesFromTheLeftVentricleOnlyAndBorderSurroundsTheCore) {
+  PhantomParams params;
+  const LabelVolume healthy = heart(params);
+  params.scar = true;
+  const LabelVolume scarred = heart(params);
+  ASSERT_EQ(healthy.size, scarred.size);
+  for (std::size_t v = 0; v < healthy.labels.size(); ++v) {
+    const Label now = scarred.labels[v];
+    if (now != 5 && now != 6)
+      EXPECT_EQ(now, healthy.labels[v]);
+    else
+      EXPECT_EQ(healthy.labels[v], 1);
+    if (now == 5)
+      for_face_neighbours(scarred, v, [&](std::size_t neighbour) {
+        const Label other = scarred.labels[neighbour];
+        EXPECT_TRUE(other == 5 || other == 6 || other == 3) << other;
+      });
+  }
+}
+
+TEST(Biventricle, ScaleMultipliesLengths) {
+  PhantomParams params;
+  const LabelVolume adult = heart(params);
+  params.scale = 0.5;
+  params.spacing_mm *= 0.5;
+  params.roughness_mm *= 0.5;
+  const LabelVolume child = heart(params);
+  EXPECT_EQ(adult.size, child.size);
+  EXPECT_EQ(adult.labels, child.labels);
+}
+
+TEST(Biventricle, SeedMovesTheRoughnessOnly) {
+  PhantomParams params;
+  const LabelVolume one = heart(params);
+  params.seed = 2;
+  EXPECT_NE(heart(params).labels, one.labels);
+  params.roughness_mm = 0;
+  const LabelVolume smooth = heart(params);
+  params.seed = 1;
+  EXPECT_EQ(heart(params).labels, smooth.labels);
+}
+
+}  // namespace
+}  // namespace voxtet
