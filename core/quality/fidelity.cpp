@@ -17,6 +17,7 @@ constexpr double kMaxSamples = 400'000;
 
 /// Integer range of the coordinates d of four points, cut to [0, size).
 std::pair<int, int> range_of(const TetCorners& p, int d, int size) {
+  if (!p[0].allFinite() || !p[1].allFinite() || !p[2].allFinite() || !p[3].allFinite()) return {0, -1};
   const double low = std::min({p[0][d], p[1][d], p[2][d], p[3][d]});
   const double high = std::max({p[0][d], p[1][d], p[2][d], p[3][d]});
   return {static_cast<int>(std::ceil(std::clamp(low, 0.0, static_cast<double>(size)))),
@@ -33,18 +34,38 @@ double longest_edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Ei
   return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
 }
 
-Samples sample(const TriangleSet& set, double spacing_mm) {
-  double wanted = 0;
-  for (const auto& [i, j, k] : set.triangles) {
-    const double n = longest_edge(set.points[i], set.points[j], set.points[k]) / spacing_mm;
-    wanted += std::max(0.0, n * n - 1);
+/// Rows of sub-triangles that a triangle is cut into.
+int rows_of(double longest, double spacing) {
+  return std::max(1, static_cast<int>(std::ceil(longest / spacing)));
+}
+
+/// The spacing asked for, or a larger one that needs at most kMaxSamples, or else one sample a triangle.
+double affordable_spacing(const TriangleSet& set, double spacing) {
+  std::vector<double> longest;
+  longest.reserve(set.triangles.size());
+  for (const auto& [i, j, k] : set.triangles)
+    longest.push_back(longest_edge(set.points[i], set.points[j], set.points[k]));
+  const double most = longest.empty() ? 0 : *std::max_element(longest.begin(), longest.end());
+  const double limit = std::max(kMaxSamples, static_cast<double>(longest.size()));
+  while (spacing < most) {
+    double samples = 0;
+    for (const double length : longest) {
+      const double rows = std::max(1.0, std::ceil(length / spacing));
+      samples += rows * rows;
+    }
+    if (samples <= limit) break;
+    spacing *= std::max(1.05, std::sqrt(samples / limit));
   }
-  const double spacing = spacing_mm * std::sqrt(std::max(1.0, wanted / kMaxSamples));
+  return spacing;
+}
+
+Samples sample(const TriangleSet& set, double spacing_mm) {
+  const double spacing = affordable_spacing(set, spacing_mm);
   Samples out;
   for (const auto& [i, j, k] : set.triangles) {
     const Eigen::Vector3d &a = set.points[i], &b = set.points[j], &c = set.points[k];
     const double longest = longest_edge(a, b, c);
-    const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
+    const int n = rows_of(longest, spacing);
     const double weight = 0.5 * (b - a).cross(c - a).norm() / (static_cast<double>(n) * n);
     const Eigen::Vector3d u = (b - a) / n, v = (c - a) / n;
     out.longest_mm = std::max(out.longest_mm, longest / n);
@@ -94,7 +115,9 @@ std::vector<Label> rasterise(const TetMesh& mesh, const LabelVolume& grid) {
         for (int i = i0; i <= i1; ++i) {
           const Eigen::Vector3d local = to_local * (Eigen::Vector3d(i, j, k) - p[0]);
           constexpr double slack = -1e-9;
-          if (local.minCoeff() < slack || local.sum() > 1 - slack) continue;
+          // Asked this way round, a flat tetrahedron (not a number) holds no centre.
+          if (!(local.x() >= slack && local.y() >= slack && local.z() >= slack && local.sum() <= 1 - slack))
+            continue;
           Label& label = out[grid.offset(i, j, k)];
           if (label == kBackground) label = mesh.labels[t];
         }
@@ -102,7 +125,8 @@ std::vector<Label> rasterise(const TetMesh& mesh, const LabelVolume& grid) {
   return out;
 }
 
-std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume& volume, const SizingField& sizing) {
+std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume& volume,
+                                          const SizingField& sizing) {
   const std::vector<Label> raster = rasterise(mesh, volume);
   std::vector<LabelFidelity> all(65536);
   std::vector<std::uint64_t> both(65536, 0), meshed(65536, 0);
@@ -114,7 +138,8 @@ std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume
   std::vector<std::vector<Tet>> tets(65536);
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const auto [a, b, c, d] = mesh.tets[t];
-    all[mesh.labels[t]].mesh_mm3 += tet_volume_mm3({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
+    all[mesh.labels[t]].mesh_mm3 +=
+        tet_volume_mm3({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
     tets[mesh.labels[t]].push_back(mesh.tets[t]);
   }
   std::vector<LabelFidelity> out;

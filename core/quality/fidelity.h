@@ -12,12 +12,13 @@
 
 namespace voxtet {
 
-/// The mesh's label at every voxel centre (background where no tetrahedron is); a centre on the border of several
-/// tetrahedra takes the one of lowest index.
+/// The mesh's label at every voxel centre (background where no tetrahedron is); a centre on the border of
+/// several tetrahedra takes the one of lowest index.
 std::vector<Label> rasterise(const TetMesh& mesh, const LabelVolume& grid);
 
 /// One entry per label of volume or mesh, ascending.
-std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume& volume, const SizingField& sizing);
+std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume& volume,
+                                          const SizingField& sizing);
 
 /// A set of triangles in mm.
 struct TriangleSet {
@@ -25,9 +26,9 @@ struct TriangleSet {
   const std::vector<Triangle>& triangles;
 };
 
-/// Area-weighted distances from samples on `from` (sub-triangle centroids, spacing at most `spacing_mm` unless
-/// that would take more than 400,000 samples beyond one a triangle) to `to`. `uncertainty_mm`: no point of `from`
-/// is farther than this from a sample.
+/// Area-weighted distances from samples on `from` (sub-triangle centroids, spacing at most `spacing_mm`
+/// unless that would take more than 400,000 samples; at least one a triangle) to `to`. `uncertainty_mm`: no
+/// point of `from` is farther than this from a sample.
 DistanceSummary measure_distance(const TriangleSet& from, const TriangleSet& to, double spacing_mm);
 
 }  // namespace voxtet

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/adjacency.h"
 #include "geometry/tet_measures.h"
@@ -27,9 +28,11 @@ double mean_of(const std::array<double, 6>& values) {
 
 Status check_params(const QualityParams& params) {
   if (params.histogram_bins < 1 || !(params.sample_spacing_voxels > 0))
-    return Error{ErrorCode::kUsage, "quality",
-                 "quality: found histogram_bins " + std::to_string(params.histogram_bins) + " and sample_spacing_voxels " +
-                     std::to_string(params.sample_spacing_voxels) + ", expected both above 0",
+    return Error{ErrorCode::kUsage,
+                 "quality",
+                 "quality: found histogram_bins " + std::to_string(params.histogram_bins) +
+                     " and sample_spacing_voxels " + std::to_string(params.sample_spacing_voxels) +
+                     ", expected both above 0",
                  {}};
   return std::monostate{};
 }
@@ -38,24 +41,68 @@ Status check_mesh_arrays(const TetMesh& mesh) {
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t)
     for (const std::uint32_t v : mesh.tets[t])
       if (v >= mesh.points.size())
-        return Error{ErrorCode::kBadInput, "quality",
+        return Error{ErrorCode::kBadInput,
+                     "quality",
                      "tetrahedron " + std::to_string(t) + " refers to point " + std::to_string(v) + " of " +
                          std::to_string(mesh.points.size()),
                      {{}, {t}}};
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f)
+    for (const std::uint32_t v : mesh.faces[f])
+      if (v >= mesh.points.size())
+        return Error{ErrorCode::kBadInput,
+                     "quality",
+                     "face " + std::to_string(f) + " refers to point " + std::to_string(v) + " of " +
+                         std::to_string(mesh.points.size()),
+                     {}};
+  if (mesh.face_sides.size() != mesh.faces.size())
+    return Error{ErrorCode::kBadInput,
+                 "quality",
+                 "found " + std::to_string(mesh.faces.size()) + " faces and " +
+                     std::to_string(mesh.face_sides.size()) +
+                     " pairs of sides, expected one pair for each face",
+                 {}};
   if (mesh.tets.empty() || mesh.labels.size() != mesh.tets.size())
-    return Error{ErrorCode::kBadInput, "quality",
-                 "found " + std::to_string(mesh.tets.size()) + " tetrahedra and " + std::to_string(mesh.labels.size()) +
+    return Error{ErrorCode::kBadInput,
+                 "quality",
+                 "found " + std::to_string(mesh.tets.size()) + " tetrahedra and " +
+                     std::to_string(mesh.labels.size()) +
                      " labels, expected one label for each of at least one tetrahedron",
                  {}};
   return std::monostate{};
 }
 
-std::vector<MetricSummary> tet_metrics(const TetMesh& mesh, const TetMeasures& m, int bins) {
+/// One value a tetrahedron in `out`, and its six dihedral angles in `all_angles` where that is given.
+void measure_tets_into(const TetMesh& mesh, const SizingField* sizing, TetMeasures& out,
+                       std::vector<float>* all_angles) {
+  for (std::vector<float>* values : {&out.min_dihedral_deg, &out.max_dihedral_deg, &out.radius_ratio,
+                                     &out.mean_ratio, &out.aspect_ratio, &out.edge_mm})
+    values->reserve(mesh.tets.size());
+  if (all_angles) all_angles->reserve(6 * mesh.tets.size());
+  for (const Tet& t : mesh.tets) {
+    const TetCorners corners = corners_of(mesh, t);
+    const TetShape shape = measure_tet(corners);
+    const auto [low, high] = std::minmax_element(shape.dihedral_deg.begin(), shape.dihedral_deg.end());
+    const double edge = mean_of(shape.edge_mm);
+    out.min_dihedral_deg.push_back(static_cast<float>(*low));
+    out.max_dihedral_deg.push_back(static_cast<float>(*high));
+    out.radius_ratio.push_back(static_cast<float>(shape.radius_ratio));
+    out.mean_ratio.push_back(static_cast<float>(shape.mean_ratio));
+    out.aspect_ratio.push_back(static_cast<float>(shape.aspect_ratio));
+    out.edge_mm.push_back(static_cast<float>(edge));
+    if (all_angles)
+      for (const double angle : shape.dihedral_deg) all_angles->push_back(static_cast<float>(angle));
+    if (sizing) {
+      const Eigen::Vector3d centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+      const double wish = centre.allFinite() ? sizing->at(centre) : std::numeric_limits<double>::quiet_NaN();
+      out.size_log2.push_back(static_cast<float>(std::log2(edge / wish)));
+    }
+  }
+}
+
+std::vector<MetricSummary> tet_metrics(const TetMesh& mesh, int bins) {
+  TetMeasures m;
   std::vector<float> all_angles;
-  all_angles.reserve(6 * mesh.tets.size());
-  for (const Tet& t : mesh.tets)
-    for (const double angle : measure_tet(corners_of(mesh, t)).dihedral_deg)
-      all_angles.push_back(static_cast<float>(angle));
+  measure_tets_into(mesh, nullptr, m, &all_angles);
   return {summarise({"min_dihedral_deg", "deg", "tets", 0, 75, Worst::kLowest}, m.min_dihedral_deg, bins),
           summarise({"max_dihedral_deg", "deg", "tets", 60, 180, Worst::kHighest}, m.max_dihedral_deg, bins),
           summarise({"dihedral_deg", "deg", "tets", 0, 180, Worst::kNone}, all_angles, bins),
@@ -83,7 +130,8 @@ std::vector<MetricSummary> edge_metrics(const TetMesh& mesh, const SizingField* 
     ratios.push_back(static_cast<float>(std::log2(length / wish)));
   }
   const double upper = std::max(nice_upper(lengths), wished.empty() ? 0 : nice_upper(wished));
-  std::vector<MetricSummary> out{summarise({"edge_mm", "mm", "edges", 0, upper, Worst::kNone}, lengths, bins)};
+  std::vector<MetricSummary> out{
+      summarise({"edge_mm", "mm", "edges", 0, upper, Worst::kNone}, lengths, bins)};
   if (!sizing) return out;
   out.push_back(summarise({"wished_edge_mm", "mm", "edges", 0, upper, Worst::kNone}, wished, bins));
   out.push_back(summarise({"size_log2", "log2", "edges", -2, 2, Worst::kNone}, ratios, bins));
@@ -104,10 +152,18 @@ TriangleValues measure_triangles(const SurfaceMesh& surface) {
   return out;
 }
 
+bool has_places(const TetMesh& mesh) {
+  return std::all_of(mesh.points.begin(), mesh.points.end(),
+                     [](const Eigen::Vector3d& p) { return p.allFinite(); });
+}
+
 QualityReport report_of_mesh(const TetMesh& mesh, const SizingField* sizing, int bins) {
   QualityReport report;
-  const TetMeasures measures = measure_tets(mesh, nullptr);
-  report.metrics = tet_metrics(mesh, measures, bins);
+  if (!has_places(mesh)) {
+    report.checklist = check_mesh_alone(mesh, std::numeric_limits<double>::quiet_NaN());
+    return report;
+  }
+  report.metrics = tet_metrics(mesh, bins);
   for (MetricSummary& m : edge_metrics(mesh, sizing, bins)) report.metrics.push_back(std::move(m));
   report.checklist = check_mesh_alone(mesh, report.metrics.front().min);
   return report;
@@ -117,25 +173,7 @@ QualityReport report_of_mesh(const TetMesh& mesh, const SizingField* sizing, int
 
 TetMeasures measure_tets(const TetMesh& mesh, const SizingField* sizing) {
   TetMeasures out;
-  for (std::vector<float>* values : {&out.min_dihedral_deg, &out.max_dihedral_deg, &out.radius_ratio, &out.mean_ratio,
-                                     &out.aspect_ratio, &out.edge_mm})
-    values->reserve(mesh.tets.size());
-  for (const Tet& t : mesh.tets) {
-    const TetCorners corners = corners_of(mesh, t);
-    const TetShape shape = measure_tet(corners);
-    const auto [low, high] = std::minmax_element(shape.dihedral_deg.begin(), shape.dihedral_deg.end());
-    const double edge = mean_of(shape.edge_mm);
-    out.min_dihedral_deg.push_back(static_cast<float>(*low));
-    out.max_dihedral_deg.push_back(static_cast<float>(*high));
-    out.radius_ratio.push_back(static_cast<float>(shape.radius_ratio));
-    out.mean_ratio.push_back(static_cast<float>(shape.mean_ratio));
-    out.aspect_ratio.push_back(static_cast<float>(shape.aspect_ratio));
-    out.edge_mm.push_back(static_cast<float>(edge));
-    if (sizing) {
-      const Eigen::Vector3d centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
-      out.size_log2.push_back(static_cast<float>(std::log2(edge / sizing->at(centre))));
-    }
-  }
+  measure_tets_into(mesh, sizing, out, nullptr);
   return out;
 }
 
@@ -152,16 +190,18 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
   const int bins = params.histogram_bins;
   QualityReport report = report_of_mesh(mesh, &reference.sizing, bins);
+  if (!has_places(mesh)) return report;
   ctx.progress("quality", 0.3);
   if (ctx.cancelled()) return cancelled_error("quality");
 
-  const TriangleValues before = measure_triangles(reference.label_surface), after = measure_triangles(reference.adapted);
+  const TriangleValues before = measure_triangles(reference.label_surface),
+                       after = measure_triangles(reference.adapted);
   report.metrics.push_back(
       summarise({"triangle_aspect_before", "1", "triangles", 1, 6, Worst::kHighest}, before.aspect, bins));
   report.metrics.push_back(
       summarise({"triangle_aspect_after", "1", "triangles", 1, 6, Worst::kHighest}, after.aspect, bins));
-  report.metrics.push_back(
-      summarise({"triangle_min_angle_deg", "deg", "triangles", 0, 60, Worst::kLowest}, after.min_angle, bins));
+  report.metrics.push_back(summarise({"triangle_min_angle_deg", "deg", "triangles", 0, 60, Worst::kLowest},
+                                     after.min_angle, bins));
 
   report.labels = measure_labels(mesh, reference.volume, reference.sizing);
   for (ChecklistItem& item : check_against_labels(mesh, reference.volume, report.labels))

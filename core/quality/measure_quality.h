@@ -37,9 +37,10 @@ struct TetMeasures {
 TetMeasures measure_tets(const TetMesh& mesh, const SizingField* sizing);
 
 /// All measures of the element-quality section: dihedral angles, radius ratio, mean ratio, aspect ratio, edge
-/// length against the sizing field (log2), triangle aspect ratio of `label_surface` and of `adapted`, distances
-/// both ways, volume and Dice per label, and the checklist.
-/// Errors: kUsage (parameters), kBadInput (indices out of range, no tetrahedra), kCancelled.
+/// length against the sizing field (log2), triangle aspect ratio of `label_surface` and of `adapted`,
+/// distances both ways, volume and Dice per label, and the checklist. Errors: kUsage (parameters), kBadInput
+/// (indices out of range, no tetrahedra), kCancelled. A mesh with coordinates that are not finite gets the
+/// checklist alone.
 Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReference& reference,
                                       const QualityParams& params, RunContext& ctx);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 
 namespace voxtet {
 namespace {
@@ -27,8 +27,10 @@ Histogram histogram_of(const MetricInfo& info, const std::vector<float>& values,
 std::vector<std::uint32_t> worst_of(const MetricInfo& info, const std::vector<float>& values) {
   if (info.worst == MetricInfo::Worst::kNone) return {};
   const float sign = info.worst == MetricInfo::Worst::kLowest ? 1.F : -1.F;
-  std::vector<std::uint32_t> ids(values.size());
-  std::iota(ids.begin(), ids.end(), 0U);
+  std::vector<std::uint32_t> ids;
+  ids.reserve(values.size());
+  for (std::uint32_t i = 0; i < values.size(); ++i)
+    if (!std::isnan(values[i])) ids.push_back(i);
   const std::size_t count = std::min(kWorstCount, ids.size());
   std::partial_sort(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(count), ids.end(),
                     [&](std::uint32_t a, std::uint32_t b) {
@@ -52,13 +54,17 @@ MetricSummary summarise(const MetricInfo& info, const std::vector<float>& values
   out.name = info.name;
   out.unit = info.unit;
   out.elements = info.elements;
-  out.count = values.size();
-  out.histogram = histogram_of(info, values, bins);
-  if (values.empty()) return out;
+  std::vector<float> sorted;
+  sorted.reserve(values.size());
+  std::copy_if(values.begin(), values.end(), std::back_inserter(sorted),
+               [](float v) { return !std::isnan(v); });
+  out.count = sorted.size();
+  out.histogram = histogram_of(info, sorted, bins);
+  if (sorted.empty()) return out;
   out.worst = worst_of(info, values);
   double sum = 0, squares = 0;
   std::size_t finite = 0;
-  for (const float value : values) {
+  for (const float value : sorted) {
     if (!std::isfinite(value)) continue;
     sum += value;
     squares += static_cast<double>(value) * value;
@@ -69,10 +75,15 @@ MetricSummary summarise(const MetricInfo& info, const std::vector<float>& values
     out.sd = std::sqrt(std::max(0.0, squares / static_cast<double>(finite) - out.mean * out.mean));
   }
   // Ascending quantiles, each search limited to what lies above the one before.
-  std::vector<float> sorted = values;
   auto from = sorted.begin();
-  for (const auto& [q, target] : {std::pair{0.0, &out.min}, {0.001, &out.p01}, {0.01, &out.p1}, {0.05, &out.p5},
-                                  {0.5, &out.median}, {0.95, &out.p95}, {0.99, &out.p99}, {1.0, &out.max}}) {
+  for (const auto& [q, target] : {std::pair{0.0, &out.min},
+                                  {0.001, &out.p01},
+                                  {0.01, &out.p1},
+                                  {0.05, &out.p5},
+                                  {0.5, &out.median},
+                                  {0.95, &out.p95},
+                                  {0.99, &out.p99},
+                                  {1.0, &out.max}}) {
     const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(rank_of(q, sorted.size()));
     std::nth_element(from, at, sorted.end());
     *target = *at;

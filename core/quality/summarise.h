@@ -15,11 +15,13 @@ struct MetricInfo {
   enum class Worst { kNone, kLowest, kHighest } worst = Worst::kNone;
 };
 
-/// Extremes, quantiles (nearest rank), mean, standard deviation, histogram, and up to 100 worst ids (ties by id).
-/// Infinite values count in quantiles and histogram but not in mean and deviation. No values: all zero.
+/// Extremes, quantiles (nearest rank), mean, standard deviation, histogram, and up to 100 worst ids (ties by
+/// id). Infinite values count in quantiles and histogram but not in mean and deviation; what is not a number
+/// counts nowhere. No values: all zero.
 MetricSummary summarise(const MetricInfo& info, const std::vector<float>& values, int bins);
 
-/// The value below which a fraction q of the values lies (nearest rank). Reorders the values; 0 when there are none.
+/// The value below which a fraction q of the values lies (nearest rank). Reorders the values; 0 when there
+/// are none.
 double quantile(std::vector<float>& values, double q);
 
 }  // namespace voxtet

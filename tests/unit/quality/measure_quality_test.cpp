@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <functional>
-#include <Eigen/Geometry>
 #include <limits>
 #include <stdexcept>
 
@@ -36,7 +36,8 @@ QualityReport measured(const TetMesh& mesh) {
   return *report;
 }
 
-/// Voxels of size 10/n on the cells of kuhn_cube's undisplaced lattice, labelled alike, one background voxel around.
+/// Voxels of size 10/n on the cells of kuhn_cube's undisplaced lattice, labelled alike, one background voxel
+/// around.
 LabelVolume cube_voxels(int n) {
   LabelVolume volume;
   volume.size = {n + 2, n + 2, n + 2};
@@ -69,7 +70,9 @@ SizingField constant_size(double h_mm) {
   return field;
 }
 
-SurfaceMesh faces_of(const TetMesh& mesh) { return {mesh.points, mesh.faces, mesh.face_sides}; }
+SurfaceMesh faces_of(const TetMesh& mesh) {
+  return {mesh.points, mesh.faces, mesh.face_sides};
+}
 
 TEST(MeasureQuality, IsExactOnAMeshMadeOfVoxels) {
   const TetMesh mesh = straight_cube(6);
@@ -113,7 +116,12 @@ TEST(MeasureQuality, NoticesALabelThatIsMissingSplitOrOfTheWrongSize) {
     return failed(*measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx));
   };
   EXPECT_EQ(failures([](LabelVolume& v) { v.labels[v.offset(7, 7, 7)] = 9; }),
-            (std::vector<std::string>{"labels_present", "components_per_label", "label_volumes"}));
+            (std::vector<std::string>{"labels_present"}));
+  EXPECT_EQ(failures([](LabelVolume& v) {
+              for (Label& label : v.labels) label = label == 7 ? Label{1} : label;
+            }),
+            (std::vector<std::string>{"labels_present"}))
+      << "label 7 of the mesh is in no voxel";
   EXPECT_EQ(failures([](LabelVolume& v) { v.labels[v.offset(7, 7, 7)] = 300; }),
             (std::vector<std::string>{"components_per_label"}));
   EXPECT_EQ(failures([](LabelVolume& v) {
@@ -140,13 +148,138 @@ TEST(MeasureMesh, FailsExactlyTheItemThatIsBroken) {
   });
   EXPECT_NE(std::find(twice.begin(), twice.end(), "no_duplicate_tets"), twice.end());
   EXPECT_NE(std::find(twice.begin(), twice.end(), "faces_on_at_most_two_tets"), twice.end());
-  const Names infinite = failures([](TetMesh& m) { m.points[21].x() = std::numeric_limits<double>::quiet_NaN(); });
+  const Names infinite =
+      failures([](TetMesh& m) { m.points[21].x() = std::numeric_limits<double>::quiet_NaN(); });
   EXPECT_EQ(infinite.front(), "finite_coordinates");
   const Names doubled = failures([](TetMesh& m) {
     m.points.push_back(m.points[m.tets[0][0]]);
     m.tets[0][0] = static_cast<std::uint32_t>(m.points.size() - 1);
   });
   EXPECT_NE(std::find(doubled.begin(), doubled.end(), "no_duplicate_points"), doubled.end());
+}
+
+/// A plate of 24 x 24 x t cells of 1 mm, and its voxels of which one in a hundred is missing.
+ChecklistItem volume_item_of_plate(int t) {
+  const TetMesh cube = straight_cube(24);
+  TetMesh plate;
+  for (const Vector3d& p : cube.points)
+    plate.points.push_back((p - Vector3d(-10, 15, -2)) * 2.4 + Vector3d::Constant(0.5));
+  for (const Tet& tet : cube.tets) {
+    double top = 0;
+    for (const std::uint32_t v : tet) top = std::max(top, plate.points[v].z());
+    if (top > t + 0.6) continue;
+    plate.tets.push_back(tet);
+    plate.labels.push_back(1);
+  }
+  LabelVolume volume;
+  volume.size = {26, 26, t + 2};
+  volume.labels.assign(volume.voxel_count(), 0);
+  int missing = 24 * 24 * t / 100;
+  for (int k = 1; k <= t; ++k)
+    for (int j = 1; j <= 24; ++j)
+      for (int i = 1; i <= 24; ++i) volume.labels[volume.offset(i, j, k)] = missing-- > 0 ? 0 : 1;
+  const SurfaceMesh surface = faces_of(test::kuhn_cube(1));
+  const SizingField sizing = constant_size(1);
+  RunContext ctx;
+  const Result<QualityReport> report = measure_quality(plate, {volume, surface, surface, sizing}, {}, ctx);
+  EXPECT_NEAR(report->labels[0].volume_error_percent, 1, 0.1);
+  for (const ChecklistItem& item : report->checklist)
+    if (item.name == "label_volumes") return item;
+  throw std::runtime_error("no label_volumes");
+}
+
+TEST(MeasureQuality, HoldsThinLabelsToTwoPercentAndThickOnesToHalfOfOne) {
+  EXPECT_TRUE(volume_item_of_plate(2).passed);
+  EXPECT_FALSE(volume_item_of_plate(8).passed);
+}
+
+TEST(MeasureQuality, SeesFacesThatAreNotThoseOfTheTets) {
+  const TetMesh good = straight_cube(4);
+  const LabelVolume volume = cube_voxels(4);
+  const SizingField sizing = constant_size(1);
+  const SurfaceMesh surface = faces_of(good);
+  RunContext ctx;
+  const auto found = [&](const std::function<void(TetMesh&)>& break_it) {
+    TetMesh mesh = good;
+    break_it(mesh);
+    const Result<QualityReport> report = measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx);
+    EXPECT_EQ(failed(*report), (std::vector<std::string>{"faces_match_tets"}));
+    EXPECT_FALSE(report->passed());
+    for (const ChecklistItem& item : report->checklist)
+      if (item.name == "faces_match_tets") return item.found.substr(0, item.found.find(' '));
+    return std::string();
+  };
+  EXPECT_EQ(found([](TetMesh& m) {
+              m.faces.pop_back();
+              m.face_sides.pop_back();
+            }),
+            "1");
+  EXPECT_EQ(found([](TetMesh& m) {
+              m.faces.push_back(m.faces[3]);
+              m.face_sides.push_back(m.face_sides[3]);
+            }),
+            "1");
+  // The diagonal path of a cell: between two tetrahedra of one label.
+  EXPECT_EQ(found([](TetMesh& m) { m.faces[7] = {m.tets[200][0], m.tets[200][1], m.tets[200][3]}; }), "2");
+  EXPECT_EQ(found([](TetMesh& m) { std::swap(m.faces[5][0], m.faces[5][1]); }), "1");
+  EXPECT_EQ(found([](TetMesh& m) { m.face_sides[5][0] = 9; }), "1");
+}
+
+TEST(MeasureQuality, GivesTheChecklistAloneWhenAPointHasNoPlace) {
+  TetMesh mesh = straight_cube(4);
+  const LabelVolume volume = cube_voxels(4);
+  const SizingField sizing = constant_size(1);
+  const SurfaceMesh surface = faces_of(mesh);
+  for (std::size_t i = 10; i < 100; i += 7) mesh.points[i].y() = std::numeric_limits<double>::quiet_NaN();
+  RunContext ctx;
+  const Result<QualityReport> report = measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx);
+  ASSERT_TRUE(report.ok());
+  EXPECT_EQ(failed(*report), (std::vector<std::string>{"finite_coordinates", "min_dihedral"}));
+  EXPECT_EQ(report->checklist.front().found, "13 of 125");
+  EXPECT_TRUE(report->metrics.empty());
+  EXPECT_EQ(measure_tets(mesh, &sizing).size_log2.size(), mesh.tets.size());
+}
+
+TEST(MeasureQuality, StopsWhenCancelledAtEveryPoll) {
+  const TetMesh mesh = straight_cube(4);
+  const LabelVolume volume = cube_voxels(4);
+  const SizingField sizing = constant_size(1);
+  const SurfaceMesh surface = faces_of(mesh);
+  for (int after = 0; after < 3; ++after) {
+    RunContext ctx;
+    int asked = 0;
+    ctx.on_cancelled = [&] { return asked++ >= after; };
+    const Result<QualityReport> report = measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx);
+    ASSERT_FALSE(report.ok());
+    EXPECT_EQ(report.error().code, ErrorCode::kCancelled);
+  }
+}
+
+TEST(MeasureMesh, CountsFlatTetsAndNearlyEqualPoints) {
+  TetMesh flat;
+  flat.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, 0.3, -1e-13}};
+  flat.tets = {{0, 1, 2, 3}, {0, 2, 1, 4}};
+  flat.labels = {1, 1};
+  EXPECT_EQ(failed(measured(flat)), (std::vector<std::string>{"no_inverted_tets", "min_dihedral"}));
+  TetMesh near;
+  near.points = {
+      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1e-10, 0}, {0, 1 + 1e-10, 1e-10}};
+  near.tets = {{0, 1, 2, 3}, {0, 6, 5, 4}};
+  near.labels = {1, 1};
+  EXPECT_EQ(failed(measured(near)), (std::vector<std::string>{"no_duplicate_points"}));
+  near.points[5].x() += 1e-6;
+  near.points[6].x() += 1e-6;
+  EXPECT_TRUE(failed(measured(near)).empty());
+}
+
+TEST(MeasureMesh, SeesThreeTetsOnOneFace) {
+  TetMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0.5, 0.5, 1}};
+  mesh.tets = {{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 2, 5}};
+  mesh.labels = {1, 1, 1};
+  EXPECT_EQ(failed(measured(mesh)),
+            (std::vector<std::string>{"faces_on_at_most_two_tets", "label_boundaries_closed",
+                                      "label_boundaries_manifold"}));
 }
 
 TEST(MeasureMesh, SeesBranchingAndFlatness) {
@@ -205,6 +338,31 @@ TEST(MeasureDistance, KnowsTheGapBetweenConcentricSpheres) {
   EXPECT_GT(d.samples, 4 * M_PI * 100 / (0.2 * 0.2));
 }
 
+TEST(MeasureDistance, KeepsTheNumberOfSamplesInBounds) {
+  const SurfaceMesh inner = sphere(10, 20), outer = sphere(11, 20);
+  const DistanceSummary fine =
+      measure_distance({inner.points, inner.triangles}, {outer.points, outer.triangles}, 1e-3);
+  EXPECT_LE(fine.samples, 400'000U);
+  EXPECT_GT(fine.samples, 300'000U);
+  const DistanceSummary coarse =
+      measure_distance({inner.points, inner.triangles}, {outer.points, outer.triangles}, 99);
+  EXPECT_EQ(coarse.samples, inner.triangles.size());
+  EXPECT_GT(coarse.uncertainty_mm, 5 * fine.uncertainty_mm);
+  EXPECT_LE(fine.max_mm, coarse.max_mm + coarse.uncertainty_mm) << "what lies between samples is covered";
+}
+
+TEST(Rasterise, GivesFlatTetsNoCentre) {
+  TetMesh mesh;
+  mesh.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}};
+  mesh.tets = {{0, 1, 2, 3}};
+  mesh.labels = {1};
+  LabelVolume grid;
+  grid.size = {5, 5, 5};
+  grid.labels.assign(grid.voxel_count(), 0);
+  const std::vector<Label> labels = rasterise(mesh, grid);
+  EXPECT_EQ(std::count(labels.begin(), labels.end(), Label{1}), 0);
+}
+
 TEST(Rasterise, CountsEveryVoxelCentreOnceOnObliqueGrids) {
   const TetMesh mesh = test::kuhn_cube(4);
   LabelVolume grid;
@@ -218,7 +376,8 @@ TEST(Rasterise, CountsEveryVoxelCentreOnceOnObliqueGrids) {
   for (const Label label : labels) covered += label != 0 ? grid.voxel_mm3() : 0;
   for (const Tet& t : mesh.tets)
     volume += (mesh.points[t[1]] - mesh.points[t[0]])
-                  .dot((mesh.points[t[2]] - mesh.points[t[0]]).cross(mesh.points[t[3]] - mesh.points[t[0]])) / 6;
+                  .dot((mesh.points[t[2]] - mesh.points[t[0]]).cross(mesh.points[t[3]] - mesh.points[t[0]])) /
+              6;
   EXPECT_NEAR(covered / volume, 1, 0.01);
 }
 

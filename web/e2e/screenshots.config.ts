@@ -1,0 +1,10 @@
+import { defineConfig } from '@playwright/test';
+import base from '../playwright.config';
+
+export default defineConfig({
+  ...base,
+  testDir: '.',
+  outputDir: '../test-results',
+  testMatch: 'screenshots.ts',
+  webServer: { ...base.webServer, cwd: '..' } as never,
+});

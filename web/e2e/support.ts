@@ -1,0 +1,87 @@
+import { existsSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { basename, dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { test as base, expect, type Page } from '@playwright/test';
+
+const here = dirname(fileURLToPath(import.meta.url));
+
+/** A heart coarse enough to be meshed in seconds while the view is drawn by software. */
+export const smallHeart = {
+  source: { phantom: { kind: 'biventricle', scar: true, spacing_mm: [3, 3, 3] } },
+  labels: [1, 2, 5, 6],
+  sizing: { edge_mm: 5, labels: [{ label: 5, edge_mm: 3 }] },
+};
+
+/** The same heart, fine enough that a run can be cancelled in its middle. */
+export const fineHeart = {
+  source: { phantom: { kind: 'biventricle', spacing_mm: [2, 2, 2] } },
+  labels: [1, 2],
+  sizing: { edge_mm: 1.2 },
+};
+
+export const link = (recipe: object): string => `./#j=${encodeURIComponent(JSON.stringify(recipe))}`;
+
+/** A real volume, or null where the data folder is absent. */
+export function realVolume(name: string): string | null {
+  const folder = process.env.VOXTET_DATA ?? resolve(here, '../../../shared/data');
+  const path = join(folder, name);
+  return existsSync(path) ? path : null;
+}
+
+/** Every test also promises a clean console and no request off the page's own origin. */
+export const test = base.extend<{ complaints: string[] }>({
+  complaints: [
+    async ({ page, baseURL }, use) => {
+      const complaints: string[] = [];
+      page.on('console', (message) => {
+        if (['error', 'warning'].includes(message.type()))
+          complaints.push(`${message.type()}: ${message.text()}`);
+      });
+      page.on('pageerror', (error) => complaints.push(`uncaught: ${error.message}`));
+      page.on('request', (request) => {
+        const url = request.url();
+        if (!url.startsWith(baseURL ?? '') && !/^(data|blob):/.test(url))
+          complaints.push(`off-origin: ${url}`);
+      });
+      await use(complaints);
+      expect(complaints).toEqual([]);
+    },
+    { auto: true },
+  ],
+});
+
+export const idle = (page: Page) => expect(page.locator('.app')).toHaveAttribute('data-activity', 'idle');
+export const stage = (page: Page, name: string) => page.locator(`.chip[data-stage=${name}]`);
+
+export async function openAndRun(page: Page, recipe: object): Promise<void> {
+  await page.goto(link(recipe));
+  await page.getByRole('button', { name: 'Open and run' }).click();
+  await meshed(page);
+}
+
+export async function meshed(page: Page): Promise<void> {
+  await expect(stage(page, 'quality')).toHaveAttribute('data-state', 'done');
+  await idle(page);
+  await expect(page.getByTestId('tets')).toBeVisible();
+}
+
+/** Drops a file on the page, as from the desktop. */
+export async function dropFile(page: Page, path: string): Promise<void> {
+  const bytes = await readFile(path);
+  const transfer = await page.evaluateHandle(
+    async ([name, content]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))], name));
+      return data;
+    },
+    [basename(path), bytes.toString('base64')] as const,
+  );
+  await page.locator('main').dispatchEvent('drop', { dataTransfer: transfer });
+}
+
+export async function tetCount(page: Page): Promise<number> {
+  return Number((await page.getByTestId('tets').innerText()).replaceAll(',', ''));
+}
+
+export { expect };

@@ -1,0 +1,111 @@
+#!/usr/bin/env node
+/** Serves the built app from this machine to this machine: node serve.mjs [--port 8123] [--dir dist]. */
+import { createReadStream } from 'node:fs';
+import { stat } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { dirname, extname, join, resolve, sep } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+
+const types = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.mjs': 'text/javascript; charset=utf-8',
+  '.css': 'text/css; charset=utf-8',
+  '.json': 'application/json; charset=utf-8',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.wasm': 'application/wasm',
+  '.woff2': 'font/woff2',
+};
+
+const headers = {
+  'Cross-Origin-Opener-Policy': 'same-origin',
+  'Cross-Origin-Embedder-Policy': 'require-corp',
+  'Cross-Origin-Resource-Policy': 'same-origin',
+  'X-Content-Type-Options': 'nosniff',
+  'Referrer-Policy': 'no-referrer',
+  'Content-Security-Policy':
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data: blob:; " +
+    "font-src 'self'; connect-src 'self'; worker-src 'self'; object-src 'none'; base-uri 'none'; " +
+    "form-action 'none'; frame-ancestors 'none'",
+};
+
+/** The file that a request means, or null: nothing outside `root` is ever named. */
+export function fileOf(root, requestUrl) {
+  let path;
+  try {
+    path = decodeURIComponent(new URL(requestUrl, 'http://localhost').pathname);
+  } catch {
+    return null;
+  }
+  if (path.includes('\0') || path.includes('\\')) return null;
+  const file = resolve(root, `.${path.endsWith('/') ? `${path}index.html` : path}`);
+  return file.startsWith(resolve(root) + sep) ? file : null;
+}
+
+export function serve({ root, port }) {
+  const server = createServer(async (request, response) => {
+    const answer = (status, text) =>
+      response.writeHead(status, { ...headers, 'Content-Type': 'text/plain' }).end(text);
+    if (request.method !== 'GET' && request.method !== 'HEAD') return answer(405, 'Only GET.');
+    const file = fileOf(root, request.url ?? '/');
+    const found = file && (await stat(file).catch(() => null));
+    if (!found?.isFile()) return answer(404, 'Not here.');
+    response.writeHead(200, {
+      ...headers,
+      'Content-Type': types[extname(file)] ?? 'application/octet-stream',
+      'Content-Length': found.size,
+      // Hashed names never change; everything else is asked for again.
+      'Cache-Control': file.includes(`${sep}assets${sep}`)
+        ? 'public, max-age=31536000, immutable'
+        : 'no-cache',
+    });
+    if (request.method === 'HEAD') return response.end();
+    createReadStream(file)
+      .on('error', () => response.destroy())
+      .pipe(response);
+  });
+  return new Promise((listening, failed) => {
+    server.once('error', failed);
+    server.listen(port, '127.0.0.1', () => listening(server));
+  });
+}
+
+export const sampleCase = {
+  labels: [1, 2, 5, 6],
+  sizing: {
+    edge_mm: 4,
+    labels: [
+      { edge_mm: 2, label: 5 },
+      { edge_mm: 2.5, label: 6 },
+    ],
+  },
+  source: { phantom: { kind: 'biventricle', scar: true, spacing_mm: [2, 2, 2] } },
+};
+
+function option(name, fallback) {
+  const at = process.argv.indexOf(`--${name}`);
+  return at > 0 ? process.argv[at + 1] : fallback;
+}
+
+if (process.argv[1] && import.meta.url === pathToFileURL(resolve(process.argv[1])).href) {
+  const root = resolve(here, option('dir', 'dist'));
+  const port = Number(option('port', '8123'));
+  if (!(await stat(join(root, 'index.html')).catch(() => null))) {
+    console.error(`No app in ${root}: build it first.`);
+    process.exit(1);
+  }
+  try {
+    await serve({ root, port });
+    const base = `http://127.0.0.1:${port}/`;
+    console.log(`voxtet: ${base}`);
+    console.log(`sample heart: ${base}#j=${encodeURIComponent(JSON.stringify(sampleCase))}`);
+  } catch (error) {
+    console.error(
+      error.code === 'EADDRINUSE' ? `Port ${port} is taken; choose another with --port.` : String(error),
+    );
+    process.exit(1);
+  }
+}

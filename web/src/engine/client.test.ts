@@ -1,0 +1,194 @@
+import { MessageChannel } from 'node:worker_threads';
+import * as Comlink from 'comlink';
+import { afterEach, describe, expect, it } from 'vitest';
+import { EngineClient, type EngineSetup, type WorkerLike } from './client';
+import {
+  EngineError,
+  stageNames,
+  type EngineApi,
+  type Recipe,
+  type StageName,
+  type VolumeFile,
+} from './contract';
+import { createSessionApi, transferables } from './session_api';
+import createVoxtet from './testing/mock_engine.mjs';
+
+const emptyModule = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]);
+const phantom = { source: { phantom: {} } } as unknown as Recipe;
+
+/** Message ports as workers; each serves the mock engine, and can hang, or die without a word. */
+class Workers {
+  spawned = 0;
+  loads = 0;
+  hang: StageName | null = null;
+  released: (() => void)[] = [];
+  private ports: { close(): void }[] = [];
+
+  setup(): EngineSetup {
+    return {
+      scriptUrl: 'mock',
+      compile: () => WebAssembly.compile(emptyModule),
+      spawn: () => this.spawn(),
+      whenReleased: (_, callback) => void this.released.push(callback),
+    };
+  }
+
+  private spawn(): WorkerLike {
+    this.spawned++;
+    const { port1, port2 } = new MessageChannel();
+    this.ports.push(port1, port2);
+    let session: ReturnType<typeof createSessionApi>;
+    const api: EngineApi = {
+      start: async () => {
+        const engine = await createVoxtet();
+        const instance = new engine.Session();
+        session = createSessionApi(instance);
+        return { schema: JSON.parse(instance.schema()), defaults: JSON.parse(instance.defaults()) };
+      },
+      loadVolume: (file) => {
+        this.loads++;
+        return session.loadVolume(file);
+      },
+      setRecipe: (json) => session.setRecipe(json),
+      run: (stage, onProgress) =>
+        stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress),
+      arrays: (stage) => {
+        const reply = session.arrays(stage);
+        return Comlink.transfer(reply, transferables(reply));
+      },
+      exportMesh: (format, space) => session.exportMesh(format, space),
+      report: () => session.report(),
+    };
+    Comlink.expose(api, port2 as unknown as Comlink.Endpoint);
+    port2.start();
+    return Object.assign(port1, { terminate: () => port1.close() }) as unknown as WorkerLike;
+  }
+
+  end(): void {
+    for (const port of this.ports) port.close();
+  }
+}
+
+const file = (name: string, size = 32): VolumeFile => ({
+  name,
+  bytes: new Uint8Array(size).fill(7),
+  siblings: {},
+});
+let workers = new Workers();
+
+function start(): EngineClient {
+  workers = new Workers();
+  return new EngineClient(workers.setup());
+}
+
+afterEach(() => workers.end());
+
+async function failureOf(promise: Promise<unknown>): Promise<EngineError> {
+  const error = await promise.then(
+    () => null,
+    (reason: unknown) => reason,
+  );
+  expect(error).toBeInstanceOf(EngineError);
+  return error as EngineError;
+}
+
+describe('EngineClient', () => {
+  it('tells schema and defaults once it is up', async () => {
+    const info = await start().ready;
+    expect(info.schema.version).toBe('mock');
+    expect(info.defaults.sizing.edge_mm).toBe(2);
+  });
+
+  it('hands over every stage in order, with its arrays, and ends in a report', async () => {
+    const client = start();
+    const seen: string[] = [];
+    const progressed = new Set<string>();
+    let neighbours = 0;
+    const result = await client.run(JSON.stringify(phantom), phantom.source, 'quality', {
+      onProgress: (stage) => progressed.add(stage),
+      onStage(summary, arrays) {
+        seen.push(summary.name);
+        if (summary.name === 'tetra' && 'neighbours' in arrays) neighbours = arrays.neighbours?.length ?? 0;
+      },
+    });
+    expect(seen).toEqual([...stageNames]);
+    expect([...progressed]).toEqual([...stageNames]);
+    expect(neighbours).toBe(4 * (result.report?.tets ?? 0));
+  });
+
+  it('rejects a damaged file with its name and reason, and keeps the earlier volume', async () => {
+    const client = start();
+    const good = await client.openVolume(file('good.nii'));
+    const error = await failureOf(client.openVolume(file('cut.nii', 3)));
+    expect(error.code).toBe('bad_input');
+    expect(error.message).toContain('cut.nii');
+    const source = { file: { name: 'good.nii', sha256: good.digest } };
+    await client.run(JSON.stringify({ source }), source, 'smooth');
+    expect(workers.loads).toBe(3);
+  });
+
+  it('answers cancel although the worker hangs, and runs again with the volume it had', async () => {
+    const client = start();
+    const { digest } = await client.openVolume(file('heart.nii'));
+    const source = { file: { name: 'heart.nii', sha256: digest } };
+    workers.hang = 'remesh';
+    const run = failureOf(client.run(JSON.stringify({ source }), source, 'quality'));
+    await new Promise((later) => setTimeout(later, 60));
+    expect(client.busy).toBe(true);
+    const milliseconds = await client.cancel();
+    expect((await run).code).toBe('cancelled');
+    expect(milliseconds).toBeLessThan(1000);
+    workers.hang = null;
+    const again = await client.run(JSON.stringify({ source }), source, 'quality');
+    expect(again.report?.source.digest).toBe(digest);
+    expect(workers.loads).toBe(2);
+  });
+
+  it.each([
+    ['memory.nii', 'out_of_memory'],
+    ['abort.nii', 'internal'],
+  ])('turns a fatal failure (%s) into a typed error and starts a new worker', async (name, code) => {
+    const client = start();
+    const error = await failureOf(client.openVolume(file(name)));
+    expect(error.code).toBe(code);
+    expect(workers.spawned).toBe(2);
+    expect((await client.openVolume(file('good.nii'))).name).toBe('good.nii');
+  });
+
+  it('notices a worker that died without a word', async () => {
+    const client = start();
+    await client.ready;
+    await Promise.resolve();
+    workers.hang = 'surface';
+    const run = failureOf(client.run(JSON.stringify(phantom), phantom.source, 'quality'));
+    await new Promise((later) => setTimeout(later, 40));
+    workers.released[0]();
+    expect((await run).code).toBe('internal');
+    workers.hang = null;
+    await client.run(JSON.stringify(phantom), phantom.source, 'smooth');
+  });
+
+  it('refuses a case whose file has not been dropped', async () => {
+    const source = { file: { name: 'absent.nii', sha256: 'a'.repeat(64) } };
+    const error = await failureOf(start().run(JSON.stringify({ source }), source, 'smooth'));
+    expect(error.message).toContain('absent.nii');
+  });
+
+  it('checks a case without holding its digest against the volume that is open', async () => {
+    const client = start();
+    await client.openVolume(file('other.nii'));
+    const sha256 = 'b'.repeat(64);
+    const reply = await client.checkRecipe({ source: { file: { name: 'heart.nii', sha256 } } });
+    expect(reply.recipe.source.file?.sha256).toBe(sha256);
+    expect(
+      (await failureOf(client.checkRecipe({ source: { file: { name: 'x', sha256: 'zz' } } }))).code,
+    ).toBe('usage');
+    expect((await failureOf(client.checkRecipe({ nonsense: 1 }))).message).toContain('nonsense');
+  });
+
+  it('exports the files of a format', async () => {
+    const files = await start().exportMesh(JSON.stringify(phantom), phantom.source, 'carp', 'lps');
+    expect(files.map((one) => one.suffix)).toEqual(['.pts', '.elem', '.lon']);
+    expect(new TextDecoder().decode(files[0].bytes)).toBe('carp lps');
+  });
+});

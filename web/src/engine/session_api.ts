@@ -1,0 +1,127 @@
+import { tetNeighbours } from '../geometry/tet_neighbours';
+import type { EngineApi, ErrorInfo, ExportedFile, Reply, StageName } from './contract';
+import { tetMeasures } from './contract';
+
+type View = Float32Array | Uint32Array | Uint16Array;
+
+/** The embind class, as its users see it. */
+export interface Session {
+  schema(): string;
+  defaults(): string;
+  loadVolume(name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
+  setRecipe(json: string): string;
+  run(stage: string, onProgress: (stage: string, fraction: number) => void): string;
+  view(stage: string, array: string): View | undefined;
+  exportMesh(format: string, space: string): string;
+  exportBytes(index: number): Uint8Array;
+  report(): string;
+  delete(): void;
+}
+
+export interface EngineModule {
+  Session: new () => Session;
+}
+
+const arrayNames: Record<StageName, readonly string[]> = {
+  volume: ['labels'],
+  surface: ['points', 'triangles', 'sides'],
+  smooth: ['points', 'triangles', 'sides'],
+  sizing: ['h_mm'],
+  remesh: ['points', 'triangles', 'sides'],
+  tetra: ['points', 'tets', 'labels'],
+  quality: tetMeasures,
+};
+
+/** Messages closer together than this tell a person nothing. */
+const progressIntervalMs = 40;
+
+function describeFailure(failure: unknown, stage: string): ErrorInfo {
+  const text = failure instanceof Error ? `${failure.name}: ${failure.message}` : String(failure);
+  const memory =
+    /out of memory|\bOOM\b|bad_alloc|enlarge memory|allocation failed|Invalid typed array length/i;
+  const exhausted = memory.test(text);
+  return {
+    code: exhausted ? 'out_of_memory' : 'internal',
+    stage,
+    message: exhausted
+      ? 'The engine ran out of memory. Larger edge lengths or fewer labels need less.'
+      : `The engine stopped unexpectedly (${text}).`,
+    fatal: true,
+  };
+}
+
+function guarded<T>(stage: string, body: () => Reply<T>): Reply<T> {
+  try {
+    return body();
+  } catch (failure) {
+    return { ok: false, error: describeFailure(failure, stage) };
+  }
+}
+
+function copied(view: View): View {
+  return view.slice() as View;
+}
+
+/** One session as plain values: texts parsed, views copied once, failures turned into typed errors. */
+export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
+  return {
+    loadVolume: (file) =>
+      guarded('volume', () => JSON.parse(session.loadVolume(file.name, file.bytes, file.siblings))),
+
+    setRecipe: (json) => guarded('recipe', () => JSON.parse(session.setRecipe(json))),
+
+    run: (stage, onProgress) => {
+      let current: string = stage;
+      let lastTime = 0;
+      return guarded(stage, () => {
+        const reply = session.run(stage, (name, fraction) => {
+          const now = performance.now();
+          if (name === current && fraction < 1 && now - lastTime < progressIntervalMs) return;
+          current = name;
+          lastTime = now;
+          onProgress(name as StageName, fraction);
+        });
+        return JSON.parse(reply);
+      });
+    },
+
+    arrays: (stage) =>
+      guarded(stage, () => {
+        const arrays: Record<string, View | Int32Array> = {};
+        for (const name of arrayNames[stage]) {
+          const view = session.view(stage, name);
+          if (view) arrays[name] = copied(view);
+        }
+        if (stage === 'tetra' && arrays.tets) {
+          arrays.neighbours = tetNeighbours(arrays.tets as Uint32Array, arrays.points.length / 3);
+        }
+        return { ok: true, value: arrays as never };
+      }),
+
+    exportMesh: (format, space) =>
+      guarded('export', () => {
+        const reply = JSON.parse(session.exportMesh(format, space)) as Reply<{
+          files: { suffix: string; bytes: number }[];
+        }>;
+        if (!reply.ok) return reply;
+        const files: ExportedFile[] = reply.value.files.map(({ suffix }, index) => ({
+          suffix,
+          bytes: new Uint8Array(session.exportBytes(index)),
+        }));
+        return { ok: true, value: files };
+      }),
+
+    report: () => guarded('quality', () => ({ ok: true, value: JSON.parse(session.report()) })),
+  };
+}
+
+/** The buffers that a reply may hand over instead of copying. */
+export function transferables(reply: Reply<unknown>): Transferable[] {
+  if (!reply.ok || typeof reply.value !== 'object' || reply.value === null) return [];
+  const buffers = new Set<ArrayBuffer>();
+  for (const entry of Object.values(reply.value) as unknown[]) {
+    const array = ArrayBuffer.isView(entry) ? entry : (entry as { bytes?: unknown } | null)?.bytes;
+    if (ArrayBuffer.isView(array)) buffers.add(array.buffer as ArrayBuffer);
+  }
+  return [...buffers];
+}

@@ -1,0 +1,325 @@
+/** A small engine of the same surface as the wasm module: a ball in a ball, cut into five tetrahedra a cube. */
+import { oppositeFace, tetNeighbours } from '../../geometry/tet_neighbours';
+
+const stages = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'tetra', 'quality'];
+const cubeTets = [
+  [0, 1, 3, 5],
+  [0, 3, 2, 6],
+  [0, 5, 4, 6],
+  [3, 5, 6, 7],
+  [0, 3, 5, 6],
+];
+const defaults = {
+  source: {},
+  labels: [],
+  merge: false,
+  surface: { method: 'auto' },
+  smooth: { iterations: 50, step: 0.4, max_move_voxels: 0.5, keep_volume: true },
+  sizing: {
+    edge_mm: 2,
+    labels: [],
+    regions: [],
+    distances: [],
+    edge_min_mm: 0.1,
+    edge_max_mm: 50,
+    gradation: 0.3,
+  },
+  remesh: { method: 'delaunay', smoothing_voxels: 0.7, facet_angle_deg: 30, max_distance_voxels: 0.25 },
+  tetra: { backend: 'tetgen', radius_edge: 1.414, min_dihedral_deg: 14, max_dihedral_deg: 145 },
+  quality: { histogram_bins: 64, sample_spacing_voxels: 0.25 },
+};
+
+const phantomDefaults = {
+  kind: 'biventricle',
+  spacing_mm: [1.5, 1.5, 1.5],
+  rotation_deg: [0, 0, 0],
+  mirrored: false,
+  radius_mm: 20,
+  inner_radius_mm: 12,
+  thickness_mm: 8,
+  scale: 1,
+  roughness_mm: 0.8,
+  blood_pools: true,
+  scar: false,
+  seed: 1,
+};
+
+function hash(text) {
+  let a = 0x811c9dc5;
+  for (const c of text) a = Math.imul(a ^ c.charCodeAt(0), 0x01000193) >>> 0;
+  return a.toString(16).padStart(8, '0').repeat(8);
+}
+
+function merged(base, change, path) {
+  const out = { ...base };
+  for (const [key, value] of Object.entries(change)) {
+    if (!(key in base) && !path.startsWith('source') && key !== 'expected')
+      throw new Error(`${path}${key}: unknown field`);
+    const inner = base[key];
+    out[key] =
+      inner && typeof inner === 'object' && !Array.isArray(inner)
+        ? merged(inner, value, `${path}${key}.`)
+        : value;
+  }
+  return out;
+}
+
+function ballMesh(cells) {
+  const n = cells + 1;
+  const points = [];
+  for (let k = 0; k < n; k++)
+    for (let j = 0; j < n; j++)
+      for (let i = 0; i < n; i++) points.push(4 * i - 2 * cells, 4 * j - 2 * cells, 4 * k - 2 * cells);
+  const tets = [];
+  const labels = [];
+  for (let k = 0; k < cells; k++)
+    for (let j = 0; j < cells; j++)
+      for (let i = 0; i < cells; i++) {
+        const odd = (i + j + k) % 2;
+        const corner = (c) => {
+          const x = odd ? 1 - (c & 1) : c & 1;
+          return i + x + n * (j + ((c >> 1) & 1) + n * (k + (c >> 2)));
+        };
+        const r = Math.hypot(i + 0.5 - cells / 2, j + 0.5 - cells / 2, k + 0.5 - cells / 2);
+        if (r > cells / 2) continue;
+        for (const [a, b, c, d] of cubeTets) {
+          const tet = [corner(a), corner(b), corner(c), corner(d)];
+          if (!odd) tet.reverse();
+          const [p, q, s, t] = tet.map((v) => points.slice(3 * v, 3 * v + 3));
+          const u = q.map((x, m) => x - p[m]);
+          const v = s.map((x, m) => x - p[m]);
+          const w = t.map((x, m) => x - p[m]);
+          const det =
+            u[0] * (v[1] * w[2] - v[2] * w[1]) +
+            u[1] * (v[2] * w[0] - v[0] * w[2]) +
+            u[2] * (v[0] * w[1] - v[1] * w[0]);
+          if (det < 0) [tet[0], tet[1]] = [tet[1], tet[0]];
+          tets.push(...tet);
+          labels.push(r > cells / 3.2 ? 1 : 2);
+        }
+      }
+  return {
+    points: Float32Array.from(points),
+    tets: Uint32Array.from(tets),
+    labels: Uint16Array.from(labels),
+  };
+}
+
+function boundary(mesh) {
+  const neighbours = tetNeighbours(mesh.tets, mesh.points.length / 3);
+  const triangles = [];
+  const sides = [];
+  neighbours.forEach((other, face) => {
+    const own = mesh.labels[face >> 2];
+    const beyond = other < 0 ? 0 : mesh.labels[other];
+    if (own <= beyond) return;
+    for (const c of oppositeFace[face & 3]) triangles.push(mesh.tets[(face & ~3) + c]);
+    sides.push(own, beyond);
+  });
+  return { triangles: Uint32Array.from(triangles), sides: Uint16Array.from(sides) };
+}
+
+function metric(name, unit, elements, lo, hi, worst = []) {
+  const counts = Array.from({ length: 64 }, (_, i) => Math.round(1000 * Math.exp(-(((i - 30) / 11) ** 2))));
+  const mid = (lo + hi) / 2;
+  return {
+    name,
+    unit,
+    elements,
+    count: 64,
+    min: lo,
+    p01: lo,
+    p1: lo,
+    p5: lo,
+    median: mid,
+    p95: hi,
+    p99: hi,
+    max: hi,
+    mean: mid,
+    sd: 1,
+    histogram: { lo, hi, counts },
+    worst,
+  };
+}
+
+class Session {
+  recipe = structuredClone(defaults);
+  file = null;
+  done = new Set();
+  mesh = null;
+  exported = [];
+
+  schema() {
+    return JSON.stringify({
+      version: 'mock',
+      fields: [{ path: 'sizing.edge_mm', type: 'number', unit: 'mm', min: 0.01, max: 100 }],
+    });
+  }
+  defaults() {
+    return JSON.stringify(defaults);
+  }
+  summary() {
+    const name = this.file?.name ?? 'phantom';
+    return {
+      name,
+      size: [12, 12, 12],
+      spacing_mm: [4, 4, 4],
+      index_to_mm: [4, 0, 0, -22, 0, 4, 0, -22, 0, 0, 4, -22, 0, 0, 0, 1],
+      digest: this.file?.digest ?? hash('phantom'),
+      labels: [
+        { label: 1, name: 'Wall', colour: null, voxels: 700 },
+        { label: 2, name: 'Core', colour: null, voxels: 200 },
+      ],
+    };
+  }
+  loadVolume(name, bytes) {
+    if (name.includes('memory')) throw new RangeError('Array buffer allocation failed: Out of memory');
+    if (name.includes('abort')) throw new Error('RuntimeError: Aborted()');
+    if (bytes.length < 8) {
+      return JSON.stringify({
+        ok: false,
+        error: {
+          code: 'bad_input',
+          stage: 'volume',
+          message: `${name}: ends after ${bytes.length} bytes`,
+          where: {},
+        },
+      });
+    }
+    this.file = { name, digest: hash(String(bytes)) };
+    this.recipe.source = { file: { name, sha256: this.file.digest } };
+    this.done.clear();
+    return JSON.stringify({ ok: true, value: this.summary() });
+  }
+  setRecipe(text) {
+    try {
+      const minimal = JSON.parse(text);
+      this.recipe = merged(defaults, minimal, '');
+      const { phantom } = this.recipe.source;
+      if (phantom) this.recipe.source = { phantom: { ...phantomDefaults, ...phantom } };
+      this.done.clear();
+      return JSON.stringify({ ok: true, value: { recipe: this.recipe, minimal } });
+    } catch (error) {
+      return JSON.stringify({
+        ok: false,
+        error: { code: 'usage', stage: 'recipe', message: error.message, where: {} },
+      });
+    }
+  }
+  run(stage, onProgress) {
+    if (!this.recipe.source.phantom && !this.file) {
+      return JSON.stringify({
+        ok: false,
+        error: { code: 'usage', stage: 'volume', message: 'no volume has been loaded', where: {} },
+      });
+    }
+    this.mesh ??= ballMesh(10);
+    const summaries = [];
+    for (const name of stages.slice(0, stages.indexOf(stage) + 1)) {
+      const cached = this.done.has(name);
+      if (!cached) for (const fraction of [0, 0.5, 1]) onProgress(name, fraction);
+      this.done.add(name);
+      summaries.push({
+        name,
+        seconds: 0.01,
+        cached,
+        peak_mb: 1,
+        digest: hash(name + JSON.stringify(this.recipe)),
+        counts: this.counts(name),
+      });
+    }
+    return JSON.stringify({ ok: true, value: summaries });
+  }
+  counts(name) {
+    if (name === 'volume') return this.summary();
+    if (name === 'sizing')
+      return { size: [12, 12, 12], index_to_mm: this.summary().index_to_mm, min_mm: 1, max_mm: 4 };
+    if (name === 'tetra')
+      return { points: this.mesh.points.length / 3, tets: this.mesh.labels.length, faces: 0 };
+    return { points: this.mesh.points.length / 3, triangles: boundary(this.mesh).sides.length / 2 };
+  }
+  view(stage, array) {
+    if (!this.done.has(stage)) return undefined;
+    if (stage === 'volume') return new Uint16Array(12 ** 3).map((_, i) => (i % 12 > 3 && i % 12 < 8 ? 1 : 0));
+    if (stage === 'sizing') return new Float32Array(12 ** 3).map((_, i) => 1 + 3 * ((i % 12) / 12));
+    if (stage === 'quality') {
+      return new Float32Array(this.mesh.labels.length).map((_, i) =>
+        array.includes('dihedral') ? 20 + (i % 80) : 0.5 + (i % 10) / 5,
+      );
+    }
+    if (stage === 'tetra') return this.mesh[array];
+    return array === 'points' ? this.mesh.points : boundary(this.mesh)[array];
+  }
+  exportMesh(format, space) {
+    const files = format === 'carp' ? ['.pts', '.elem', '.lon'] : [`.${format}`];
+    this.exported = files.map((suffix) => ({
+      suffix,
+      bytes: new TextEncoder().encode(`${format} ${space}`),
+    }));
+    return JSON.stringify({
+      ok: true,
+      value: { files: this.exported.map(({ suffix, bytes }) => ({ suffix, bytes: bytes.length })) },
+    });
+  }
+  exportBytes(index) {
+    return this.exported[index].bytes;
+  }
+  report() {
+    const distance = {
+      samples: 10,
+      mean_mm: 0.1,
+      rms_mm: 0.1,
+      p95_mm: 0.2,
+      max_mm: 0.3,
+      uncertainty_mm: 0.01,
+    };
+    return JSON.stringify({
+      engine: 'mock',
+      digest: hash(JSON.stringify(this.recipe)),
+      tets: this.mesh.labels.length,
+      points: this.mesh.points.length / 3,
+      source: this.summary(),
+      stages: [],
+      quality: {
+        passed: true,
+        metrics: [
+          metric('min_dihedral_deg', 'deg', 'tets', 12, 70, [5, 90, 300]),
+          metric('dihedral_deg', 'deg', 'dihedrals', 12, 150),
+          metric('radius_ratio', '1', 'tets', 0.2, 1, [7]),
+          metric('edge_mm', 'mm', 'edges', 1, 5),
+          metric('wished_edge_mm', 'mm', 'edges', 1.2, 4),
+          metric('triangle_aspect_before', '1', 'triangles', 1, 6),
+          metric('triangle_aspect_after', '1', 'triangles', 1, 2.5),
+        ],
+        checklist: [
+          { name: 'no_inverted_tets', passed: true, hard: true, found: '0', expected: '0' },
+          { name: 'min_dihedral', passed: false, hard: false, found: '12.1 deg', expected: '14 deg' },
+        ],
+      },
+      fidelity: {
+        labels: [
+          {
+            label: 1,
+            voxels: 700,
+            tets: 2000,
+            voxel_mm3: 44800,
+            mesh_mm3: 44700,
+            volume_error_percent: -0.2,
+            dice: 0.99,
+            median_edge_mm: 2.1,
+            wished_edge_mm: 2,
+          },
+        ],
+        mesh_to_surface: distance,
+        surface_to_mesh: distance,
+      },
+      recipe: this.recipe,
+      warnings: [],
+    });
+  }
+  delete() {}
+}
+
+export default async function createVoxtet() {
+  return { Session };
+}

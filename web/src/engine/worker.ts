@@ -1,0 +1,59 @@
+import * as Comlink from 'comlink';
+import type { EngineApi, EngineInfo } from './contract';
+import { createSessionApi, transferables, type EngineModule } from './session_api';
+
+type CreateEngine = (options: {
+  instantiateWasm: (
+    imports: WebAssembly.Imports,
+    done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+  ) => object;
+}) => Promise<EngineModule>;
+
+let session: Omit<EngineApi, 'start'> | undefined;
+
+function current(): Omit<EngineApi, 'start'> {
+  if (!session) throw new Error('The engine has not been started.');
+  return session;
+}
+
+/** Held for the worker's life: whoever waits for the same lock learns at once that the worker is gone. */
+function holdLifeLock(name: string): Promise<void> {
+  if (!navigator.locks) return Promise.resolve();
+  return new Promise((held) => {
+    void navigator.locks.request(name, () => {
+      held();
+      return new Promise<never>(() => undefined);
+    });
+  });
+}
+
+async function start(module: WebAssembly.Module, scriptUrl: string, lock: string): Promise<EngineInfo> {
+  const locked = holdLifeLock(lock);
+  const { default: createEngine } = (await import(/* @vite-ignore */ scriptUrl)) as { default: CreateEngine };
+  const engine = await createEngine({
+    instantiateWasm(imports, done) {
+      void WebAssembly.instantiate(module, imports).then((instance) => done(instance, module));
+      return {};
+    },
+  });
+  const instance = new engine.Session();
+  session = createSessionApi(instance);
+  await locked;
+  return { schema: JSON.parse(instance.schema()), defaults: JSON.parse(instance.defaults()) };
+}
+
+function handOver<T extends object>(reply: T): T {
+  return Comlink.transfer(reply, transferables(reply as never));
+}
+
+const api: EngineApi = {
+  start,
+  loadVolume: (file) => current().loadVolume(file),
+  setRecipe: (json) => current().setRecipe(json),
+  run: (stage, onProgress) => current().run(stage, onProgress),
+  arrays: (stage) => handOver(current().arrays(stage)),
+  exportMesh: (format, space) => handOver(current().exportMesh(format, space)),
+  report: () => current().report(),
+};
+
+Comlink.expose(api);

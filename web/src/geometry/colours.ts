@@ -1,0 +1,72 @@
+/** Colour maps that stay readable in every common colour vision; stops from matplotlib's published tables. */
+const stops = {
+  viridis: [
+    '#440154',
+    '#482878',
+    '#3e4989',
+    '#31688e',
+    '#26828e',
+    '#1f9e89',
+    '#35b779',
+    '#6ece58',
+    '#b5de2b',
+    '#fde725',
+  ],
+  cividis: [
+    '#00224e',
+    '#123570',
+    '#3b496c',
+    '#575d6d',
+    '#707173',
+    '#8a8678',
+    '#a59c74',
+    '#c3b369',
+    '#e1cc55',
+    '#fee838',
+  ],
+} as const;
+export type ColourMapName = keyof typeof stops;
+
+/** Labels 1 to 8 follow the heart scheme: left and right wall, left and right pool, scar, border zone. */
+const labelPalette = ['#d1605e', '#4c8dae', '#a33b45', '#2f5d8a', '#e9b44c', '#8e6bb0', '#6a9f58', '#c77d4f'];
+
+export function rgbOf(hex: string): [number, number, number] {
+  const value = Number.parseInt(hex.slice(1), 16);
+  return [(value >> 16) & 255, (value >> 8) & 255, value & 255];
+}
+
+export function hexOf(rgb: readonly number[]): string {
+  return `#${rgb.map((part) => Math.round(part).toString(16).padStart(2, '0')).join('')}`;
+}
+
+/** A steady colour for any label: the palette first, then hues a golden angle apart. */
+export function labelColour(label: number): string {
+  const own = labelPalette[label - 1];
+  if (own) return own;
+  const hue = (label * 137.508) % 360;
+  const light = 0.5 + 0.12 * ((label % 3) - 1);
+  const channel = (shift: number) => {
+    const k = (shift + hue / 30) % 12;
+    const reach = 0.45 * Math.min(light, 1 - light);
+    return 255 * (light - reach * Math.max(-1, Math.min(k - 3, 9 - k, 1)));
+  };
+  return hexOf([channel(0), channel(8), channel(4)]);
+}
+
+/** 256 RGB triples of a colour map. */
+export function colourTable(name: ColourMapName): Uint8Array {
+  const points = stops[name].map(rgbOf);
+  const table = new Uint8Array(256 * 3);
+  for (let i = 0; i < 256; i++) {
+    const x = (i / 255) * (points.length - 1);
+    const left = Math.min(points.length - 2, Math.floor(x));
+    for (let c = 0; c < 3; c++) {
+      table[3 * i + c] = Math.round(points[left][c] + (x - left) * (points[left + 1][c] - points[left][c]));
+    }
+  }
+  return table;
+}
+
+export function colourStops(name: ColourMapName): readonly string[] {
+  return stops[name];
+}

@@ -1,0 +1,35 @@
+import { effect } from '@preact/signals';
+import { render } from 'preact';
+import { browserSetup } from './engine/browser_setup';
+import { EngineClient } from './engine/client';
+import { isCaseFragment } from './link/codec';
+import { App } from './panels/app';
+import { keepSaving, openFragment, resumeCase, startEngine } from './store/actions';
+import { dark, theme, type ThemeChoice } from './store/view';
+import './styles/main.css';
+
+const themeKey = 'voxtet-theme';
+
+function followTheme(): void {
+  const system = window.matchMedia('(prefers-color-scheme: dark)');
+  const stored = localStorage.getItem(themeKey);
+  if (stored === 'light' || stored === 'dark') theme.value = stored satisfies ThemeChoice;
+  const apply = () => {
+    dark.value = theme.value === 'dark' || (theme.value === 'system' && system.matches);
+    document.documentElement.dataset.theme = dark.value ? 'dark' : 'light';
+  };
+  system.addEventListener('change', apply);
+  effect(() => {
+    if (theme.value === 'system') localStorage.removeItem(themeKey);
+    else localStorage.setItem(themeKey, theme.value);
+    apply();
+  });
+}
+
+followTheme();
+const root = document.getElementById('app');
+if (root) render(<App />, root);
+await startEngine(new EngineClient(browserSetup()));
+if (isCaseFragment(location.hash)) await openFragment(location.hash);
+else await resumeCase();
+keepSaving();

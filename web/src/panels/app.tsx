@@ -1,0 +1,140 @@
+import { useEffect, useState } from 'preact/hooks';
+import { cancelRun, openFiles, openFragment, redoEdit, runAll, undoEdit } from '../store/actions';
+import { isCaseFragment } from '../link/codec';
+import { activity, announcement, dismiss, lastCancelMs, notices } from '../store/run';
+import { command, markers } from '../store/view';
+import { CasePanel } from './case_panel';
+import { Dialogs } from './dialogs';
+import { EvidencePanel } from './evidence_panel';
+import { Header } from './header';
+import { Icon } from './icons';
+import { Pipeline } from './pipeline';
+import { ViewPanel } from './view_panel';
+
+function Notices() {
+  return (
+    <div class="notices" role="region" aria-label="Messages">
+      {notices.value.map((notice) => (
+        <div
+          key={notice.id}
+          class={`notice ${notice.tone}`}
+          role={notice.tone === 'error' ? 'alert' : 'status'}
+        >
+          <Icon name={notice.tone === 'error' ? 'warn' : 'check'} size={18} />
+          <div>
+            <strong>{notice.title}</strong>
+            <p>{notice.text}</p>
+            {notice.points.length > 0 && (
+              <button
+                type="button"
+                class="button small"
+                onClick={() => {
+                  markers.value = notice.points;
+                  command.value = { kind: 'fly', to: notice.points[0], radius: 12 };
+                }}
+              >
+                Show where
+              </button>
+            )}
+          </div>
+          <button
+            type="button"
+            class="icon-button small"
+            aria-label="Dismiss"
+            onClick={() => dismiss(notice.id)}
+          >
+            <Icon name="cross" size={14} />
+          </button>
+        </div>
+      ))}
+    </div>
+  );
+}
+
+function useShortcuts(): void {
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent) => {
+      const held = event.ctrlKey || event.metaKey;
+      const typing = event.target instanceof HTMLInputElement && event.target.type === 'text';
+      if (held && event.key === 'Enter' && ['idle', 'preview'].includes(activity.value)) void runAll();
+      else if (
+        event.key === 'Escape' &&
+        ['run', 'preview', 'export'].includes(activity.value) &&
+        !document.querySelector('dialog[open]')
+      )
+        void cancelRun();
+      else if (held && !typing && event.key.toLowerCase() === 'z') (event.shiftKey ? redoEdit : undoEdit)();
+      else if (held && !typing && event.key.toLowerCase() === 'y') redoEdit();
+      else return;
+      event.preventDefault();
+    };
+    const onHash = () => {
+      if (isCaseFragment(location.hash)) void openFragment(location.hash);
+    };
+    window.addEventListener('keydown', onKey);
+    window.addEventListener('hashchange', onHash);
+    return () => {
+      window.removeEventListener('keydown', onKey);
+      window.removeEventListener('hashchange', onHash);
+    };
+  }, []);
+}
+
+function useDrop(): boolean {
+  const [over, setOver] = useState(false);
+  useEffect(() => {
+    let depth = 0;
+    const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+    const onEnter = (event: DragEvent) => {
+      if (!hasFiles(event)) return;
+      depth++;
+      setOver(true);
+    };
+    const onLeave = () => {
+      depth = Math.max(0, depth - 1);
+      if (depth === 0) setOver(false);
+    };
+    const onOver = (event: DragEvent) => event.preventDefault();
+    const onDrop = (event: DragEvent) => {
+      event.preventDefault();
+      depth = 0;
+      setOver(false);
+      void openFiles([...(event.dataTransfer?.files ?? [])]);
+    };
+    window.addEventListener('dragenter', onEnter);
+    window.addEventListener('dragleave', onLeave);
+    window.addEventListener('dragover', onOver);
+    window.addEventListener('drop', onDrop);
+    return () => {
+      window.removeEventListener('dragenter', onEnter);
+      window.removeEventListener('dragleave', onLeave);
+      window.removeEventListener('dragover', onOver);
+      window.removeEventListener('drop', onDrop);
+    };
+  }, []);
+  return over;
+}
+
+export function App() {
+  useShortcuts();
+  const over = useDrop();
+  return (
+    <div class="app" data-activity={activity.value} data-cancel-ms={lastCancelMs.value?.toFixed(0)}>
+      <Header />
+      <CasePanel />
+      <ViewPanel />
+      <EvidencePanel />
+      <Pipeline />
+      <Notices />
+      <Dialogs />
+      {over && (
+        <div class="drop-over" aria-hidden="true">
+          <span>Drop the volume</span>
+        </div>
+      )}
+      <div class="sr" role="status" aria-live="polite">
+        {announcement.value}
+      </div>
+    </div>
+  );
+}

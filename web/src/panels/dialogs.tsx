@@ -1,0 +1,257 @@
+import { signal } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { exportFormats, type ExportFormat, type Space } from '../engine/contract';
+import {
+  acceptOffer,
+  downloadCase,
+  downloadReport,
+  exportMesh,
+  offered,
+  closeOffer,
+  shareCase,
+  type SharedCase,
+} from '../store/actions';
+import { activity, report, upToDate } from '../store/run';
+import { Segments } from './fields';
+import { whole } from './format';
+import { Icon } from './icons';
+
+export const dialogShown = signal<'export' | 'share' | null>(null);
+
+function Dialog(props: { title: string; onClose(): void; children: ComponentChildren }) {
+  const element = useRef<HTMLDialogElement>(null);
+  useEffect(() => {
+    const dialog = element.current;
+    if (dialog && !dialog.open) dialog.showModal();
+    return () => dialog?.close();
+  }, []);
+  return (
+    <dialog ref={element} aria-label={props.title} onCancel={props.onClose}>
+      <div class="dialog-head">
+        <h2>{props.title}</h2>
+        <button type="button" class="icon-button" aria-label="Close" onClick={props.onClose}>
+          <Icon name="cross" />
+        </button>
+      </div>
+      {props.children}
+    </dialog>
+  );
+}
+
+const formatNotes: Record<ExportFormat, [string, string]> = {
+  vtu: ['VTU', 'ParaView, PyVista: tetrahedra, labels and quality'],
+  msh: ['Gmsh MSH', 'Gmsh, FEniCS, Abaqus by way of meshio'],
+  medit: ['Medit', 'MMG, FreeFEM'],
+  carp: ['openCARP', 'Three files: .pts, .elem, .lon'],
+  stl: ['STL', 'Boundary surface, for printing and viewing'],
+  ply: ['PLY', 'Boundary surface with labels'],
+};
+
+function ExportDialog({ close }: { close(): void }) {
+  const [format, setFormat] = useState<ExportFormat>('vtu');
+  const [space, setSpace] = useState<Space>('ras');
+  return (
+    <Dialog title="Export the mesh" onClose={close}>
+      <div class="formats" role="radiogroup" aria-label="Format">
+        {exportFormats.map((name) => (
+          <label key={name} class={format === name ? 'format chosen' : 'format'}>
+            <input
+              type="radio"
+              name="format"
+              value={name}
+              checked={format === name}
+              onChange={() => setFormat(name)}
+            />
+            <span class="format-name">{formatNotes[name][0]}</span>
+            <span class="format-note">{formatNotes[name][1]}</span>
+          </label>
+        ))}
+      </div>
+      <div class="dialog-row">
+        <span>Coordinates</span>
+        <Segments
+          label="Coordinates"
+          value={space}
+          options={[
+            ['ras' as Space, 'RAS', 'Right, anterior, superior: NIfTI, 3D Slicer on screen'],
+            ['lps' as Space, 'LPS', 'Left, posterior, superior: DICOM, ITK'],
+          ]}
+          onChange={(next: Space) => setSpace(next)}
+        />
+        <span class="muted">
+          {space === 'ras' ? 'x to the right, as in NIfTI' : 'x to the left, as in DICOM'}, mm
+        </span>
+      </div>
+      {!upToDate.value && (
+        <p class="stale">The recipe has changed since; this exports the mesh that is shown.</p>
+      )}
+      <div class="dialog-actions">
+        <button type="button" class="button" onClick={() => downloadReport()}>
+          Report (JSON)
+        </button>
+        <button
+          type="button"
+          class="button primary"
+          disabled={activity.value === 'export'}
+          onClick={() => {
+            close();
+            void exportMesh(format, space);
+          }}
+        >
+          <Icon name="download" /> Export
+        </button>
+      </div>
+    </Dialog>
+  );
+}
+
+function lengthNote(length: number): string {
+  if (length > 500_000) return 'Too long for a link: send the case file instead.';
+  if (length > 8000) return 'Long for a link: mail and chat programs will cut it. Better send the case file.';
+  if (length > 2000) return 'Some chat programs cut links of this length.';
+  return '';
+}
+
+function ShareDialog({ close }: { close(): void }) {
+  const [shared, setShared] = useState<SharedCase | null>(null);
+  const [copied, setCopied] = useState(false);
+  const [trouble, setTrouble] = useState('');
+  useEffect(() => {
+    shareCase().then(setShared, (error: Error) => setTrouble(error.message));
+  }, []);
+  const copy = async () => {
+    if (!shared) return;
+    try {
+      await navigator.clipboard.writeText(shared.url);
+      setCopied(true);
+    } catch {
+      setTrouble('The browser does not allow copying here; select the link and copy it.');
+    }
+  };
+  const note = shared ? lengthNote(shared.url.length) : '';
+  const isFile = shared !== null && 'file' in ((shared.minimal.source as object | undefined) ?? {});
+  return (
+    <Dialog title="Share this case" onClose={close}>
+      <p>
+        {shared?.promises
+          ? `The link holds the recipe and the digest of this mesh (${whole(report.value?.tets ?? 0)} tetrahedra). Whoever opens it and runs sees whether it is reproduced.`
+          : 'The link holds the recipe only: run first, and it will also hold the digest of the mesh.'}
+      </p>
+      {isFile && (
+        <p>The volume is not in the link. The receiver drops the same file in, and its digest is checked.</p>
+      )}
+      <textarea
+        class="link"
+        readOnly
+        rows={4}
+        aria-label="Link"
+        value={shared?.url ?? ''}
+        onFocus={(event) => event.currentTarget.select()}
+        data-testid="share-link"
+      />
+      {shared && (
+        <p class="muted">
+          {whole(shared.url.length)} characters. {note}
+        </p>
+      )}
+      {trouble && <p class="stale">{trouble}</p>}
+      <div class="dialog-actions">
+        <button
+          type="button"
+          class="button"
+          disabled={!shared}
+          onClick={() => shared && downloadCase(shared.minimal)}
+        >
+          Case file (JSON)
+        </button>
+        <button type="button" class="button primary" disabled={!shared} onClick={() => void copy()}>
+          {copied ? 'Copied' : 'Copy link'}
+        </button>
+      </div>
+    </Dialog>
+  );
+}
+
+function OfferDialog() {
+  const offer = offered.value;
+  if (!offer) return null;
+  const { source, sizing, labels } = offer.recipe;
+  const rows: [string, string][] = [
+    [
+      'Volume',
+      source.phantom
+        ? `generated: ${source.phantom.kind.replaceAll('_', ' ')}, ${source.phantom.spacing_mm.join(' × ')} mm`
+        : source.file
+          ? `${source.file.name}${offer.origin === 'link' ? ', which you are asked to drop in' : ''}`
+          : 'none',
+    ],
+    ['Labels', labels.length > 0 ? labels.join(', ') : 'all'],
+    [
+      'Edge length',
+      `${sizing.edge_mm} mm${sizing.labels.map((entry) => `, ${entry.edge_mm} mm in label ${entry.label}`).join('')}`,
+    ],
+    [
+      'Regions',
+      sizing.regions.length === 0
+        ? 'none'
+        : sizing.regions
+            .map((region) => `${region.name || region.shape} ${region.edge_mm} mm`)
+            .slice(0, 6)
+            .join(', '),
+    ],
+  ];
+  if (offer.expected)
+    rows.push([
+      'Promised',
+      `${whole(offer.expected.tets)} tetrahedra, digest ${offer.expected.digest.slice(0, 12)}…, engine ${offer.expected.engine}`,
+    ]);
+  return (
+    <Dialog
+      title={offer.origin === 'link' ? 'Open this case?' : 'Go on with the last case?'}
+      onClose={closeOffer}
+    >
+      <p>
+        {offer.origin === 'link'
+          ? 'A link brought this recipe. Nothing has been run or fetched.'
+          : 'The page was left while the engine was at work on it. Nothing has been run.'}
+      </p>
+      <dl class="offer">
+        {rows.map(([name, value]) => (
+          <div key={name}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+      <div class="dialog-actions">
+        <button type="button" class="button" onClick={closeOffer}>
+          Not now
+        </button>
+        <button
+          type="button"
+          class={source.phantom ? 'button' : 'button primary'}
+          onClick={() => acceptOffer(false)}
+        >
+          Open
+        </button>
+        {source.phantom && (
+          <button type="button" class="button primary" onClick={() => acceptOffer(true)}>
+            <Icon name="play" /> Open and run
+          </button>
+        )}
+      </div>
+    </Dialog>
+  );
+}
+
+export function Dialogs() {
+  const close = () => (dialogShown.value = null);
+  return (
+    <>
+      <OfferDialog />
+      {dialogShown.value === 'export' && <ExportDialog close={close} />}
+      {dialogShown.value === 'share' && <ShareDialog close={close} />}
+    </>
+  );
+}

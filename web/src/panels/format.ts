@@ -1,0 +1,28 @@
+export const whole = (value: number): string => Math.round(value).toLocaleString('en');
+
+/** Four significant digits at most, without needless zeros. */
+export function short(value: number): string {
+  if (!Number.isFinite(value)) return '–';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  if (size >= 1000) return whole(value);
+  return String(Number(value.toPrecision(size >= 100 ? 4 : 3)));
+}
+
+export function seconds(value: number): string {
+  if (value < 0.0995) return `${Math.max(1, Math.round(value * 1000))} ms`;
+  return value < 60 ? `${value.toFixed(1)} s` : `${Math.floor(value / 60)} min ${Math.round(value % 60)} s`;
+}
+
+/** About a count: two digits, thousands and millions named. */
+export function about(value: number): string {
+  const two = Number(value.toPrecision(2));
+  if (two >= 1e6) return `${two / 1e6} million`;
+  return two.toLocaleString('en');
+}
+
+const unitSigns: Record<string, string> = { deg: '°', '1': '', log2: 'log₂' };
+
+export function unitSign(unit: string): string {
+  return unitSigns[unit] ?? unit;
+}

@@ -1,0 +1,142 @@
+import { cancelRun, caseName, expectedTets, redoEdit, runAll, undoEdit } from '../store/actions';
+import { volume } from '../store/input';
+import { recipe, redoLabel, undoLabel } from '../store/recipe';
+import { activity, elapsedSeconds, report, upToDate } from '../store/run';
+import { dark, theme } from '../store/view';
+import { dialogShown } from './dialogs';
+import { about, seconds } from './format';
+import { Icon } from './icons';
+
+/** Above this the page asks for a second click: a mesh of that size may not fit into a tab. */
+const manyTets = 4_000_000;
+
+function RunButton() {
+  const now = activity.value;
+  const estimate = expectedTets();
+  const current = upToDate.value && report.value !== null;
+  const run = () => {
+    const question = `About ${about(estimate ?? 0)} tetrahedra are to be expected. That may not fit into this tab. Run all the same?`;
+    if (estimate !== null && estimate > manyTets && !window.confirm(question)) return;
+    void runAll();
+  };
+  if (now === 'run' || now === 'export') {
+    return (
+      <>
+        <span key="note" class="elapsed" aria-hidden="true">
+          {now === 'run' ? seconds(elapsedSeconds.value) : 'Writing…'}
+        </span>
+        <button
+          type="button"
+          key="cancel"
+          class="button danger"
+          data-testid="cancel"
+          title="Cancel (Esc)"
+          // The second click of a double click on Run lands here, and is not meant.
+          onClick={(event) => event.detail < 2 && void cancelRun()}
+        >
+          <Icon name="stop" size={13} /> Cancel
+        </button>
+      </>
+    );
+  }
+  return (
+    <>
+      {now === 'preview' || now === 'opening' ? (
+        <span key="note" class="elapsed">
+          {now === 'preview' ? 'Surface…' : 'Reading…'}
+          <button
+            type="button"
+            class="icon-button small"
+            aria-label="Stop"
+            title="Stop (Esc)"
+            onClick={() => void cancelRun()}
+          >
+            <Icon name="cross" size={13} />
+          </button>
+        </span>
+      ) : (
+        estimate !== null &&
+        !current && (
+          <span key="note" class={estimate > manyTets ? 'estimate caution' : 'estimate'}>
+            about {about(estimate)} tetrahedra
+          </span>
+        )
+      )}
+      <button
+        type="button"
+        key="run"
+        class="button primary"
+        data-testid="run"
+        disabled={volume.value === null || (now !== 'idle' && now !== 'preview')}
+        title="Run (Ctrl Enter)"
+        onClick={run}
+      >
+        <Icon name="play" size={13} /> Run
+      </button>
+    </>
+  );
+}
+
+export function Header() {
+  const hasCase = recipe.value !== null && volume.value !== null;
+  return (
+    <header class="header">
+      <span class="brand">
+        <svg viewBox="0 0 32 32" width="26" height="26" aria-hidden="true">
+          <path class="brand-face" d="M16 4 28 25 4 25Z" />
+          <path class="brand-line" d="M16 4 18.5 18.5 28 25M18.5 18.5 4 25" />
+        </svg>
+        <span class="brand-name">voxtet</span>
+      </span>
+      {hasCase && (
+        <span class="case-name" title={caseName()}>
+          {caseName()}
+        </span>
+      )}
+      <span class="spacer" />
+      <div class="group">
+        <button
+          type="button"
+          class="icon-button"
+          disabled={undoLabel.value === null}
+          aria-label="Undo"
+          title={undoLabel.value ? `Undo: ${undoLabel.value}` : 'Nothing to undo'}
+          onClick={undoEdit}
+        >
+          <Icon name="undo" />
+        </button>
+        <button
+          type="button"
+          class="icon-button"
+          disabled={redoLabel.value === null}
+          aria-label="Redo"
+          title={redoLabel.value ? `Redo: ${redoLabel.value}` : 'Nothing to redo'}
+          onClick={redoEdit}
+        >
+          <Icon name="redo" />
+        </button>
+      </div>
+      <button
+        type="button"
+        class="icon-button"
+        aria-label={dark.value ? 'Light theme' : 'Dark theme'}
+        title={dark.value ? 'Light theme' : 'Dark theme'}
+        onClick={() => (theme.value = dark.value ? 'light' : 'dark')}
+      >
+        <Icon name={dark.value ? 'sun' : 'moon'} />
+      </button>
+      <button type="button" class="button" disabled={!hasCase} onClick={() => (dialogShown.value = 'share')}>
+        <Icon name="share" /> Share
+      </button>
+      <button
+        type="button"
+        class="button"
+        disabled={report.value === null || activity.value !== 'idle'}
+        onClick={() => (dialogShown.value = 'export')}
+      >
+        <Icon name="download" /> Export
+      </button>
+      <RunButton />
+    </header>
+  );
+}

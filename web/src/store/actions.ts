@@ -1,0 +1,465 @@
+/** What the user can do: each action moves the store, and asks the engine where that needs it. */
+import { signal } from '@preact/signals';
+import { EngineClient } from '../engine/client';
+import {
+  EngineError,
+  stageNames,
+  type Expected,
+  type ExportFormat,
+  type PhantomParams,
+  type Recipe,
+  type Space,
+  type StageName,
+  type VolumeFile,
+  type VolumeSummary,
+} from '../engine/contract';
+import { decodeFragment, encodeFragment, LinkError, parseCase } from '../link/codec';
+import { autosave, savedCase } from './autosave';
+import { estimateTets } from './estimate';
+import { awaitedFile, volume } from './input';
+import { amendRecipe, editRecipe, recipe, redo, startRecipe, undo } from './recipe';
+import { dropResults, keepResult, shownDigests } from './results';
+import {
+  activity,
+  announcement,
+  blankStages,
+  defaults,
+  elapsedSeconds,
+  expectation,
+  lastCancelMs,
+  meshedMinimal,
+  meshedRecipe,
+  report,
+  schema,
+  setStage,
+  stages,
+  tell,
+  tellFailure,
+} from './run';
+import { brush, command, focusTet, markers, picked, resetView, stageShown } from './view';
+
+/** A case that a link or a file offers, checked and waiting for the user's word. */
+export interface OfferedCase {
+  recipe: Recipe;
+  expected: Expected | null;
+  origin: 'link' | 'interrupted';
+}
+
+export const offered = signal<OfferedCase | null>(null);
+
+let engine: EngineClient;
+let previewTimer: ReturnType<typeof setTimeout> | undefined;
+let clock: ReturnType<typeof setInterval> | undefined;
+/** Actions that were overtaken by newer ones leave the store alone. */
+let turn = 0;
+
+export async function startEngine(client: EngineClient): Promise<void> {
+  engine = client;
+  try {
+    const info = await engine.ready;
+    schema.value = info.schema;
+    defaults.value = withoutPromise(info.defaults);
+    startRecipe(defaults.value);
+    activity.value = 'idle';
+  } catch (error) {
+    activity.value = 'idle';
+    tellError(error);
+  }
+}
+
+/** The sample: a heart with scar, coarse enough to be meshed in seconds. */
+export async function openSample(): Promise<void> {
+  await offerCase({
+    source: { phantom: { kind: 'biventricle', scar: true, spacing_mm: [2, 2, 2] } },
+    labels: [1, 2, 5, 6],
+    sizing: {
+      edge_mm: 4,
+      labels: [
+        { label: 5, edge_mm: 2 },
+        { label: 6, edge_mm: 2.5 },
+      ],
+    },
+  });
+  acceptOffer(false);
+}
+
+export async function openPhantom(params: Partial<PhantomParams>): Promise<void> {
+  await offerCase({ source: { phantom: params as Record<string, unknown> } });
+  acceptOffer(false);
+}
+
+/** Changes the generated body and keeps the rest of the recipe. */
+export function editPhantom(label: string, change: Partial<PhantomParams>): void {
+  editRecipe(
+    label,
+    (draft) => draft.source.phantom && Object.assign(draft.source.phantom, change),
+    `phantom ${label}`,
+  );
+}
+
+const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|hdr)$/i;
+
+/** A dropped file, with the raw file that its header may name. A dropped case opens like a link. */
+export async function openFiles(files: File[]): Promise<void> {
+  const caseFile = files.find((file) => /\.json$/i.test(file.name));
+  if (caseFile) return openCaseText(await caseFile.text());
+  const main = files.find((file) => headerSuffix.test(file.name)) ?? files[0];
+  if (!main) return;
+  const mine = ++turn;
+  activity.value = 'opening';
+  announcement.value = `Reading ${main.name}`;
+  try {
+    const siblings: VolumeFile['siblings'] = {};
+    for (const file of files)
+      if (file !== main) siblings[file.name] = new Uint8Array(await file.arrayBuffer());
+    const bytes = new Uint8Array(await main.arrayBuffer());
+    if (engine.busy) await engine.cancel();
+    const summary = await engine.openVolume({ name: main.name, bytes, siblings });
+    if (mine === turn) takeVolume(summary, main.name);
+  } catch (error) {
+    tellError(error);
+  } finally {
+    if (mine === turn && activity.value === 'opening') activity.value = 'idle';
+  }
+}
+
+function takeVolume(summary: VolumeSummary, fileName: string): void {
+  const awaited = awaitedFile.value;
+  if (awaited && awaited.sha256 && awaited.sha256 !== summary.digest) {
+    tell(
+      'error',
+      'This is not the expected volume',
+      `${fileName} holds other voxels than the case was made from (digest ${summary.digest.slice(0, 12)}…, ` +
+        `expected ${awaited.sha256.slice(0, 12)}…). The case is kept; drop ${awaited.name} to go on.`,
+    );
+    return;
+  }
+  const source = { file: { name: fileName, sha256: summary.digest } };
+  if (awaited) {
+    awaitedFile.value = null;
+    amendRecipe((draft) => void (draft.source = source));
+  } else if (defaults.value) {
+    const edge = startingEdge(summary);
+    const fresh = structuredClone(defaults.value);
+    startRecipe({ ...fresh, source, sizing: { ...fresh.sizing, edge_mm: edge } });
+    expectation.value = null;
+  }
+  volume.value = summary;
+  forgetResults();
+  resetView();
+  void preview(true);
+}
+
+/** Twice the geometric mean of the spacing: fine enough for the shape, coarse enough for a first look. */
+function startingEdge(summary: VolumeSummary): number {
+  const [x, y, z] = summary.spacing_mm;
+  return Number((2 * Math.cbrt(x * y * z)).toPrecision(2));
+}
+
+function forgetResults(): void {
+  stages.value = blankStages();
+  report.value = null;
+  meshedRecipe.value = null;
+  meshedMinimal.value = null;
+  dropResults(stageNames);
+}
+
+/** The label surface, as soon as it exists. Runs by itself after whatever changes it. */
+export async function preview(fit: boolean): Promise<void> {
+  clearTimeout(previewTimer);
+  await runStages('smooth', 'preview', fit);
+}
+
+export function previewSoon(): void {
+  clearTimeout(previewTimer);
+  if (activity.value === 'run') return;
+  previewTimer = setTimeout(() => void preview(false), 350);
+}
+
+export async function runAll(): Promise<void> {
+  clearTimeout(previewTimer);
+  await runStages('quality', 'run', false);
+}
+
+async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean): Promise<void> {
+  const current = recipe.value;
+  if (!current || !(current.source.phantom || current.source.file) || awaitedFile.value) return;
+  const mine = ++turn;
+  const names = stageNames.slice(0, stageNames.indexOf(last) + 1);
+  if (engine.busy) await engine.cancel();
+  if (mine !== turn) return;
+  activity.value = kind;
+  markers.value = [];
+  if (kind === 'run') {
+    for (const name of names) setStage(name, { state: 'waiting', fraction: 0 });
+    announcement.value = 'Meshing started';
+    startClock();
+  }
+  try {
+    const result = await engine.run(JSON.stringify(current), current.source, last, {
+      onProgress(stage, fraction) {
+        if (mine === turn) setStage(stage, { state: 'running', fraction });
+      },
+      onStage(summary, arrays) {
+        if (mine !== turn) return;
+        const known = stages.value[summary.name].summary;
+        const kept =
+          known?.digest === summary.digest && summary.cached
+            ? { ...summary, seconds: known.seconds }
+            : summary;
+        setStage(summary.name, { state: 'done', fraction: 1, summary: kept });
+        if (summary.name === 'volume') volume.value = summary.counts as unknown as VolumeSummary;
+        const changed = shownDigests.value[summary.name] !== summary.digest;
+        keepResult(summary.name, summary.digest, arrays);
+        const previewed = summary.name === 'smooth' && changed && stageShown.value !== 'surface';
+        const first = fit && (summary.name === 'surface' || summary.name === 'smooth');
+        if (kind === 'run' || previewed || first) stageShown.value = summary.name;
+        if (fit && summary.name === 'surface') command.value = { kind: 'fit' };
+      },
+    });
+    if (mine !== turn) return;
+    if (result.report) finishRun(result.report, result.minimal, current);
+  } catch (error) {
+    if (mine !== turn) return;
+    for (const name of names) {
+      if (stages.value[name].state === 'running') setStage(name, { state: 'failed', fraction: 0 });
+    }
+    tellError(error);
+  } finally {
+    if (mine === turn) {
+      activity.value = 'idle';
+      stopClock();
+    }
+  }
+}
+
+function finishRun(
+  found: NonNullable<typeof report.value>,
+  minimal: Record<string, unknown>,
+  current: Recipe,
+): void {
+  report.value = found;
+  meshedRecipe.value = current;
+  meshedMinimal.value = minimal;
+  brush.value = null;
+  focusTet.value = null;
+  picked.value = null;
+  stageShown.value = 'quality';
+  announcement.value = `Mesh ready: ${found.tets.toLocaleString('en')} tetrahedra`;
+}
+
+export async function cancelRun(): Promise<void> {
+  turn++;
+  const mine = turn;
+  clearTimeout(previewTimer);
+  for (const name of stageNames) {
+    const { state, summary } = stages.value[name];
+    if (state === 'running' || state === 'waiting') {
+      setStage(name, { state: summary ? 'stale' : 'waiting', fraction: 0 });
+    }
+  }
+  activity.value = 'idle';
+  stopClock();
+  announcement.value = 'Run cancelled';
+  const milliseconds = await engine.cancel();
+  if (mine === turn) lastCancelMs.value = milliseconds;
+}
+
+export async function exportMesh(format: ExportFormat, space: Space): Promise<void> {
+  const meshed = meshedRecipe.value;
+  if (!meshed) return;
+  const mine = ++turn;
+  activity.value = 'export';
+  announcement.value = `Writing ${format}`;
+  try {
+    const files = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space);
+    for (const file of files) download(`${caseName()}${file.suffix}`, new Blob([file.bytes]));
+    announcement.value = `${files.length === 1 ? 'File' : `${files.length} files`} written`;
+  } catch (error) {
+    if (mine === turn) tellError(error);
+  } finally {
+    if (mine === turn) activity.value = 'idle';
+  }
+}
+
+export function downloadReport(): void {
+  if (!report.value) return;
+  download(
+    `${caseName()}.report.json`,
+    new Blob([JSON.stringify(report.value, null, 2)], { type: 'application/json' }),
+  );
+}
+
+export function downloadCase(minimal: Record<string, unknown>): void {
+  download(
+    `${caseName()}.case.json`,
+    new Blob([JSON.stringify(minimal, null, 2)], { type: 'application/json' }),
+  );
+}
+
+export function caseName(): string {
+  const source = recipe.value?.source;
+  const name = source?.file?.name ?? source?.phantom?.kind ?? 'mesh';
+  return name.replace(/\.(nii\.gz|seg\.nrrd|[^.]+)$/i, '') || 'mesh';
+}
+
+function download(name: string, blob: Blob): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 30_000);
+}
+
+export interface SharedCase {
+  url: string;
+  minimal: Record<string, unknown>;
+  /** The link promises the digest of the mesh that is shown. */
+  promises: boolean;
+}
+
+/** A link of this case; with the digest where the mesh that is shown is the recipe's. */
+export async function shareCase(): Promise<SharedCase> {
+  const current = recipe.value;
+  if (!current) throw new Error('There is no case to share yet.');
+  const meshed = JSON.stringify(current) === JSON.stringify(meshedRecipe.value);
+  const found = meshed ? report.value : null;
+  const base =
+    found && meshedMinimal.value ? meshedMinimal.value : (await engine.checkRecipe(current)).minimal;
+  const minimal = { ...base };
+  delete minimal.expected;
+  if (found) minimal.expected = { engine: found.engine, digest: found.digest, tets: found.tets };
+  const url = new URL(location.href);
+  url.hash = await encodeFragment(minimal);
+  return { url: url.href, minimal, promises: found !== null };
+}
+
+export async function openFragment(fragment: string): Promise<void> {
+  try {
+    await offerCase(await decodeFragment(fragment));
+  } catch (error) {
+    tellError(error);
+  }
+}
+
+async function openCaseText(text: string): Promise<void> {
+  try {
+    const value = parseCase(text);
+    // A report holds its recipe, and is the promise of its mesh.
+    const inner = value.recipe as Record<string, unknown> | undefined;
+    await offerCase(
+      inner && typeof value.digest === 'string'
+        ? { ...inner, expected: { engine: value.engine, digest: value.digest, tets: value.tets } }
+        : value,
+    );
+  } catch (error) {
+    tellError(error);
+  }
+}
+
+/** Takes up the case that the last page left; by itself only where the engine was at rest. */
+export async function resumeCase(): Promise<void> {
+  try {
+    const found = await savedCase();
+    if (found) {
+      const { saved, interrupted } = found;
+      const digest = saved.recipe.source.file?.sha256;
+      if (digest && saved.file) engine.keepVolume(digest, saved.file);
+      await engine.checkRecipe(saved.recipe);
+      offered.value = { recipe: saved.recipe, expected: saved.expected, origin: 'interrupted' };
+      if (!interrupted) acceptOffer(false);
+    }
+  } catch {
+    // A case that this engine does not take, or a browser without storage: begin afresh.
+    offered.value = null;
+  }
+}
+
+export function keepSaving(): void {
+  autosave((digest) => engine.volumeFile(digest));
+}
+
+/** Checks a case and holds it for the user's word; nothing of it runs. */
+async function offerCase(value: Record<string, unknown>): Promise<void> {
+  const { recipe: full } = await engine.checkRecipe(value);
+  const promise = (full as Recipe & { expected?: Expected }).expected;
+  offered.value = {
+    recipe: withoutPromise(full),
+    expected: promise?.digest ? promise : null,
+    origin: 'link',
+  };
+}
+
+export function acceptOffer(thenRun: boolean): void {
+  const offer = offered.value;
+  if (!offer) return;
+  closeOffer();
+  startRecipe(offer.recipe);
+  expectation.value = offer.expected ? { expected: offer.expected, recipe: offer.recipe } : null;
+  forgetResults();
+  resetView();
+  const file = offer.recipe.source.file;
+  if (file && !(file.sha256 && engine.volumeFile(file.sha256))) {
+    awaitedFile.value = file;
+    volume.value = null;
+    return;
+  }
+  awaitedFile.value = null;
+  volume.value = null;
+  void (async () => {
+    await preview(true);
+    if (thenRun && volume.value) await runAll();
+  })();
+}
+
+/** The link has been dealt with: a reload goes on with the case as it then stands. */
+export function closeOffer(): void {
+  offered.value = null;
+  history.replaceState(null, '', location.pathname + location.search);
+}
+
+export function undoEdit(): void {
+  undo();
+  afterHistory();
+}
+
+export function redoEdit(): void {
+  redo();
+  afterHistory();
+}
+
+function afterHistory(): void {
+  if (recipe.value?.source.phantom || recipe.value?.source.file) previewSoon();
+}
+
+/** Tetrahedra to expect of the recipe as it stands, or nothing before a volume is known. */
+export function expectedTets(): number | null {
+  return recipe.value && volume.value ? estimateTets(recipe.value, volume.value) : null;
+}
+
+function withoutPromise(full: Recipe): Recipe {
+  const copy = structuredClone(full) as Recipe & { expected?: unknown };
+  delete copy.expected;
+  return copy;
+}
+
+function tellError(error: unknown): void {
+  if (error instanceof EngineError) {
+    if (error.code !== 'cancelled') tellFailure(error);
+  } else if (error instanceof LinkError) {
+    tell('error', 'This link cannot be opened', error.message);
+  } else {
+    tell('error', 'Something went wrong', error instanceof Error ? error.message : String(error));
+  }
+}
+
+function startClock(): void {
+  const begin = performance.now();
+  elapsedSeconds.value = 0;
+  stopClock();
+  clock = setInterval(() => (elapsedSeconds.value = (performance.now() - begin) / 1000), 100);
+}
+
+function stopClock(): void {
+  clearInterval(clock);
+}

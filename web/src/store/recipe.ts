@@ -1,0 +1,75 @@
+import { computed, signal } from '@preact/signals';
+import { applyPatches, enablePatches, produceWithPatches, type Patch } from 'immer';
+import type { Recipe } from '../engine/contract';
+
+enablePatches();
+
+interface Step {
+  label: string;
+  key: string | undefined;
+  time: number;
+  patches: Patch[];
+  inverse: Patch[];
+}
+
+const past = signal<Step[]>([]);
+const future = signal<Step[]>([]);
+const maxSteps = 200;
+/** Edits of one control in quick succession are one step. */
+const joinMs = 900;
+
+/** The recipe: the only truth about a case. Null until the engine has told its defaults. */
+export const recipe = signal<Recipe | null>(null);
+export const undoLabel = computed(() => past.value.at(-1)?.label ?? null);
+export const redoLabel = computed(() => future.value.at(-1)?.label ?? null);
+
+/** Replaces the recipe and forgets its history: another case begins. */
+export function startRecipe(next: Recipe): void {
+  recipe.value = next;
+  past.value = [];
+  future.value = [];
+}
+
+/** Edits the recipe as one step of its history; steps with the same `key` in quick succession are joined. */
+export function editRecipe(label: string, change: (draft: Recipe) => void, key?: string): void {
+  if (!recipe.value) return;
+  const [next, patches, inverse] = produceWithPatches(recipe.value, (draft) => change(draft as Recipe));
+  if (patches.length === 0) return;
+  const last = past.value.at(-1);
+  const time = Date.now();
+  if (last && key !== undefined && last.key === key && time - last.time < joinMs) {
+    const joined = {
+      ...last,
+      time,
+      patches: [...last.patches, ...patches],
+      inverse: [...inverse, ...last.inverse],
+    };
+    past.value = [...past.value.slice(0, -1), joined];
+  } else {
+    past.value = [...past.value, { label, key, time, patches, inverse }].slice(-maxSteps);
+  }
+  future.value = [];
+  recipe.value = next;
+}
+
+/** Changes the recipe without a step: for what the engine adds to it, such as a digest. */
+export function amendRecipe(change: (draft: Recipe) => void): void {
+  if (!recipe.value) return;
+  recipe.value = produceWithPatches(recipe.value, (draft) => change(draft as Recipe))[0];
+}
+
+export function undo(): void {
+  const step = past.value.at(-1);
+  if (!step || !recipe.value) return;
+  recipe.value = applyPatches(recipe.value, step.inverse);
+  past.value = past.value.slice(0, -1);
+  future.value = [...future.value, { ...step, key: undefined }];
+}
+
+export function redo(): void {
+  const step = future.value.at(-1);
+  if (!step || !recipe.value) return;
+  recipe.value = applyPatches(recipe.value, step.patches);
+  future.value = future.value.slice(0, -1);
+  past.value = [...past.value, step];
+}

@@ -1,0 +1,97 @@
+import { computed, signal } from '@preact/signals';
+import {
+  stageNames,
+  type EngineError,
+  type Expected,
+  type Recipe,
+  type Report,
+  type Schema,
+  type StageName,
+  type StageSummary,
+} from '../engine/contract';
+import { verdictOf } from '../link/verdict';
+import { recipe } from './recipe';
+
+export type StageState = 'waiting' | 'running' | 'done' | 'stale' | 'failed';
+
+export interface StageStatus {
+  state: StageState;
+  fraction: number;
+  summary: StageSummary | null;
+}
+
+export type Activity = 'idle' | 'starting' | 'opening' | 'preview' | 'run' | 'export';
+
+/** A sentence for the user: a failure to act on, or news. */
+export interface Notice {
+  id: number;
+  tone: 'error' | 'news';
+  title: string;
+  text: string;
+  points: [number, number, number][];
+}
+
+export const schema = signal<Schema | null>(null);
+export const defaults = signal<Recipe | null>(null);
+export const activity = signal<Activity>('starting');
+export const stages = signal<Record<StageName, StageStatus>>(blankStages());
+export const report = signal<Report | null>(null);
+/** The recipe of the mesh that is shown, and only its fields that differ from the defaults. */
+export const meshedRecipe = signal<Recipe | null>(null);
+export const meshedMinimal = signal<Record<string, unknown> | null>(null);
+/** What the opened link promises, and the recipe that it promises it for. */
+export const expectation = signal<{ expected: Expected; recipe: Recipe } | null>(null);
+export const notices = signal<Notice[]>([]);
+export const announcement = signal('');
+/** Milliseconds from Cancel to an engine that answers. */
+export const lastCancelMs = signal<number | null>(null);
+export const elapsedSeconds = signal(0);
+
+/** Whether the mesh that is shown is the one that the recipe asks for. */
+export const upToDate = computed(
+  () => meshedRecipe.value !== null && JSON.stringify(meshedRecipe.value) === JSON.stringify(recipe.value),
+);
+
+export const verdict = computed(() => {
+  const promise = expectation.value;
+  if (!promise || !report.value || !meshedRecipe.value) return null;
+  if (JSON.stringify(promise.recipe) !== JSON.stringify(meshedRecipe.value)) return null;
+  return verdictOf(promise.expected, report.value);
+});
+
+export function blankStages(): Record<StageName, StageStatus> {
+  const blank = {} as Record<StageName, StageStatus>;
+  for (const name of stageNames) blank[name] = { state: 'waiting', fraction: 0, summary: null };
+  return blank;
+}
+
+export function setStage(name: StageName, change: Partial<StageStatus>): void {
+  stages.value = { ...stages.value, [name]: { ...stages.value[name], ...change } };
+}
+
+let noticeCount = 0;
+
+export function tell(tone: Notice['tone'], title: string, text: string, points: Notice['points'] = []): void {
+  const notice = { id: ++noticeCount, tone, title, text, points };
+  const kept = notices.value.filter((old) => old.title !== title || old.text !== text);
+  notices.value = [...kept, notice].slice(-4);
+  if (tone === 'news') setTimeout(() => dismiss(notice.id), 6000);
+}
+
+export function dismiss(id: number): void {
+  notices.value = notices.value.filter((notice) => notice.id !== id);
+}
+
+const errorTitles: Record<EngineError['code'], string> = {
+  usage: 'These settings cannot be used',
+  bad_input: 'This file cannot be read',
+  meshing: 'Meshing did not succeed',
+  differs: 'This is not the expected volume',
+  out_of_memory: 'Out of memory',
+  cancelled: 'Cancelled',
+  internal: 'The engine stopped',
+};
+
+export function tellFailure(error: EngineError): void {
+  tell('error', errorTitles[error.code], error.message, error.where.points ?? []);
+}

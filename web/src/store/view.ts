@@ -1,0 +1,82 @@
+import { computed, signal } from '@preact/signals';
+import type { StageName, TetMeasure, Vec3 } from '../engine/contract';
+import { labelColour } from '../geometry/colours';
+import { volume } from './input';
+
+export type ColourBy = 'label' | 'edge_mm' | 'min_dihedral_deg' | 'radius_ratio' | 'size_log2';
+export type ThemeChoice = 'system' | 'light' | 'dark';
+
+export interface Cut {
+  on: boolean;
+  normal: Vec3;
+  /** Place of the plane along the normal: 0 and 1 are the ends of the shown body. */
+  place: number;
+}
+
+/** Elements whose measure lies in a range, chosen by dragging over a histogram. */
+export interface Brush {
+  metric: TetMeasure | 'dihedral_deg';
+  lo: number;
+  hi: number;
+  /** How many elements that is; written by the scene. */
+  shown: number | null;
+}
+
+export interface Legend {
+  title: string;
+  unit: string;
+  lo: number;
+  hi: number;
+  map: 'viridis' | 'cividis';
+}
+
+export interface Picked {
+  title: string;
+  lines: [string, string][];
+}
+
+export type ViewDirection = 'R' | 'L' | 'A' | 'P' | 'S' | 'I';
+
+export type SceneCommand =
+  | { kind: 'fit' }
+  | { kind: 'look'; from: ViewDirection }
+  | { kind: 'cut_facing_me' }
+  | { kind: 'fly'; to: Vec3; radius: number };
+
+export const stageShown = signal<StageName>('smooth');
+export const colourBy = signal<ColourBy>('label');
+export const showEdges = signal(true);
+export const cut = signal<Cut>({ on: false, normal: [0, 1, 0], place: 0.5 });
+export const brush = signal<Brush | null>(null);
+/** One element singled out: its id, or nothing. */
+export const focusTet = signal<number | null>(null);
+export const legend = signal<Legend | null>(null);
+export const picked = signal<Picked | null>(null);
+export const regionShown = signal<number | null>(null);
+export const gizmoMode = signal<'translate' | 'rotate' | 'scale'>('translate');
+export const slicePlaces = signal<Vec3>([0.5, 0.5, 0.5]);
+export const hiddenLabels = signal<ReadonlySet<number>>(new Set());
+export const ownColours = signal<Readonly<Record<number, string>>>({});
+export const theme = signal<ThemeChoice>('system');
+export const dark = signal(false);
+export const command = signal<SceneCommand | null>(null);
+/** Places that an error points at. */
+export const markers = signal<Vec3[]>([]);
+
+export const colourOf = computed(() => {
+  const own = ownColours.value;
+  const known = new Map(volume.value?.labels.map((entry) => [entry.label, entry.colour]));
+  return (label: number): string => own[label] ?? known.get(label) ?? labelColour(label);
+});
+
+export function resetView(): void {
+  brush.value = null;
+  focusTet.value = null;
+  picked.value = null;
+  regionShown.value = null;
+  markers.value = [];
+  hiddenLabels.value = new Set();
+  ownColours.value = {};
+  colourBy.value = 'label';
+  cut.value = { ...cut.value, on: false, place: 0.5 };
+}
