@@ -27,7 +27,7 @@ std::pair<int, int> range_of(const TetCorners& p, int d, int size) {
 struct Samples {
   std::vector<Eigen::Vector3d> points;
   std::vector<double> weights;
-  double longest_mm = 0;  ///< longest edge of the sub-triangles
+  std::vector<double> reach_mm;  ///< from the sample to the farthest point of its sub-triangle
 };
 
 double longest_edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -68,7 +68,11 @@ Samples sample(const TriangleSet& set, double spacing_mm) {
     const int n = rows_of(longest, spacing);
     const double weight = 0.5 * (b - a).cross(c - a).norm() / (static_cast<double>(n) * n);
     const Eigen::Vector3d u = (b - a) / n, v = (c - a) / n;
-    out.longest_mm = std::max(out.longest_mm, longest / n);
+    const Eigen::Vector3d centre = (a + b + c) / 3;
+    const double reach = std::sqrt(std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(),
+                                             (c - centre).squaredNorm()})) /
+                         n;
+    out.reach_mm.insert(out.reach_mm.end(), static_cast<std::size_t>(n) * static_cast<std::size_t>(n), reach);
     for (int row = 0; row < n; ++row) {
       for (int column = 0; column + row < n; ++column) {
         const Eigen::Vector3d corner = a + row * u + column * v;
@@ -170,7 +174,7 @@ DistanceSummary measure_distance(const TriangleSet& from, const TriangleSet& to,
   const Samples samples = sample(from, spacing_mm);
   std::vector<std::pair<float, float>> found;  // distance, weight
   found.reserve(samples.points.size());
-  double sum = 0, squares = 0, area = 0;
+  double sum = 0, squares = 0, area = 0, bound = 0;
   std::uint32_t hint = 0;
   for (std::size_t i = 0; i < samples.points.size(); ++i) {
     const ClosestPointTree::Hit hit = tree.closest(samples.points[i], hint);
@@ -179,13 +183,14 @@ DistanceSummary measure_distance(const TriangleSet& from, const TriangleSet& to,
     squares += samples.weights[i] * hit.distance_mm * hit.distance_mm;
     area += samples.weights[i];
     out.max_mm = std::max(out.max_mm, hit.distance_mm);
+    // The distance to a surface changes by no more than the way gone.
+    bound = std::max(bound, hit.distance_mm + samples.reach_mm[i]);
     found.emplace_back(static_cast<float>(hit.distance_mm), static_cast<float>(samples.weights[i]));
   }
   out.samples = found.size();
   out.mean_mm = sum / area;
   out.rms_mm = std::sqrt(squares / area);
-  // The centroid of a triangle is at most two thirds of its longest edge from each of its points.
-  out.uncertainty_mm = samples.longest_mm * 2 / 3;
+  out.uncertainty_mm = bound - out.max_mm;
   std::sort(found.begin(), found.end());
   double below = 0;
   for (const auto& [distance, weight] : found) {

@@ -27,8 +27,8 @@ struct TriangleSet {
 };
 
 /// Area-weighted distances from samples on `from` (sub-triangle centroids, spacing at most `spacing_mm`
-/// unless that would take more than 400,000 samples; at least one a triangle) to `to`. `uncertainty_mm`: no
-/// point of `from` is farther than this from a sample.
+/// unless that would take more than 400,000 samples; at least one a triangle) to `to`. No
+/// point of `from` is farther than `max_mm + uncertainty_mm` from `to`.
 DistanceSummary measure_distance(const TriangleSet& from, const TriangleSet& to, double spacing_mm);
 
 }  // namespace voxtet

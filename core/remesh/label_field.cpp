@@ -128,12 +128,12 @@ void LabelField::build_cells(const VoxelWeights& weights) {
         for (const std::size_t c : corners) one = one && centre_labels_[c] == centre_labels_[v];
         // The same winner at all eight corners wins everywhere between them.
         cells_[v] = centre_labels_[v];
-        if (!one) resolve_cell(weights, corners, cells_[v]);
+        if (!one) cells_[v] = store_mixed_cell(weights, corners);
       }
 }
 
-Label LabelField::resolve_cell(const VoxelWeights& weights, const std::array<std::size_t, 8>& corners,
-                               std::int32_t& code) {
+std::int32_t LabelField::store_mixed_cell(const VoxelWeights& weights,
+                                          const std::array<std::size_t, 8>& corners) {
   CellTable table;
   for (int c = 0; c < 8; ++c) {
     const std::size_t v = corners[c];
@@ -146,19 +146,17 @@ Label LabelField::resolve_cell(const VoxelWeights& weights, const std::array<std
     Pair pair{{}, table.labels[0], table.labels[1]};
     for (int c = 0; c < 8; ++c)
       pair.difference[c] = static_cast<float>(table.weights[0][c] - table.weights[1][c]) * kWeightScale;
-    code = kPairBase + static_cast<std::int32_t>(pairs_.size());
     pairs_.push_back(pair);
-  } else {
-    if (many_start_.empty()) many_start_.push_back(0);
-    code = -static_cast<std::int32_t>(many_start_.size());
-    for (std::size_t i = 0; i < table.labels.size(); ++i) {
-      many_labels_.push_back(table.labels[i]);
-      for (int c = 0; c < 8; ++c)
-        many_values_.push_back(static_cast<float>(table.weights[i][c]) * kWeightScale);
-    }
-    many_start_.push_back(static_cast<std::uint32_t>(many_labels_.size()));
+    return kPairBase + static_cast<std::int32_t>(pairs_.size() - 1);
   }
-  return table.labels[0];
+  if (many_start_.empty()) many_start_.push_back(0);
+  for (std::size_t i = 0; i < table.labels.size(); ++i) {
+    many_labels_.push_back(table.labels[i]);
+    for (int c = 0; c < 8; ++c)
+      many_values_.push_back(static_cast<float>(table.weights[i][c]) * kWeightScale);
+  }
+  many_start_.push_back(static_cast<std::uint32_t>(many_labels_.size()));
+  return 1 - static_cast<std::int32_t>(many_start_.size());
 }
 
 std::int32_t LabelField::code_at(const Eigen::Vector3d& index, std::array<double, 3>& t) const {

@@ -25,10 +25,12 @@ struct VoxelWeights {
 
 /// How the field differs from the voxels at voxel centres.
 struct FieldLedger {
-  std::uint64_t flipped_voxels = 0;  ///< voxels whose centre lies in another label after smoothing
-  std::uint64_t retained_voxels =
-      0;  ///< voxels kept in their label although the smoothed indicators lose them
-  std::uint64_t dropped_specks = 0;  ///< components of fewer than kSpeckVoxels voxels that smoothing removed
+  /// Voxels whose centre lies in another label after smoothing.
+  std::uint64_t flipped_voxels = 0;
+  /// Voxels kept in their label although the smoothed indicators lose them.
+  std::uint64_t retained_voxels = 0;
+  /// Components of fewer than kSpeckVoxels voxels that smoothing removed.
+  std::uint64_t dropped_specks = 0;
 };
 
 /// Components smaller than this may vanish by smoothing as long as the label keeps another component.
@@ -45,7 +47,8 @@ class LabelField {
   /// topology of the input: a voxel whose smoothed indicator loses gives way only if that neither splits,
   /// perforates nor removes its label, nor adds a component to the winner (simple points); otherwise its own
   /// indicator is raised until it wins. So thin walls and thin labels survive, and no fragment appears that
-  /// the input does not have.
+  /// the input does not have. Before that, every label gets back the volume that smoothing took from it (see
+  /// balance_volumes.h).
   LabelField(const LabelVolume& volume, double smoothing_voxels);
 
   /// Label at a patient-space point (mm).
@@ -84,8 +87,8 @@ class LabelField {
   };
 
   void build_cells(const VoxelWeights& weights);
-  Label resolve_cell(const VoxelWeights& weights, const std::array<std::size_t, 8>& corners,
-                     std::int32_t& code);
+  /// The code of a cell in which more than one label can win.
+  std::int32_t store_mixed_cell(const VoxelWeights& weights, const std::array<std::size_t, 8>& corners);
   std::int32_t code_at(const Eigen::Vector3d& index, std::array<double, 3>& t) const;
   double margin(const Eigen::Vector3d& index, Label wanted, Sample& sample) const;
 

@@ -43,12 +43,11 @@ class Relabeller {
     for (const Label label : cells.labels) ++population_[label];
   }
 
-  RelabelLedger run() {
+  void run() {
     give_islands_away();
     std::vector<EdgeOfCell> work = sharp_edges();
     for (int round = 0; round < kRounds && !work.empty(); ++round) {
       changed_.clear();
-      ledger_.remaining = 0;
       for (const EdgeOfCell& edge : work) improve(edge);
       work.clear();
       for (const std::uint32_t cell : changed_)
@@ -56,7 +55,6 @@ class Relabeller {
           for (std::uint32_t j = i + 1; j < 4; ++j)
             work.push_back({cell, cells_.vertices[cell][i], cells_.vertices[cell][j]});
     }
-    return ledger_;
   }
 
  private:
@@ -199,7 +197,6 @@ class Relabeller {
         }
       }
       set_label(cell, best);
-      ++ledger_.islands;
     }
   }
 
@@ -267,20 +264,15 @@ class Relabeller {
       try_option(run, cells_.labels[after], gain, best_run, label);
       try_option({before}, sector.label, gain, best_run, label);
       try_option({after}, sector.label, gain, best_run, label);
-      if (best_run.empty()) {
-        ++ledger_.remaining;
-        continue;
-      }
+      if (best_run.empty()) continue;
       for (const std::uint32_t c : best_run) set_label(c, label);
       changed_.insert(changed_.end(), best_run.begin(), best_run.end());
-      ++ledger_.moves;
       return;
     }
   }
 
   CellComplex& cells_;
   std::vector<std::uint64_t> population_;
-  RelabelLedger ledger_;
   std::vector<std::uint32_t> changed_;
   std::vector<RingCell> ring_, cost_ring_;
   std::vector<Sector> sectors_, cost_sectors_;
@@ -289,8 +281,8 @@ class Relabeller {
 
 }  // namespace
 
-RelabelLedger relabel_cells(CellComplex& cells) {
-  return Relabeller(cells).run();
+void relabel_cells(CellComplex& cells) {
+  Relabeller(cells).run();
 }
 
 }  // namespace voxtet::remesh

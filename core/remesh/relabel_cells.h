@@ -1,8 +1,6 @@
 // Small changes of cell labels that remove islands and needle-sharp wedges from the interfaces.
 #pragma once
 
-#include <cstdint>
-
 #include "remesh/cell_complex.h"
 
 namespace voxtet::remesh {
@@ -10,17 +8,11 @@ namespace voxtet::remesh {
 /// Wedges sharper than this between two interface facets are worth a change.
 inline constexpr double kSharpSectorDeg = 27;
 
-struct RelabelLedger {
-  std::uint64_t islands = 0;    ///< cells enclosed by four interface facets, given away
-  std::uint64_t moves = 0;      ///< sectors or single cells that changed sides
-  std::uint64_t remaining = 0;  ///< sectors still sharper than kSharpSectorDeg
-};
-
 /// Flat cells lie on the interfaces of a restricted Delaunay triangulation, and which side their circumcentre
 /// falls on is chance. An island takes the neighbouring label with the largest shared area. For an edge
 /// sector (the run of cells of one label between two interface facets) sharper than kSharpSectorDeg, the
 /// sector, or one cell beside it, is given to the label next door, if that lowers the cost of the edges and
 /// facets concerned. The facets stay a subset of the triangulation; no label loses its last cell.
-RelabelLedger relabel_cells(CellComplex& cells);
+void relabel_cells(CellComplex& cells);
 
 }  // namespace voxtet::remesh

@@ -80,7 +80,6 @@ Status check_parameters(const SizingField& sizing, const RemeshParams& params) {
 
 struct Outcome {
   CellComplex cells;
-  RelabelLedger relabelled;
   std::vector<std::uint32_t> lost;  ///< components without a cell
   bool cancelled = false;
 };
@@ -148,7 +147,7 @@ Outcome refine_from_seeds(const LabelField& field, const SizingField& sizing, co
   out.cells = refiner.cells();
   out.cancelled = !open_pinches(refiner, out.cells, kLeastPinchVoxels * field.smallest_spacing_mm(), ctx);
   if (out.cancelled) return out;
-  out.relabelled = relabel_cells(out.cells);
+  relabel_cells(out.cells);
   out.lost = lost_components(out.cells, seeds, seed_points);
   return out;
 }

@@ -26,7 +26,8 @@ struct MetricSummary {
   std::vector<std::uint32_t> worst;
 };
 
-/// Distances from samples on one surface to another, mm. `uncertainty_mm` bounds what lies between samples.
+/// Distances from samples on one surface to another, mm. No point between samples is farther than
+/// `max_mm + uncertainty_mm`.
 struct DistanceSummary {
   std::uint64_t samples = 0;
   double mean_mm = 0, rms_mm = 0, p95_mm = 0, max_mm = 0, uncertainty_mm = 0;

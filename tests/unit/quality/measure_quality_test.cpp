@@ -348,6 +348,7 @@ TEST(MeasureDistance, KeepsTheNumberOfSamplesInBounds) {
       measure_distance({inner.points, inner.triangles}, {outer.points, outer.triangles}, 99);
   EXPECT_EQ(coarse.samples, inner.triangles.size());
   EXPECT_GT(coarse.uncertainty_mm, 5 * fine.uncertainty_mm);
+  EXPECT_GT(fine.max_mm, coarse.max_mm);
   EXPECT_LE(fine.max_mm, coarse.max_mm + coarse.uncertainty_mm) << "what lies between samples is covered";
 }
 

@@ -56,6 +56,7 @@ TEST(LabelField, KeepsTheComponentsOfEveryLabelButSpecks) {
 TEST(LabelField, NeverLosesALabel) {
   const LabelVolume volume = test::random_volume(10, 60, 5);
   const LabelField field(volume, 1.0);
+  EXPECT_GT(field.ledger().retained_voxels, 0U);
   for (const Label label : volume.labels)
     EXPECT_NE(std::find(field.centre_labels().begin(), field.centre_labels().end(), label),
               field.centre_labels().end());

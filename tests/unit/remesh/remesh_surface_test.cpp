@@ -273,8 +273,8 @@ TEST_P(RemeshBlobs, StayClosedConformingAndFreeOfIntersections) {
   EXPECT_LE(pinched, 2U);
   EXPECT_EQ(test::count_self_intersections(surface), 0U);
   const test::SurfaceReport report = test::report_on(surface, sizing);
-  EXPECT_GE(report.least_planar_deg, 20);
-  EXPECT_GE(report.least_dihedral_deg, 12);
+  EXPECT_GE(report.least_planar_deg, 25);
+  EXPECT_GE(report.least_dihedral_deg, 20);
   RecordProperty("planar_deg", std::to_string(report.least_planar_deg));
   RecordProperty("dihedral_deg", std::to_string(report.least_dihedral_deg));
 }

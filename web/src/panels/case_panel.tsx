@@ -188,7 +188,7 @@ function LabelTable({ current }: { current: Recipe }) {
   return (
     <section class="section">
       <h2>Labels</h2>
-      <table class="labels">
+      <div class="label-scroll"><table class="labels">
         <thead>
           <tr>
             <th scope="col">
@@ -263,7 +263,7 @@ function LabelTable({ current }: { current: Recipe }) {
             );
           })}
         </tbody>
-      </table>
+      </table></div>
       <CheckField
         label="Mesh the labels as one region"
         checked={current.merge}

@@ -2,16 +2,8 @@ import { signal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { exportFormats, type ExportFormat, type Space } from '../engine/contract';
-import {
-  acceptOffer,
-  downloadCase,
-  downloadReport,
-  exportMesh,
-  offered,
-  closeOffer,
-  shareCase,
-  type SharedCase,
-} from '../store/actions';
+import { acceptOffer, offered, closeOffer } from '../store/actions';
+import { downloadCase, downloadReport, exportMesh, shareCase, type SharedCase } from '../store/exchange';
 import { activity, report, upToDate } from '../store/run';
 import { Segments } from './fields';
 import { whole } from './format';

@@ -1,4 +1,5 @@
-import { cancelRun, caseName, expectedTets, redoEdit, runAll, undoEdit } from '../store/actions';
+import { cancelRun, expectedTets, redoEdit, runAll, undoEdit } from '../store/actions';
+import { caseName } from '../store/exchange';
 import { volume } from '../store/input';
 import { recipe, redoLabel, undoLabel } from '../store/recipe';
 import { activity, elapsedSeconds, report, upToDate } from '../store/run';

@@ -5,15 +5,13 @@ import {
   EngineError,
   stageNames,
   type Expected,
-  type ExportFormat,
   type PhantomParams,
   type Recipe,
-  type Space,
   type StageName,
   type VolumeFile,
   type VolumeSummary,
 } from '../engine/contract';
-import { decodeFragment, encodeFragment, LinkError, parseCase } from '../link/codec';
+import { decodeFragment, LinkError, parseCase } from '../link/codec';
 import { autosave, savedCase } from './autosave';
 import { estimateTets } from './estimate';
 import { awaitedFile, volume } from './input';
@@ -47,11 +45,18 @@ export interface OfferedCase {
 
 export const offered = signal<OfferedCase | null>(null);
 
-let engine: EngineClient;
+/** The engine of this page; there is none before startEngine. */
+export let engine: EngineClient;
 let previewTimer: ReturnType<typeof setTimeout> | undefined;
 let clock: ReturnType<typeof setInterval> | undefined;
 /** Actions that were overtaken by newer ones leave the store alone. */
 let turn = 0;
+
+/** Begins an action: whether it is still the newest is asked of what this returns. */
+export function takeTurn(): () => boolean {
+  const mine = ++turn;
+  return () => mine === turn;
+}
 
 export async function startEngine(client: EngineClient): Promise<void> {
   engine = client;
@@ -265,75 +270,6 @@ export async function cancelRun(): Promise<void> {
   if (mine === turn) lastCancelMs.value = milliseconds;
 }
 
-export async function exportMesh(format: ExportFormat, space: Space): Promise<void> {
-  const meshed = meshedRecipe.value;
-  if (!meshed) return;
-  const mine = ++turn;
-  activity.value = 'export';
-  announcement.value = `Writing ${format}`;
-  try {
-    const files = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space);
-    for (const file of files) download(`${caseName()}${file.suffix}`, new Blob([file.bytes]));
-    announcement.value = `${files.length === 1 ? 'File' : `${files.length} files`} written`;
-  } catch (error) {
-    if (mine === turn) tellError(error);
-  } finally {
-    if (mine === turn) activity.value = 'idle';
-  }
-}
-
-export function downloadReport(): void {
-  if (!report.value) return;
-  download(
-    `${caseName()}.report.json`,
-    new Blob([JSON.stringify(report.value, null, 2)], { type: 'application/json' }),
-  );
-}
-
-export function downloadCase(minimal: Record<string, unknown>): void {
-  download(
-    `${caseName()}.case.json`,
-    new Blob([JSON.stringify(minimal, null, 2)], { type: 'application/json' }),
-  );
-}
-
-export function caseName(): string {
-  const source = recipe.value?.source;
-  const name = source?.file?.name ?? source?.phantom?.kind ?? 'mesh';
-  return name.replace(/\.(nii\.gz|seg\.nrrd|[^.]+)$/i, '') || 'mesh';
-}
-
-function download(name: string, blob: Blob): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 30_000);
-}
-
-export interface SharedCase {
-  url: string;
-  minimal: Record<string, unknown>;
-  /** The link promises the digest of the mesh that is shown. */
-  promises: boolean;
-}
-
-/** A link of this case; with the digest where the mesh that is shown is the recipe's. */
-export async function shareCase(): Promise<SharedCase> {
-  const current = recipe.value;
-  if (!current) throw new Error('There is no case to share yet.');
-  const meshed = JSON.stringify(current) === JSON.stringify(meshedRecipe.value);
-  const found = meshed ? report.value : null;
-  const base =
-    found && meshedMinimal.value ? meshedMinimal.value : (await engine.checkRecipe(current)).minimal;
-  const minimal = { ...base };
-  delete minimal.expected;
-  if (found) minimal.expected = { engine: found.engine, digest: found.digest, tets: found.tets };
-  const url = new URL(location.href);
-  url.hash = await encodeFragment(minimal);
-  return { url: url.href, minimal, promises: found !== null };
-}
-
 export async function openFragment(fragment: string): Promise<void> {
   try {
     await offerCase(await decodeFragment(fragment));
@@ -443,7 +379,7 @@ function withoutPromise(full: Recipe): Recipe {
   return copy;
 }
 
-function tellError(error: unknown): void {
+export function tellError(error: unknown): void {
   if (error instanceof EngineError) {
     if (error.code !== 'cancelled') tellFailure(error);
   } else if (error instanceof LinkError) {

@@ -1,0 +1,75 @@
+/** What leaves the page: files of the mesh, the report, the case, a link. */
+import type { ExportFormat, Space } from '../engine/contract';
+import { encodeFragment } from '../link/codec';
+import { engine, takeTurn, tellError } from './actions';
+import { recipe } from './recipe';
+import { activity, announcement, meshedMinimal, meshedRecipe, report } from './run';
+
+export async function exportMesh(format: ExportFormat, space: Space): Promise<void> {
+  const meshed = meshedRecipe.value;
+  if (!meshed) return;
+  const newest = takeTurn();
+  activity.value = 'export';
+  announcement.value = `Writing ${format}`;
+  try {
+    const files = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space);
+    for (const file of files) download(`${caseName()}${file.suffix}`, new Blob([file.bytes]));
+    announcement.value = `${files.length === 1 ? 'File' : `${files.length} files`} written`;
+  } catch (error) {
+    if (newest()) tellError(error);
+  } finally {
+    if (newest()) activity.value = 'idle';
+  }
+}
+
+export function downloadReport(): void {
+  if (!report.value) return;
+  download(
+    `${caseName()}.report.json`,
+    new Blob([JSON.stringify(report.value, null, 2)], { type: 'application/json' }),
+  );
+}
+
+export function downloadCase(minimal: Record<string, unknown>): void {
+  download(
+    `${caseName()}.case.json`,
+    new Blob([JSON.stringify(minimal, null, 2)], { type: 'application/json' }),
+  );
+}
+
+export function caseName(): string {
+  const source = recipe.value?.source;
+  const name = source?.file?.name ?? source?.phantom?.kind ?? 'mesh';
+  return name.replace(/\.(nii\.gz|seg\.nrrd|[^.]+)$/i, '') || 'mesh';
+}
+
+function download(name: string, blob: Blob): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 30_000);
+}
+
+export interface SharedCase {
+  url: string;
+  minimal: Record<string, unknown>;
+  /** The link promises the digest of the mesh that is shown. */
+  promises: boolean;
+}
+
+/** A link of this case; with the digest where the mesh that is shown is the recipe's. */
+export async function shareCase(): Promise<SharedCase> {
+  const current = recipe.value;
+  if (!current) throw new Error('There is no case to share yet.');
+  const meshed = JSON.stringify(current) === JSON.stringify(meshedRecipe.value);
+  const found = meshed ? report.value : null;
+  const base =
+    found && meshedMinimal.value ? meshedMinimal.value : (await engine.checkRecipe(current)).minimal;
+  const minimal = { ...base };
+  delete minimal.expected;
+  if (found) minimal.expected = { engine: found.engine, digest: found.digest, tets: found.tets };
+  const url = new URL(location.href);
+  url.hash = await encodeFragment(minimal);
+  return { url: url.href, minimal, promises: found !== null };
+}
