@@ -1,20 +1,37 @@
-/** Pictures of the app for the docs: the sample heart after a run, light and dark. */
-import { mkdir } from 'node:fs/promises';
+/** Pictures for the docs: the app after a run on the sample heart, light and dark, and one of each example. */
+import { mkdir, readdir, readFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
 import { sampleCase } from '../serve.mjs';
 import { openAndRun, test } from './support';
 
-const folder = join(dirname(fileURLToPath(import.meta.url)), '../docs');
+const here = dirname(fileURLToPath(import.meta.url));
+const docs = join(here, '../docs');
+const examples = join(here, '../../examples');
+
+async function openCut(page: Page, recipe: object, colorScheme: 'light' | 'dark'): Promise<void> {
+  await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+  await openAndRun(page, recipe);
+  await page.getByRole('button', { name: 'Cut', exact: true }).click();
+  await page.getByLabel('Place of the cut').fill('0.52');
+  await page.waitForTimeout(1500);
+}
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`app-${colorScheme}.png`, async ({ page }) => {
-    await mkdir(folder, { recursive: true });
-    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
-    await openAndRun(page, sampleCase);
-    await page.getByRole('button', { name: 'Cut', exact: true }).click();
-    await page.getByLabel('Place of the cut').fill('0.52');
-    await page.waitForTimeout(1500);
-    await page.screenshot({ path: join(folder, `app-${colorScheme}.png`) });
+    await mkdir(docs, { recursive: true });
+    await openCut(page, sampleCase, colorScheme);
+    await page.screenshot({ path: join(docs, `app-${colorScheme}.png`) });
   });
 }
+
+test('examples', async ({ page }) => {
+  for (const entry of await readdir(examples, { withFileTypes: true })) {
+    if (!entry.isDirectory()) continue;
+    const folder = join(examples, entry.name);
+    await openCut(page, JSON.parse(await readFile(join(folder, 'case.json'), 'utf8')), 'light');
+    await page.locator('main').screenshot({ path: join(folder, 'picture.png') });
+    await page.goto('about:blank');
+  }
+});

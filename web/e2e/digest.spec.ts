@@ -1,0 +1,45 @@
+/** The browser makes the very bytes that the command line makes. */
+import { execFileSync } from 'node:child_process';
+import { readdirSync, readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { dropFile, expect, idle, link, meshed, openAndRun, realVolume, test } from './support';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
+const readJson = (path: string) => JSON.parse(readFileSync(path, 'utf8'));
+
+for (const name of readdirSync(join(root, 'examples'), { withFileTypes: true })
+  .filter((entry) => entry.isDirectory())
+  .map((entry) => entry.name)) {
+  test(`the example ${name} is reproduced`, async ({ page }) => {
+    const folder = join(root, 'examples', name);
+    const { engine, digest, tets } = readJson(join(folder, 'expected.json'));
+    await openAndRun(page, { ...readJson(join(folder, 'case.json')), expected: { engine, digest, tets } });
+    await expect(page.getByTestId('verdict')).toContainText('Reproduced');
+  });
+}
+
+test('a real heart with a scar gives the digest that the command line gives under node', async ({ page }) => {
+  const path = realVolume('biv_ed_scar_1mm.nii.gz');
+  test.skip(path === null, 'The folder of real volumes is not on this machine (set VOXTET_DATA).');
+  const sizes = [5, 6].map((label) => ({ label, edge_mm: 0.8 }));
+  const recipe = { labels: [1, 2, 5, 6], sizing: { edge_mm: 2, labels: sizes } };
+  const options = ['--labels', '1,2,5,6', '--edge-mm', '2', '--edge-label', '5=0.8', '--edge-label', '6=0.8', '--json'];
+  const report = JSON.parse(
+    execFileSync(process.execPath, [join(root, 'build/wasm/voxtet.mjs'), 'mesh', path!, ...options], {
+      encoding: 'utf8',
+      maxBuffer: 1 << 26,
+      stdio: ['ignore', 'pipe', 'ignore'],
+    }),
+  );
+  const { engine, digest, tets } = report;
+  console.log(`node: ${tets} tetrahedra, ${digest}`);
+  await page.goto(link({ source: report.recipe.source, ...recipe, expected: { engine, digest, tets } }));
+  await page.getByRole('dialog').getByRole('button', { name: 'Open', exact: true }).click();
+  await dropFile(page, path!);
+  await expect(page.locator('.labels tbody tr')).toHaveCount(6);
+  await idle(page);
+  await page.getByTestId('run').click();
+  await meshed(page);
+  await expect(page.getByTestId('verdict')).toContainText('Reproduced');
+});
