@@ -30,11 +30,11 @@ as_root() {
   fi
 }
 
-# Compile jobs: one for each core, but no more than memory allows (CGAL takes up to 3.4 GB a file).
+# Compile jobs: one for each core, but no more than one for 2 GB of memory, which CGAL and Eigen may take.
 jobs() {
   local cores memory
   cores=$(nproc)
-  memory=$(awk '/MemTotal/ {print int($2 / 4000000)}' /proc/meminfo)
+  memory=$(awk '/MemTotal/ {print int($2 / 2000000)}' /proc/meminfo)
   [ "$memory" -lt 1 ] && memory=1
   echo $((cores < memory ? cores : memory))
 }

@@ -59,7 +59,8 @@ struct Share {
   double volume = 0, growth = 0;
 };
 
-Share share_of(const std::array<double, 8>& lead) {
+/// By the linear part of the lead at the eight corners of a box.
+Share share_of_box(const std::array<double, 8>& lead) {
   double centre = 0, slope = 0;
   for (const double value : lead) centre += value / 8;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -71,6 +72,36 @@ Share share_of(const std::array<double, 8>& lead) {
   if (share <= 0) return {0, 0};
   if (share >= 1) return {1, 0};
   return {share, 1 / std::max(slope, 0.05)};
+}
+
+/// Box by box over the eighths of a cell: across a whole one the bend of the interface of small bodies would show.
+Share share_of_cell(const std::array<double, 8>& lead) {
+  const auto [low, high] = std::minmax_element(lead.begin(), lead.end());
+  if (*low > 0) return {1, 0};
+  if (*high < 0) return {0, 0};
+  std::array<double, 27> lattice{};
+  for (std::size_t p = 0; p < 27; ++p) {
+    const std::array<std::size_t, 3> at{p % 3, p / 3 % 3, p / 9};
+    for (std::size_t c = 0; c < 8; ++c) {
+      double weight = 1;
+      for (std::size_t d = 0; d < 3; ++d) {
+        const double t = 0.5 * static_cast<double>(at[d]);
+        weight *= (c >> d) & 1U ? t : 1 - t;
+      }
+      lattice[p] += weight * lead[c];
+    }
+  }
+  Share total;
+  for (std::size_t box = 0; box < 8; ++box) {
+    std::array<double, 8> corners{};
+    for (std::size_t c = 0; c < 8; ++c)
+      corners[c] = lattice[(box & 1U) + (c & 1U) + 3 * (((box >> 1) & 1U) + ((c >> 1) & 1U)) +
+                           9 * ((box >> 2) + (c >> 2))];
+    const Share share = share_of_box(corners);
+    total.volume += share.volume / 8;
+    total.growth += share.growth / 8;
+  }
+  return total;
 }
 
 struct Cells {
@@ -118,7 +149,7 @@ std::vector<Share> measure(const Cells& cells, const std::vector<double>& bias) 
         for (std::size_t c = 0; c < 8; ++c)
           lead[c] = std::min(lead[c], cells.rows.values[own][c] - cells.rows.values[other][c] + offset);
       }
-      const Share share = share_of(lead);
+      const Share share = share_of_cell(lead);
       total[label].volume += share.volume;
       total[label].growth += share.growth;
     }

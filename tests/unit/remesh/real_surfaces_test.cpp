@@ -8,7 +8,7 @@
 #include "geometry/digest.h"
 #include "io/read_volume.h"
 #include "remesh/remesh_surface.h"
-#include "self_intersections.h"
+#include "geometry/self_intersections.h"
 #include "support/check_surface.h"
 #include "support/data.h"
 #include "support/label_bodies.h"
@@ -42,7 +42,7 @@ TEST_P(RemeshReal, IsClosedWellShapedAndReadyToFill) {
   const Result<SurfaceMesh> surface = remesh_surface(*volume, sizing, {}, ctx);
   ASSERT_TRUE(surface.ok()) << surface.error().message;
 
-  EXPECT_EQ(test::count_self_intersections(*surface), 0U);
+  EXPECT_EQ(find_self_intersections(*surface, 1).size(), 0U);
   std::size_t flaws = 0, labels = 0;
   for (const test::LabelTopology& label : test::label_topologies(*surface)) {
     flaws += label.bad_edges + label.pinched_points;
