@@ -18,10 +18,16 @@ namespace {
 using emscripten::val;
 using nlohmann::json;
 
-std::string reply(const json& value) { return json{{"ok", true}, {"value", value}}.dump(); }
-std::string reply(const Error& error) { return json{{"ok", false}, {"error", error_json(error)}}.dump(); }
+std::string reply(const json& value) {
+  return json{{"ok", true}, {"value", value}}.dump();
+}
+std::string reply(const Error& error) {
+  return json{{"ok", false}, {"error", error_json(error)}}.dump();
+}
 
-Bytes to_bytes(const val& typed_array) { return emscripten::convertJSArrayToNumberVector<std::uint8_t>(typed_array); }
+Bytes to_bytes(const val& typed_array) {
+  return emscripten::convertJSArrayToNumberVector<std::uint8_t>(typed_array);
+}
 
 template <class T>
 val view_of(const T* data, std::size_t count) {
@@ -35,13 +41,16 @@ Result<MeshFormat> format_of(const std::string& name) {
 std::vector<float> to_float(const std::vector<Eigen::Vector3d>& points) {
   std::vector<float> out(3 * points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t d = 0; d < 3; ++d) out[3 * i + d] = static_cast<float>(points[i][static_cast<Eigen::Index>(d)]);
+    for (std::size_t d = 0; d < 3; ++d)
+      out[3 * i + d] = static_cast<float>(points[i][static_cast<Eigen::Index>(d)]);
   return out;
 }
 
 class SessionBinding {
  public:
-  std::string schema() const { return json{{"version", engine_version()}, {"fields", recipe_schema()}}.dump(); }
+  std::string schema() const {
+    return json{{"version", engine_version()}, {"fields", recipe_schema()}}.dump();
+  }
   std::string defaults() const { return recipe_to_json(Recipe{}).dump(); }
   std::string report() const { return report_json(session_).dump(); }
 
@@ -56,8 +65,10 @@ class SessionBinding {
     const SiblingReader sibling = [&](const std::string& wanted) -> Result<Bytes> {
       const auto found = beside.find(wanted);
       if (found != beside.end()) return found->second;
-      return Error{ErrorCode::kBadInput, "read_volume",
-                   name + ": its data file '" + wanted + "' is not there; drop both files together", {}};
+      return Error{ErrorCode::kBadInput,
+                   "read_volume",
+                   name + ": its data file '" + wanted + "' is not there; drop both files together",
+                   {}};
     };
     if (Status loaded = session_.load_volume({name, content, sibling}); !loaded) return reply(loaded.error());
     RunContext ctx;
@@ -109,7 +120,8 @@ class SessionBinding {
 
   std::string export_mesh(const std::string& format, const std::string& space) {
     exported_.clear();
-    if (!session_.mesh()) return reply(Error{ErrorCode::kUsage, "export", "no mesh yet: run the stage tetra", {}});
+    if (!session_.mesh())
+      return reply(Error{ErrorCode::kUsage, "export", "no mesh yet: run the stage tetra", {}});
     Result<MeshFormat> which = format_of(format);
     if (!which) return reply(which.error());
     const PatientSpace patient = space == "lps" ? PatientSpace::kLps : PatientSpace::kRas;
@@ -118,7 +130,8 @@ class SessionBinding {
     if (!files) return reply(files.error());
     exported_ = std::move(files).value();
     json list = json::array();
-    for (const OutputFile& file : exported_) list.push_back({{"suffix", file.suffix}, {"bytes", file.bytes.size()}});
+    for (const OutputFile& file : exported_)
+      list.push_back({{"suffix", file.suffix}, {"bytes", file.bytes.size()}});
     return reply({{"files", list}});
   }
 
@@ -139,9 +152,11 @@ class SessionBinding {
     if (!surface) return val::undefined();
     if (array == "points") return keep_view(floats_, to_float(surface->points));
     if (array == "triangles")
-      return view_of(reinterpret_cast<const std::uint32_t*>(surface->triangles.data()), 3 * surface->triangles.size());
+      return view_of(reinterpret_cast<const std::uint32_t*>(surface->triangles.data()),
+                     3 * surface->triangles.size());
     if (array == "sides")
-      return view_of(reinterpret_cast<const std::uint16_t*>(surface->sides.data()), 2 * surface->sides.size());
+      return view_of(reinterpret_cast<const std::uint16_t*>(surface->sides.data()),
+                     2 * surface->sides.size());
     return val::undefined();
   }
 
@@ -155,7 +170,8 @@ class SessionBinding {
     if (array == "faces")
       return view_of(reinterpret_cast<const std::uint32_t*>(mesh->faces.data()), 3 * mesh->faces.size());
     if (array == "face_sides")
-      return view_of(reinterpret_cast<const std::uint16_t*>(mesh->face_sides.data()), 2 * mesh->face_sides.size());
+      return view_of(reinterpret_cast<const std::uint16_t*>(mesh->face_sides.data()),
+                     2 * mesh->face_sides.size());
     return val::undefined();
   }
 

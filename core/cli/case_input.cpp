@@ -10,15 +10,21 @@
 namespace voxtet {
 namespace {
 
-Error usage(const std::string& message) { return {ErrorCode::kUsage, "cli", message, {}}; }
+Error usage(const std::string& message) {
+  return {ErrorCode::kUsage, "cli", message, {}};
+}
 
-bool is_case_file(const std::string& input) { return input.size() > 5 && input.ends_with(".json"); }
+bool is_case_file(const std::string& input) {
+  return input.size() > 5 && input.ends_with(".json");
+}
 
 Status load_file(const std::string& path, Session& session) {
   Result<Bytes> bytes = read_file(path);
   if (!bytes) return bytes.error();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  const SiblingReader sibling = [folder](const std::string& name) { return read_file((folder / name).string()); };
+  const SiblingReader sibling = [folder](const std::string& name) {
+    return read_file((folder / name).string());
+  };
   return session.load_volume({std::filesystem::path(path).filename().string(), *bytes, sibling});
 }
 
@@ -49,7 +55,8 @@ Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
     Result<double> edge = to_number("--edge-label " + text, pair->second);
     if (!edge) return edge.error();
     nlohmann::json& sizes = json["sizing"]["labels"];
-    std::erase_if(sizes.get_ref<nlohmann::json::array_t&>(), [&](const auto& s) { return s["label"] == *label; });
+    std::erase_if(sizes.get_ref<nlohmann::json::array_t&>(),
+                  [&](const auto& s) { return s["label"] == *label; });
     sizes.push_back({{"label", *label}, {"edge_mm", *edge}});
   }
   Result<Recipe> changed = parse_recipe(json);
@@ -69,7 +76,8 @@ Result<Recipe> read_case(const std::string& input) {
   if (!is_case_file(input)) return Recipe{};
   Result<Bytes> bytes = read_file(input);
   if (!bytes) return bytes.error();
-  Result<Recipe> recipe = parse_recipe(std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+  Result<Recipe> recipe =
+      parse_recipe(std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
   if (!recipe) {
     Error error = recipe.error();
     error.message = input + ": " + error.message;
@@ -86,7 +94,8 @@ Status open_case(const CaseOptions& options, Session& session) {
     path = options.input;
   } else if (recipe->source.file) {
     path = recipe->source.file->name;
-    if (is_case_file(options.input)) path = (std::filesystem::path(options.input).parent_path() / path).string();
+    if (is_case_file(options.input))
+      path = (std::filesystem::path(options.input).parent_path() / path).string();
   }
   if (!path.empty()) {
     if (Status loaded = load_file(path, session); !loaded) return loaded;

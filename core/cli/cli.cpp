@@ -28,7 +28,9 @@ struct Output {
   PatientSpace space() const { return lps_or_ras == "lps" ? PatientSpace::kLps : PatientSpace::kRas; }
 };
 
-void print_json(const json& value) { std::printf("%s\n", value.dump(1).c_str()); }
+void print_json(const json& value) {
+  std::printf("%s\n", value.dump(1).c_str());
+}
 
 int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, const std::string& path,
                 const Output& output) {
@@ -95,7 +97,8 @@ int run_phantom(const std::string& name, const std::vector<std::string>& set, co
   for (const std::string& text : set) {
     if (!recipe) break;
     const std::size_t at = text.find('=');
-    if (at == std::string::npos) return fail({ErrorCode::kUsage, "cli", "--set " + text + ": expected NAME=VALUE", {}});
+    if (at == std::string::npos)
+      return fail({ErrorCode::kUsage, "cli", "--set " + text + ": expected NAME=VALUE", {}});
     recipe = with_field(*recipe, "source.phantom." + text.substr(0, at), text.substr(at + 1));
   }
   if (!recipe) return fail(recipe.error());
@@ -107,8 +110,8 @@ int run_phantom(const std::string& name, const std::vector<std::string>& set, co
   Result<Bytes> bytes = write_nifti(*volume, gzip);
   if (!bytes) return fail(bytes.error());
   if (Status written = place_files({{out, *bytes}}); !written) return fail(written.error());
-  std::printf("%s: %d x %d x %d voxels, digest %s\n", out.c_str(), volume->size[0], volume->size[1], volume->size[2],
-              digest_of(*volume).c_str());
+  std::printf("%s: %d x %d x %d voxels, digest %s\n", out.c_str(), volume->size[0], volume->size[1],
+              volume->size[2], digest_of(*volume).c_str());
   return kExitOk;
 }
 
@@ -144,13 +147,16 @@ Result<Expected> expected_of(const Recipe& recipe, const std::string& input) {
   if (!recipe.expected.digest.empty()) return recipe.expected;
   const std::string beside = (std::filesystem::path(input).parent_path() / "expected.json").string();
   if (is_link(input) || !std::filesystem::exists(beside))
-    return Error{ErrorCode::kUsage, "verify", input + ": the case promises no digest (field expected.digest, or " +
-                                                  beside + ")", {}};
+    return Error{ErrorCode::kUsage,
+                 "verify",
+                 input + ": the case promises no digest (field expected.digest, or " + beside + ")",
+                 {}};
   Result<Bytes> bytes = read_file(beside);
   if (!bytes) return bytes.error();
   const json value = json::parse(bytes->begin(), bytes->end(), nullptr, false);
   if (value.is_discarded() || !value.contains("digest") || !value["digest"].is_string())
-    return Error{ErrorCode::kBadInput, "verify", beside + ": expected a JSON object with the text field digest", {}};
+    return Error{
+        ErrorCode::kBadInput, "verify", beside + ": expected a JSON object with the text field digest", {}};
   Expected expected;
   expected.digest = value["digest"];
   expected.tets = value.value("tets", 0U);
@@ -184,8 +190,10 @@ int run_verify(const CaseOptions& options, const Output& output) {
   return same ? kExitOk : kExitDiffers;
 }
 
-void add_case_options(CLI::App& command, CaseOptions& options, Output& output, const std::string& input_name) {
-  command.add_option(input_name, options.input, "volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), case.json or link")
+void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
+                      const std::string& input_name) {
+  command
+      .add_option(input_name, options.input, "volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), case.json or link")
       ->required();
   command.add_option("--labels", options.labels, "labels to mesh, as 1,2,5; all if absent")->delimiter(',');
   command.add_flag("--merge", options.merge, "mesh the labels as one region");
@@ -212,7 +220,8 @@ int run_cli(int argc, const char* const* argv) {
   add_case_options(*mesh, options, output, "VOLUME|CASE.json");
   mesh->add_option("-o,--output", out, "mesh file: .vtu .msh .mesh .carp .stl .ply");
   mesh->add_option("--report", report, "write the report as JSON to this file");
-  mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")->check(CLI::IsMember({"ras", "lps"}));
+  mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")
+      ->check(CLI::IsMember({"ras", "lps"}));
   mesh->callback([&] { code = run_mesh(options, out, report, output); });
 
   CLI::App* verify = app.add_subcommand("verify", "mesh a case and compare with the digest it promises");
@@ -225,7 +234,8 @@ int run_cli(int argc, const char* const* argv) {
   check->callback([&] { code = run_check(in, output); });
 
   CLI::App* phantom = app.add_subcommand("phantom", "generate a body as a label volume");
-  phantom->add_option("NAME", in, "sphere, shell, torus, slab, nested_boxes, branching_tube, biventricle")->required();
+  phantom->add_option("NAME", in, "sphere, shell, torus, slab, nested_boxes, branching_tube, biventricle")
+      ->required();
   phantom->add_option("--set", set, "a field of the phantom, as spacing_mm=[1,1,1]");
   phantom->add_option("-o,--output", out, ".nii or .nii.gz")->required();
   phantom->callback([&] { code = run_phantom(in, set, out); });
@@ -233,7 +243,8 @@ int run_cli(int argc, const char* const* argv) {
   CLI::App* convert = app.add_subcommand("convert", "convert a mesh file, or a volume to NIfTI");
   convert->add_option("INPUT", in)->required();
   convert->add_option("OUTPUT", out)->required();
-  convert->add_option("--space", output.lps_or_ras, "patient space written")->check(CLI::IsMember({"ras", "lps"}));
+  convert->add_option("--space", output.lps_or_ras, "patient space written")
+      ->check(CLI::IsMember({"ras", "lps"}));
   convert->callback([&] { code = run_convert(in, out, output); });
 
   CLI::App* url = app.add_subcommand("url", "the link of a case, or the case of a link");

@@ -80,8 +80,9 @@ void print_quality(const nlohmann::json& quality, std::FILE* out) {
   std::fprintf(out, "\n%-24s %9s %9s %9s %9s %9s\n", "measure", "min", "1 %", "median", "99 %", "max");
   for (const auto& m : quality["metrics"])
     std::fprintf(out, "%-24s %9.3f %9.3f %9.3f %9.3f %9.3f  %s\n", m["name"].get<std::string>().c_str(),
-                 m["min"].get<double>(), m["p1"].get<double>(), m["median"].get<double>(), m["p99"].get<double>(),
-                 m["max"].get<double>(), m["unit"] == "1" ? "" : m["unit"].get<std::string>().c_str());
+                 m["min"].get<double>(), m["p1"].get<double>(), m["median"].get<double>(),
+                 m["p99"].get<double>(), m["max"].get<double>(),
+                 m["unit"] == "1" ? "" : m["unit"].get<std::string>().c_str());
   std::fprintf(out, "\n");
   for (const auto& item : quality["checklist"])
     std::fprintf(out, "%s %-28s %s (expected %s)\n",
@@ -93,13 +94,13 @@ void print_quality(const nlohmann::json& quality, std::FILE* out) {
 void print_report(const nlohmann::json& report, std::FILE* out) {
   std::fprintf(out, "%u tetrahedra, %u points, digest %s\n", report["tets"].get<unsigned>(),
                report["points"].get<unsigned>(), report["digest"].get<std::string>().c_str());
-  std::fprintf(out, "\n%5s %9s %9s %11s %7s %8s %9s %9s\n", "label", "voxels", "tets", "volume mm3", "error", "Dice",
-               "edge mm", "wished");
+  std::fprintf(out, "\n%5s %9s %9s %11s %7s %8s %9s %9s\n", "label", "voxels", "tets", "volume mm3", "error",
+               "Dice", "edge mm", "wished");
   for (const auto& f : report["fidelity"]["labels"])
     std::fprintf(out, "%5u %9u %9u %11.1f %6.2f%% %8.4f %9.3f %9.3f\n", f["label"].get<unsigned>(),
                  f["voxels"].get<unsigned>(), f["tets"].get<unsigned>(), f["mesh_mm3"].get<double>(),
-                 f["volume_error_percent"].get<double>(), f["dice"].get<double>(), f["median_edge_mm"].get<double>(),
-                 f["wished_edge_mm"].get<double>());
+                 f["volume_error_percent"].get<double>(), f["dice"].get<double>(),
+                 f["median_edge_mm"].get<double>(), f["wished_edge_mm"].get<double>());
   for (const char* direction : {"mesh_to_surface", "surface_to_mesh"}) {
     const auto& d = report["fidelity"][direction];
     std::fprintf(out, "distance %-16s mean %.3f  rms %.3f  p95 %.3f  max %.3f (+- %.3f) mm\n", direction,

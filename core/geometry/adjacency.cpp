@@ -28,7 +28,9 @@ class Buckets {
   std::vector<Item> items_;
 };
 
-Edge ascending(std::uint32_t a, std::uint32_t b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+Edge ascending(std::uint32_t a, std::uint32_t b) {
+  return a < b ? Edge{a, b} : Edge{b, a};
+}
 
 Triangle ascending(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   if (a > b) std::swap(a, b);
@@ -41,7 +43,8 @@ template <class Visit>
 void for_edges(std::span<const Tet> tets, const Visit& visit) {
   for (const Tet& t : tets)
     for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j) visit(ascending(t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(j)]));
+      for (int j = i + 1; j < 4; ++j)
+        visit(ascending(t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(j)]));
 }
 
 template <class Visit>
@@ -107,7 +110,8 @@ void add_label_faces(TetMesh& mesh) {
     if (first == second) continue;
     // Outward from the tetrahedron whose label is greater.
     const auto& [a, b, c, d] = mesh.tets[first > second ? face.first : face.second];
-    for (const Triangle& outward : {Triangle{b, c, d}, Triangle{a, d, c}, Triangle{a, b, d}, Triangle{a, c, b}}) {
+    for (const Triangle& outward :
+         {Triangle{b, c, d}, Triangle{a, d, c}, Triangle{a, b, d}, Triangle{a, c, b}}) {
       if (ascending(outward[0], outward[1], outward[2]) != face.corners) continue;
       mesh.faces.push_back(outward);
       mesh.face_sides.push_back({std::max(first, second), std::min(first, second)});

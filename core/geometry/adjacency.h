@@ -27,8 +27,8 @@ struct TetFace {
 /// Each face of the tetrahedra once, ascending by its corners.
 std::vector<TetFace> tet_faces(std::span<const Tet> tets, std::size_t point_count);
 
-/// Sets `faces` and `face_sides` of a mesh that has only tetrahedra and labels, as TetMesh describes them; ascending
-/// by corners.
+/// Sets `faces` and `face_sides` of a mesh that has only tetrahedra and labels, as TetMesh describes them;
+/// ascending by corners.
 void add_label_faces(TetMesh& mesh);
 
 /// How many of the triangles each edge of theirs has.

@@ -22,7 +22,8 @@ constexpr std::array<std::uint32_t, 64> kRoundConstants{
 }  // namespace
 
 Sha256::Sha256()
-    : state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19} {}
+    : state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19} {
+}
 
 void Sha256::compress(const std::uint8_t* block) {
   std::array<std::uint32_t, 64> w{};
@@ -96,7 +97,8 @@ std::string digest_of(const TetMesh& mesh) {
 std::string digest_of(const SurfaceMesh& surface) {
   Sha256 sha;
   sha.update_values(reinterpret_cast<const double*>(surface.points.data()), 3 * surface.points.size());
-  sha.update_values(reinterpret_cast<const std::uint32_t*>(surface.triangles.data()), 3 * surface.triangles.size());
+  sha.update_values(reinterpret_cast<const std::uint32_t*>(surface.triangles.data()),
+                    3 * surface.triangles.size());
   sha.update_values(reinterpret_cast<const std::uint16_t*>(surface.sides.data()), 2 * surface.sides.size());
   return sha.hex();
 }

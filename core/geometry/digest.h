@@ -41,7 +41,8 @@ class Sha256 {
 std::string digest_of(const TetMesh& mesh);
 /// Points (float64), triangles (uint32), sides (uint16), in order.
 std::string digest_of(const SurfaceMesh& surface);
-/// Size (int32 x 3), affine rows (float32, so that formats storing it at single precision agree), labels (uint16).
+/// Size (int32 x 3), affine rows (float32, so that formats storing it at single precision agree), labels
+/// (uint16).
 std::string digest_of(const LabelVolume& volume);
 
 }  // namespace voxtet

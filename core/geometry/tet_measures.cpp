@@ -12,7 +12,9 @@ constexpr double kDegrees = 57.295779513082320877;
 
 }  // namespace
 
-double tet_volume_mm3(const TetCorners& p) { return (p[1] - p[0]).dot((p[2] - p[0]).cross(p[3] - p[0])) / 6; }
+double tet_volume_mm3(const TetCorners& p) {
+  return (p[1] - p[0]).dot((p[2] - p[0]).cross(p[3] - p[0])) / 6;
+}
 
 TetShape measure_tet(const TetCorners& p) {
   TetShape shape;
@@ -21,8 +23,8 @@ TetShape measure_tet(const TetCorners& p) {
 
   // Outward normals (for a positive tetrahedron) of the faces opposite to each corner, twice the area long.
   const std::array<Eigen::Vector3d, 4> normal{
-      (p[2] - p[1]).cross(p[3] - p[1]), (p[3] - p[0]).cross(p[2] - p[0]),
-      (p[1] - p[0]).cross(p[3] - p[0]), (p[2] - p[0]).cross(p[1] - p[0])};
+      (p[2] - p[1]).cross(p[3] - p[1]), (p[3] - p[0]).cross(p[2] - p[0]), (p[1] - p[0]).cross(p[3] - p[0]),
+      (p[2] - p[0]).cross(p[1] - p[0])};
   double surface = 0, squares = 0, longest = 0;
   for (const Eigen::Vector3d& n : normal) surface += 0.5 * n.norm();
   for (std::size_t e = 0; e < 6; ++e) {

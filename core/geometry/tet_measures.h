@@ -15,18 +15,20 @@ using TetCorners = std::array<Eigen::Vector3d, 4>;
 inline constexpr std::array<std::pair<int, int>, 6> kEdgesOfTet{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-/// Signed volume: positive when corner 3 sees 0, 1, 2 counterclockwise from inside, (p1-p0).((p2-p0)x(p3-p0))/6.
+/// Signed volume: positive when corner 3 sees 0, 1, 2 counterclockwise from inside,
+/// (p1-p0).((p2-p0)x(p3-p0))/6.
 double tet_volume_mm3(const TetCorners& p);
 
-/// Everything reported of one tetrahedron. Ratios are 1 for the regular one and tend to 0 (aspect: infinity) for a
-/// degenerate one; inverted tetrahedra have ratios 0 and their dihedral angles as if they were not inverted.
+/// Everything reported of one tetrahedron. Ratios are 1 for the regular one and tend to 0 (aspect: infinity)
+/// for a degenerate one; inverted tetrahedra have ratios 0 and their dihedral angles as if they were not
+/// inverted.
 struct TetShape {
-  double volume_mm3 = 0;                  ///< signed
-  std::array<double, 6> edge_mm{};        ///< in the order of kEdgesOfTet
-  std::array<double, 6> dihedral_deg{};   ///< at the edges, in the order of kEdgesOfTet; regular: 70.529
-  double radius_ratio = 0;                ///< 3 r / R, inradius over circumradius
-  double mean_ratio = 0;                  ///< 12 (3 V)^(2/3) / sum of squared edges
-  double aspect_ratio = 0;                ///< longest edge / (2 sqrt(6) r)
+  double volume_mm3 = 0;                 ///< signed
+  std::array<double, 6> edge_mm{};       ///< in the order of kEdgesOfTet
+  std::array<double, 6> dihedral_deg{};  ///< at the edges, in the order of kEdgesOfTet; regular: 70.529
+  double radius_ratio = 0;               ///< 3 r / R, inradius over circumradius
+  double mean_ratio = 0;                 ///< 12 (3 V)^(2/3) / sum of squared edges
+  double aspect_ratio = 0;               ///< longest edge / (2 sqrt(6) r)
 };
 
 TetShape measure_tet(const TetCorners& p);

@@ -47,8 +47,9 @@ Status write_temporary(const TargetFile& target, Cleanup& temporaries) {
   std::FILE* file = create_beside(target.path, path);
   if (file == nullptr) return failure_with_reason(target.path, "cannot be created");
   temporaries.paths.push_back(path);
-  const bool written = std::fwrite(target.bytes.data(), 1, target.bytes.size(), file) == target.bytes.size() &&
-                       std::fflush(file) == 0;
+  const bool written =
+      std::fwrite(target.bytes.data(), 1, target.bytes.size(), file) == target.bytes.size() &&
+      std::fflush(file) == 0;
   const Error broken = failure_with_reason(target.path, "cannot be written");
   if (std::fclose(file) != 0 && written) return failure_with_reason(target.path, "cannot be written");
   if (!written) return broken;

@@ -74,26 +74,16 @@ std::string value_text(const std::uint8_t* at, const VoxelLayout& layout) {
 template <class Visit>
 auto with_type(VoxelType type, Visit&& visit) {
   switch (type) {
-    case VoxelType::kInt8:
-      return visit(std::int8_t{});
-    case VoxelType::kUint8:
-      return visit(std::uint8_t{});
-    case VoxelType::kInt16:
-      return visit(std::int16_t{});
-    case VoxelType::kUint16:
-      return visit(std::uint16_t{});
-    case VoxelType::kInt32:
-      return visit(std::int32_t{});
-    case VoxelType::kUint32:
-      return visit(std::uint32_t{});
-    case VoxelType::kInt64:
-      return visit(std::int64_t{});
-    case VoxelType::kUint64:
-      return visit(std::uint64_t{});
-    case VoxelType::kFloat32:
-      return visit(float{});
-    case VoxelType::kFloat64:
-      break;
+    case VoxelType::kInt8: return visit(std::int8_t{});
+    case VoxelType::kUint8: return visit(std::uint8_t{});
+    case VoxelType::kInt16: return visit(std::int16_t{});
+    case VoxelType::kUint16: return visit(std::uint16_t{});
+    case VoxelType::kInt32: return visit(std::int32_t{});
+    case VoxelType::kUint32: return visit(std::uint32_t{});
+    case VoxelType::kInt64: return visit(std::int64_t{});
+    case VoxelType::kUint64: return visit(std::uint64_t{});
+    case VoxelType::kFloat32: return visit(float{});
+    case VoxelType::kFloat64: break;
   }
   return visit(double{});
 }

@@ -13,12 +13,12 @@ namespace voxtet {
 /// MSH 4.1 and 2.2 (ASCII and binary), MEDIT .mesh (ASCII) and openCARP (.elem with .pts beside it). Only
 /// linear tetrahedra are kept; a file with none is an error. Labels: cell array `label`, physical group,
 /// reference, region: 1 to 65535; a tetrahedron without one is an error.
-/// Files that say LPS (write_vtu.h, write_msh.h, write_medit.h) are turned to RAS. Points, order and orientation
-/// stay as in the file (MSH: ascending tags), so that a checker sees what is there: inverted tetrahedra and
-/// unused points are kept. `faces` are left empty.
-/// The format is found from the content (openCARP: the name; what is missing comes from `file.sibling`).
-/// Strict: cut files, indices out of range and numbers that are not finite are errors; memory is allocated only
-/// for what the bytes can hold. Errors: kBadInput naming file, line or field.
+/// Files that say LPS (write_vtu.h, write_msh.h, write_medit.h) are turned to RAS. Points, order and
+/// orientation stay as in the file (MSH: ascending tags), so that a checker sees what is there: inverted
+/// tetrahedra and unused points are kept. `faces` are left empty. The format is found from the content
+/// (openCARP: the name; what is missing comes from `file.sibling`). Strict: cut files, indices out of range
+/// and numbers that are not finite are errors; memory is allocated only for what the bytes can hold. Errors:
+/// kBadInput naming file, line or field.
 Result<TetMesh> read_tet_mesh(const VolumeFile& file);
 /// `path` may also be a.carp: a.elem with a.pts.
 Result<TetMesh> read_tet_mesh_file(const std::string& path);

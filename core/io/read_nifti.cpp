@@ -99,28 +99,17 @@ Status check_magic(const Header& h) {
 
 std::optional<VoxelType> voxel_type(std::int64_t datatype) {
   switch (datatype) {
-    case 2:
-      return VoxelType::kUint8;
-    case 4:
-      return VoxelType::kInt16;
-    case 8:
-      return VoxelType::kInt32;
-    case 16:
-      return VoxelType::kFloat32;
-    case 64:
-      return VoxelType::kFloat64;
-    case 256:
-      return VoxelType::kInt8;
-    case 512:
-      return VoxelType::kUint16;
-    case 768:
-      return VoxelType::kUint32;
-    case 1024:
-      return VoxelType::kInt64;
-    case 1280:
-      return VoxelType::kUint64;
-    default:
-      return std::nullopt;
+    case 2: return VoxelType::kUint8;
+    case 4: return VoxelType::kInt16;
+    case 8: return VoxelType::kInt32;
+    case 16: return VoxelType::kFloat32;
+    case 64: return VoxelType::kFloat64;
+    case 256: return VoxelType::kInt8;
+    case 512: return VoxelType::kUint16;
+    case 768: return VoxelType::kUint32;
+    case 1024: return VoxelType::kInt64;
+    case 1280: return VoxelType::kUint64;
+    default: return std::nullopt;
   }
 }
 
@@ -157,14 +146,10 @@ Result<VoxelLayout> layout_of(const Header& h) {
 
 Result<double> mm_per_unit(std::int64_t xyzt_units) {
   switch (xyzt_units & 7) {
-    case 0:
-      return 1.0;
-    case 1:
-      return 1000.0;
-    case 2:
-      return 1.0;
-    case 3:
-      return 0.001;
+    case 0: return 1.0;
+    case 1: return 1000.0;
+    case 2: return 1.0;
+    case 3: return 0.001;
     default:
       return bad("xyzt_units is " + std::to_string(xyzt_units) + "; expected a spatial unit of 0 to 3");
   }

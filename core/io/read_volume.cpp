@@ -76,8 +76,9 @@ Result<LabelVolume> read_volume_file(const std::string& path) {
     const std::filesystem::path place(path);
     const Result<Bytes> bytes = read_file(path);
     if (!bytes) return bytes.error();
-    return read_volume(
-        {path, *bytes, [&](const std::string& name) { return read_file((place.parent_path() / name).string()); }});
+    return read_volume({path, *bytes, [&](const std::string& name) {
+                          return read_file((place.parent_path() / name).string());
+                        }});
   });
 }
 

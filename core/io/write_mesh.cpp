@@ -118,17 +118,12 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
                                                const WriteMeshOptions& options) {
   if (auto error = check_mesh(mesh)) return *std::move(error);
   switch (format) {
-    case MeshFormat::kVtu:
-      return std::vector<OutputFile>{{".vtu", write_vtu(mesh, options)}};
-    case MeshFormat::kMsh:
-      return std::vector<OutputFile>{{".msh", write_msh(mesh, options)}};
-    case MeshFormat::kMedit:
-      return std::vector<OutputFile>{{".mesh", write_medit(mesh, options)}};
-    case MeshFormat::kCarp:
-      return write_carp(mesh, options);
+    case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(mesh, options)}};
+    case MeshFormat::kMsh: return std::vector<OutputFile>{{".msh", write_msh(mesh, options)}};
+    case MeshFormat::kMedit: return std::vector<OutputFile>{{".mesh", write_medit(mesh, options)}};
+    case MeshFormat::kCarp: return write_carp(mesh, options);
     case MeshFormat::kStl:
-    case MeshFormat::kPly:
-      break;
+    case MeshFormat::kPly: break;
   }
   return write_surface(boundary_of(mesh), format, options);
 }
@@ -137,16 +132,12 @@ Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFo
                                               const WriteMeshOptions& options) {
   if (auto error = check_surface(surface)) return *std::move(error);
   switch (format) {
-    case MeshFormat::kVtu:
-      return std::vector<OutputFile>{{".vtu", write_vtu(surface, options)}};
-    case MeshFormat::kStl:
-      return std::vector<OutputFile>{{".stl", write_stl(surface, options)}};
-    case MeshFormat::kPly:
-      return std::vector<OutputFile>{{".ply", write_ply(surface, options)}};
+    case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(surface, options)}};
+    case MeshFormat::kStl: return std::vector<OutputFile>{{".stl", write_stl(surface, options)}};
+    case MeshFormat::kPly: return std::vector<OutputFile>{{".ply", write_ply(surface, options)}};
     case MeshFormat::kMsh:
     case MeshFormat::kMedit:
-    case MeshFormat::kCarp:
-      break;
+    case MeshFormat::kCarp: break;
   }
   return Error{ErrorCode::kUsage, kStage, "a surface is written as .stl, .ply or .vtu only", {}};
 }

@@ -36,18 +36,10 @@ std::array<double, 3> quaternion_of(const Eigen::Matrix3d& r) {
   const double ab = r(2, 1) - r(1, 2), ac = r(0, 2) - r(2, 0), ad = r(1, 0) - r(0, 1);
   const double bc = r(1, 0) + r(0, 1), bd = r(0, 2) + r(2, 0), cd = r(2, 1) + r(1, 2);
   switch (largest) {
-    case 0:
-      q = {s * s, ab, ac, ad};
-      break;
-    case 1:
-      q = {ab, s * s, bc, bd};
-      break;
-    case 2:
-      q = {ac, bc, s * s, cd};
-      break;
-    default:
-      q = {ad, bd, cd, s * s};
-      break;
+    case 0: q = {s * s, ab, ac, ad}; break;
+    case 1: q = {ab, s * s, bc, bd}; break;
+    case 2: q = {ac, bc, s * s, cd}; break;
+    default: q = {ad, bd, cd, s * s}; break;
   }
   const double sign = q[0] < 0 ? -1 : 1;
   return {sign * q[1] / (2 * s), sign * q[2] / (2 * s), sign * q[3] / (2 * s)};

@@ -194,16 +194,11 @@ double phantom_volume_mm3(const PhantomParams& params, Label label) {
   }
   if (label != 1) return nothing;
   switch (params.kind) {
-    case PhantomKind::kSphere:
-      return 4 * kPi / 3 * r * r * r;
-    case PhantomKind::kShell:
-      return 4 * kPi / 3 * (r * r * r - inner * inner * inner);
-    case PhantomKind::kTorus:
-      return 2 * kPi * kPi * r * inner * inner;
-    case PhantomKind::kSlab:
-      return 4 * r * r * params.thickness_mm;
-    default:
-      return nothing;
+    case PhantomKind::kSphere: return 4 * kPi / 3 * r * r * r;
+    case PhantomKind::kShell: return 4 * kPi / 3 * (r * r * r - inner * inner * inner);
+    case PhantomKind::kTorus: return 2 * kPi * kPi * r * inner * inner;
+    case PhantomKind::kSlab: return 4 * r * r * params.thickness_mm;
+    default: return nothing;
   }
 }
 

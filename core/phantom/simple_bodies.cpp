@@ -72,18 +72,12 @@ Body branching_tube(double quarter_length) {
 
 Body simple_body(const PhantomParams& params) {
   switch (params.kind) {
-    case PhantomKind::kSphere:
-      return sphere(params.radius_mm, 0);
-    case PhantomKind::kShell:
-      return sphere(params.radius_mm, params.inner_radius_mm);
-    case PhantomKind::kTorus:
-      return torus(params.radius_mm, params.inner_radius_mm);
-    case PhantomKind::kSlab:
-      return slab(params.radius_mm, params.thickness_mm);
-    case PhantomKind::kNestedBoxes:
-      return nested_boxes(params.radius_mm);
-    default:
-      return branching_tube(params.radius_mm);
+    case PhantomKind::kSphere: return sphere(params.radius_mm, 0);
+    case PhantomKind::kShell: return sphere(params.radius_mm, params.inner_radius_mm);
+    case PhantomKind::kTorus: return torus(params.radius_mm, params.inner_radius_mm);
+    case PhantomKind::kSlab: return slab(params.radius_mm, params.thickness_mm);
+    case PhantomKind::kNestedBoxes: return nested_boxes(params.radius_mm);
+    default: return branching_tube(params.radius_mm);
   }
 }
 

@@ -12,11 +12,15 @@ namespace voxtet {
 #if defined(__EMSCRIPTEN__)
 
 void reset_peak_memory() {}
-double peak_memory_mb() { return static_cast<double>(emscripten_get_heap_size()) / 1e6; }
+double peak_memory_mb() {
+  return static_cast<double>(emscripten_get_heap_size()) / 1e6;
+}
 
 #else
 
-void reset_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
+void reset_peak_memory() {
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
 
 double peak_memory_mb() {
   std::ifstream status("/proc/self/status");

@@ -113,7 +113,8 @@ json volume_json(const Session& session) {
   const Eigen::Vector3d spacing = volume.spacing_mm();
   json labels = json::array();
   for (const auto& [label, count] : count_labels(volume)) {
-    json entry{{"label", label}, {"name", "label " + std::to_string(label)}, {"colour", nullptr}, {"voxels", count}};
+    json entry{
+        {"label", label}, {"name", "label " + std::to_string(label)}, {"colour", nullptr}, {"voxels", count}};
     for (const LabelInfo& info : volume.infos) {
       if (info.label != label) continue;
       if (!info.name.empty()) entry["name"] = info.name;

@@ -51,7 +51,9 @@ Status keep(Result<T>&& result, std::optional<T>& slot) {
 
 }  // namespace
 
-std::string engine_version() { return VOXTET_VERSION; }
+std::string engine_version() {
+  return VOXTET_VERSION;
+}
 
 Result<Stage> stage_of(std::string_view name) {
   std::string names;
@@ -59,7 +61,8 @@ Result<Stage> stage_of(std::string_view name) {
     if (kStageNames[static_cast<std::size_t>(i)] == name) return static_cast<Stage>(i);
     names += (names.empty() ? "" : ", ") + std::string(kStageNames[static_cast<std::size_t>(i)]);
   }
-  return Error{ErrorCode::kUsage, "session", "no stage '" + std::string(name) + "'; the stages are " + names, {}};
+  return Error{
+      ErrorCode::kUsage, "session", "no stage '" + std::string(name) + "'; the stages are " + names, {}};
 }
 
 Status Session::load_volume(const VolumeFile& file) {
@@ -75,9 +78,11 @@ Status Session::load_volume(const VolumeFile& file) {
 Status Session::set_recipe(const Recipe& recipe) {
   const std::optional<FileSource>& file = recipe.source.file;
   if (file && file_volume_ && !file->sha256.empty() && file->sha256 != file_digest_)
-    return Error{ErrorCode::kBadInput, "session",
-                 "source.file: the case was made with '" + file->name + "' of digest " + file->sha256.substr(0, 12) +
-                     "..., the volume loaded has " + file_digest_.substr(0, 12) + "...: these are different volumes",
+    return Error{ErrorCode::kBadInput,
+                 "session",
+                 "source.file: the case was made with '" + file->name + "' of digest " +
+                     file->sha256.substr(0, 12) + "..., the volume loaded has " + file_digest_.substr(0, 12) +
+                     "...: these are different volumes",
                  {}};
   recipe_ = recipe;
   return std::monostate{};
@@ -117,8 +122,10 @@ Status Session::run_volume() {
   } else if (file_volume_) {
     source_ = file_volume_;
   } else if (recipe_.source.file) {
-    return Error{ErrorCode::kBadInput, "volume",
-                 "source.file: the volume '" + recipe_.source.file->name + "' has not been loaded", {}};
+    return Error{ErrorCode::kBadInput,
+                 "volume",
+                 "source.file: the volume '" + recipe_.source.file->name + "' has not been loaded",
+                 {}};
   } else {
     return Error{ErrorCode::kUsage, "volume", "source: no volume; give a phantom or load a file", {}};
   }
@@ -134,7 +141,8 @@ Status Session::run_stage(Stage stage, RunContext& ctx) {
     case Stage::kRemesh: return keep(remesh_surface(*volume_, *sizing_, recipe_.remesh, ctx), remeshed_);
     case Stage::kTetra: return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), mesh_);
     case Stage::kQuality:
-      return keep(measure_quality(*mesh_, {*volume_, *smooth_, *remeshed_, *sizing_}, recipe_.quality, ctx), quality_);
+      return keep(measure_quality(*mesh_, {*volume_, *smooth_, *remeshed_, *sizing_}, recipe_.quality, ctx),
+                  quality_);
   }
   return Error{ErrorCode::kInternal, "session", "unknown stage", {}};
 }
@@ -179,7 +187,8 @@ Status Session::run(Stage last, RunContext& ctx) {
 
 std::vector<std::string> Session::warnings() const {
   std::vector<std::string> all;
-  for (const StageRecord& record : records_) all.insert(all.end(), record.warnings.begin(), record.warnings.end());
+  for (const StageRecord& record : records_)
+    all.insert(all.end(), record.warnings.begin(), record.warnings.end());
   return all;
 }
 

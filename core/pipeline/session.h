@@ -25,8 +25,8 @@ std::string engine_version();
 
 enum class Stage { kVolume, kSurface, kSmooth, kSizing, kRemesh, kTetra, kQuality };
 inline constexpr int kStageCount = 7;
-inline constexpr std::array<std::string_view, kStageCount> kStageNames{"volume", "surface", "smooth", "sizing",
-                                                                       "remesh", "tetra",   "quality"};
+inline constexpr std::array<std::string_view, kStageCount> kStageNames{
+    "volume", "surface", "smooth", "sizing", "remesh", "tetra", "quality"};
 /// Stage of a name. Errors: kUsage listing the names.
 Result<Stage> stage_of(std::string_view name);
 
@@ -34,8 +34,9 @@ Result<Stage> stage_of(std::string_view name);
 struct StageRecord {
   std::string key;     ///< digest of everything the stage depends on
   double seconds = 0;  ///< wall time of the run that made the result
-  double peak_mb = 0;  ///< native: peak resident memory during the stage; wasm: size of the linear memory after it
-  bool cached = false; ///< the last run() reused an earlier result
+  double peak_mb =
+      0;  ///< native: peak resident memory during the stage; wasm: size of the linear memory after it
+  bool cached = false;  ///< the last run() reused an earlier result
   std::vector<std::string> warnings;
 };
 
@@ -53,7 +54,7 @@ class Session {
   Status run(Stage last, RunContext& ctx);
 
   const LabelVolume* source_volume() const { return source_ ? &*source_ : nullptr; }  ///< all labels
-  const LabelVolume* volume() const { return volume_ ? &*volume_ : nullptr; }          ///< labels to be meshed
+  const LabelVolume* volume() const { return volume_ ? &*volume_ : nullptr; }         ///< labels to be meshed
   const SurfaceMesh* surface() const { return surface_ ? &*surface_ : nullptr; }
   const SurfaceMesh* smooth() const { return smooth_ ? &*smooth_ : nullptr; }
   const SizingField* sizing() const { return sizing_ ? &*sizing_ : nullptr; }

@@ -1,5 +1,5 @@
-// The recipe's fields, declared once: name, unit, range and sentence. Reading, writing, the schema and the docs
-// all visit this table. A visitor provides field(), choice(), group(), optional_group() and list().
+// The recipe's fields, declared once: name, unit, range and sentence. Reading, writing, the schema and the
+// docs all visit this table. A visitor provides field(), choice(), group(), optional_group() and list().
 #pragma once
 
 #include <limits>
@@ -33,11 +33,14 @@ void visit_fields(V& v, PhantomParams& p) {
                                 {"nested_boxes", PhantomKind::kNestedBoxes},
                                 {"branching_tube", PhantomKind::kBranchingTube},
                                 {"biventricle", PhantomKind::kBiventricle}});
-  v.field({"spacing_mm", "mm", 0.05, 50, "Distance between voxel centres along the image axes."}, p.spacing_mm);
-  v.field({"rotation_deg", "deg", -360, 360, "Rotation of the image axes about x, then y, then z."}, p.rotation_deg);
+  v.field({"spacing_mm", "mm", 0.05, 50, "Distance between voxel centres along the image axes."},
+          p.spacing_mm);
+  v.field({"rotation_deg", "deg", -360, 360, "Rotation of the image axes about x, then y, then z."},
+          p.rotation_deg);
   v.field({"mirrored", "", 0, 0, "First image axis reversed."}, p.mirrored);
-  v.field({"radius_mm", "mm", 0.1, 1000, "Radius: sphere, shell (outer), torus (major); half size of the boxes."},
-          p.radius_mm);
+  v.field(
+      {"radius_mm", "mm", 0.1, 1000, "Radius: sphere, shell (outer), torus (major); half size of the boxes."},
+      p.radius_mm);
   v.field({"inner_radius_mm", "mm", 0.1, 1000, "Inner radius of the shell, minor radius of the torus."},
           p.inner_radius_mm);
   v.field({"thickness_mm", "mm", 0.1, 1000, "Thickness of the slab."}, p.thickness_mm);
@@ -70,7 +73,8 @@ void visit_fields(V& v, Expected& p) {
 
 template <class V>
 void visit_fields(V& v, ExtractParams& p) {
-  v.choice({"method", "", 0, 0, "How the label surface is extracted; auto: by the number of labels."}, p.method,
+  v.choice({"method", "", 0, 0, "How the label surface is extracted; auto: by the number of labels."},
+           p.method,
            Choices<ExtractMethod>{{"auto", ExtractMethod::kAuto},
                                   {"marching_cubes", ExtractMethod::kMarchingCubes},
                                   {"marching_tets", ExtractMethod::kMarchingTets}});
@@ -80,7 +84,8 @@ template <class V>
 void visit_fields(V& v, SmoothParams& p) {
   v.field({"iterations", "", 0, 1000, "Bi-Laplacian steps; 0 leaves the staircase."}, p.iterations);
   v.field({"step", "", 0, 0.5, "Step of each iteration."}, p.step);
-  v.field({"max_move_voxels", "voxel", 0, 1, "How far a vertex may move along each image axis."}, p.max_move_voxels);
+  v.field({"max_move_voxels", "voxel", 0, 1, "How far a vertex may move along each image axis."},
+          p.max_move_voxels);
   v.field({"keep_volume", "", 0, 0, "Restore each label's volume after smoothing."}, p.keep_volume);
 }
 
@@ -93,17 +98,19 @@ void visit_fields(V& v, LabelSize& p) {
 template <class V>
 void visit_fields(V& v, SizeRegion& p) {
   v.field({"name", "", 0, 0, "Name of the region."}, p.name);
-  v.choice({"shape", "", 0, 0, "Shape of the region."}, p.shape,
-           Choices<RegionShape>{{"sphere", RegionShape::kSphere},
-                                {"box", RegionShape::kBox},
-                                {"capsule", RegionShape::kCapsule}});
-  v.field({"centre_mm", "mm", kAnyMin, kAnyMax, "Centre of sphere or box, first end of a capsule; RAS."}, p.centre_mm);
+  v.choice(
+      {"shape", "", 0, 0, "Shape of the region."}, p.shape,
+      Choices<RegionShape>{
+          {"sphere", RegionShape::kSphere}, {"box", RegionShape::kBox}, {"capsule", RegionShape::kCapsule}});
+  v.field({"centre_mm", "mm", kAnyMin, kAnyMax, "Centre of sphere or box, first end of a capsule; RAS."},
+          p.centre_mm);
   v.field({"end_mm", "mm", kAnyMin, kAnyMax, "Second end of a capsule; RAS."}, p.end_mm);
   v.field({"half_size_mm", "mm", 0.001, 10000, "Half edges of a box."}, p.half_size_mm);
   v.field({"axes_deg", "deg", -360, 360, "Rotation of a box about x, then y, then z."}, p.axes_deg);
   v.field({"radius_mm", "mm", 0.001, 10000, "Radius of sphere or capsule."}, p.radius_mm);
   v.field({"edge_mm", "mm", 0.01, 1000, "Edge length inside."}, p.edge_mm);
-  v.field({"band_mm", "mm", 0, 10000, "Width of the band around it over which the size returns to its surroundings'."},
+  v.field({"band_mm", "mm", 0, 10000,
+           "Width of the band around it over which the size returns to its surroundings'."},
           p.band_mm);
 }
 
@@ -122,14 +129,16 @@ void visit_fields(V& v, SizingParams& p) {
   v.list({"distances", "", 0, 0, "Edge length growing with the distance to a label."}, p.distances);
   v.field({"edge_min_mm", "mm", 0.01, 1000, "No edge length below this is asked."}, p.edge_min_mm);
   v.field({"edge_max_mm", "mm", 0.01, 1000, "No edge length above this is asked."}, p.edge_max_mm);
-  v.field({"gradation", "mm/mm", 0.01, 1, "Bound on how fast the edge length may change per mm."}, p.gradation);
+  v.field({"gradation", "mm/mm", 0.01, 1, "Bound on how fast the edge length may change per mm."},
+          p.gradation);
 }
 
 template <class V>
 void visit_fields(V& v, RemeshParams& p) {
   v.choice({"method", "", 0, 0, "How the adapted surface is made."}, p.method,
            Choices<RemeshMethod>{{"delaunay", RemeshMethod::kDelaunay}});
-  v.field({"smoothing_voxels", "voxel", 0, 2, "Width (sigma) of the Gaussian on the labels."}, p.smoothing_voxels);
+  v.field({"smoothing_voxels", "voxel", 0, 2, "Width (sigma) of the Gaussian on the labels."},
+          p.smoothing_voxels);
   v.field({"facet_angle_deg", "deg", 0, 30, "Lower bound on the triangles' angles."}, p.facet_angle_deg);
   v.field({"max_distance_voxels", "voxel", 0.02, 10, "Distance allowed between triangles and labels."},
           p.max_distance_voxels);
@@ -140,7 +149,8 @@ void visit_fields(V& v, FillParams& p) {
   v.choice({"backend", "", 0, 0, "Which mesher fills the surface."}, p.backend,
            Choices<TetBackend>{{"tetgen", TetBackend::kTetgen}});
   v.field({"radius_edge", "", 1.2, 10, "Bound on circumradius over shortest edge."}, p.radius_edge);
-  v.field({"min_dihedral_deg", "deg", 0, 18, "Smallest dihedral angle that refinement aims at."}, p.min_dihedral_deg);
+  v.field({"min_dihedral_deg", "deg", 0, 18, "Smallest dihedral angle that refinement aims at."},
+          p.min_dihedral_deg);
   v.field({"max_dihedral_deg", "deg", 130, 180, "Largest dihedral angle that optimisation aims at."},
           p.max_dihedral_deg);
 }
@@ -148,8 +158,9 @@ void visit_fields(V& v, FillParams& p) {
 template <class V>
 void visit_fields(V& v, QualityParams& p) {
   v.field({"histogram_bins", "", 4, 1024, "Bins of each histogram."}, p.histogram_bins);
-  v.field({"sample_spacing_voxels", "voxel", 0.05, 10, "Spacing of the samples that distances are measured at."},
-          p.sample_spacing_voxels);
+  v.field(
+      {"sample_spacing_voxels", "voxel", 0.05, 10, "Spacing of the samples that distances are measured at."},
+      p.sample_spacing_voxels);
 }
 
 template <class V>

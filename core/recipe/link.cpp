@@ -13,7 +13,9 @@ constexpr std::string_view kPlain = "#j=";
 constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr std::size_t kMaxInflated = 1 << 20;
 
-Error usage(const std::string& message) { return {ErrorCode::kUsage, "link", message, {}}; }
+Error usage(const std::string& message) {
+  return {ErrorCode::kUsage, "link", message, {}};
+}
 
 std::string deflate_raw(const std::string& text) {
   z_stream stream{};
@@ -45,7 +47,8 @@ Result<std::string> inflate_raw(const std::string& bytes) {
   }
   inflateEnd(&stream);
   if (out.size() > kMaxInflated) return usage("the link inflates to more than 1 MiB");
-  if (code != Z_STREAM_END) return usage("the link is cut short or damaged: its compressed part does not end");
+  if (code != Z_STREAM_END)
+    return usage("the link is cut short or damaged: its compressed part does not end");
   return out;
 }
 

@@ -1,5 +1,5 @@
-// A case as the fragment of a link: "#c1=" + base64url(deflate-raw(canonical JSON of the non-default fields)),
-// or "#j=" + percent-encoded JSON, for people who write links by hand.
+// A case as the fragment of a link: "#c1=" + base64url(deflate-raw(canonical JSON of the non-default
+// fields)), or "#j=" + percent-encoded JSON, for people who write links by hand.
 #pragma once
 
 #include <string>

@@ -125,7 +125,8 @@ class Reader {
     if (info.min != kAnyMin) what += " from " + shown(info.min) + " to " + shown(info.max) + unit;
     if (!found.is_number()) expected(path, found, what);
     const double value = found.get<double>();
-    if (!std::isfinite(value) || value < info.min || value > info.max || (whole && value != std::floor(value)))
+    if (!std::isfinite(value) || value < info.min || value > info.max ||
+        (whole && value != std::floor(value)))
       expected(path, found, what);
     return value;
   }
@@ -134,7 +135,7 @@ class Reader {
     value = number(info, path, found, false);
   }
   template <class Whole>
-    requires std::is_integral_v<Whole>
+  requires std::is_integral_v<Whole>
   static void read(const FieldInfo& info, const std::string& path, const json& found, Whole& value) {
     value = static_cast<Whole>(number(info, path, found, true));
   }
@@ -146,12 +147,15 @@ class Reader {
     if (!found.is_string()) expected(path, found, "a text");
     value = found.get<std::string>();
   }
-  static void read(const FieldInfo& info, const std::string& path, const json& found, Eigen::Vector3d& value) {
+  static void read(const FieldInfo& info, const std::string& path, const json& found,
+                   Eigen::Vector3d& value) {
     if (!found.is_array() || found.size() != 3) expected(path, found, "three numbers");
     for (int d = 0; d < 3; ++d)
-      value[d] = number(info, path + "[" + std::to_string(d) + "]", found[static_cast<std::size_t>(d)], false);
+      value[d] =
+          number(info, path + "[" + std::to_string(d) + "]", found[static_cast<std::size_t>(d)], false);
   }
-  static void read(const FieldInfo& info, const std::string& path, const json& found, std::vector<Label>& value) {
+  static void read(const FieldInfo& info, const std::string& path, const json& found,
+                   std::vector<Label>& value) {
     if (!found.is_array()) expected(path, found, "a list of labels");
     value.clear();
     for (std::size_t i = 0; i < found.size(); ++i)
@@ -165,14 +169,23 @@ class Reader {
 
 // ------------------------------------------------------------------ writing
 
-json to_json(double value) { return value; }
-json to_json(bool value) { return value; }
-json to_json(const std::string& value) { return value; }
-json to_json(const Eigen::Vector3d& value) { return json::array({value.x(), value.y(), value.z()}); }
-json to_json(const std::vector<Label>& value) { return value; }
+json to_json(double value) {
+  return value;
+}
+json to_json(bool value) {
+  return value;
+}
+json to_json(const std::string& value) {
+  return value;
+}
+json to_json(const Eigen::Vector3d& value) {
+  return json::array({value.x(), value.y(), value.z()});
+}
+json to_json(const std::vector<Label>& value) {
+  return value;
+}
 template <class Whole>
-  requires std::is_integral_v<Whole>
-json to_json(Whole value) {
+requires std::is_integral_v<Whole> json to_json(Whole value) {
   return value;
 }
 
@@ -213,13 +226,23 @@ class Writer {
 
 // ------------------------------------------------------------------ schema
 
-const char* type_name(const double&) { return "number"; }
-const char* type_name(const bool&) { return "boolean"; }
-const char* type_name(const std::string&) { return "string"; }
-const char* type_name(const Eigen::Vector3d&) { return "vec3"; }
-const char* type_name(const std::vector<Label>&) { return "labels"; }
+const char* type_name(const double&) {
+  return "number";
+}
+const char* type_name(const bool&) {
+  return "boolean";
+}
+const char* type_name(const std::string&) {
+  return "string";
+}
+const char* type_name(const Eigen::Vector3d&) {
+  return "vec3";
+}
+const char* type_name(const std::vector<Label>&) {
+  return "labels";
+}
 template <class Whole>
-  requires std::is_integral_v<Whole>
+requires std::is_integral_v<Whole>
 const char* type_name(const Whole&) {
   return "integer";
 }
@@ -295,7 +318,9 @@ json difference(const json& value, const json& defaults) {
   return out;
 }
 
-Error usage(const std::string& message) { return {ErrorCode::kUsage, "recipe", message, {}}; }
+Error usage(const std::string& message) {
+  return {ErrorCode::kUsage, "recipe", message, {}};
+}
 
 }  // namespace
 

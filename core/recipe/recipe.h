@@ -52,8 +52,8 @@ struct Recipe {
   Expected expected;
 };
 
-/// Parses strictly: unknown fields, wrong types and values out of range are errors that name the field's path.
-/// Fields that are absent keep their default. Errors: kUsage.
+/// Parses strictly: unknown fields, wrong types and values out of range are errors that name the field's
+/// path. Fields that are absent keep their default. Errors: kUsage.
 Result<Recipe> parse_recipe(std::string_view json_text);
 Result<Recipe> parse_recipe(const nlohmann::json& json);
 

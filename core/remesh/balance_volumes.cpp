@@ -74,7 +74,8 @@ Share share_of_box(const std::array<double, 8>& lead) {
   return {share, 1 / std::max(slope, 0.05)};
 }
 
-/// Box by box over the eighths of a cell: across a whole one the bend of the interface of small bodies would show.
+/// Box by box over the eighths of a cell: across a whole one the bend of the interface of small bodies would
+/// show.
 Share share_of_cell(const std::array<double, 8>& lead) {
   const auto [low, high] = std::minmax_element(lead.begin(), lead.end());
   if (*low > 0) return {1, 0};

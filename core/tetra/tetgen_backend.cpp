@@ -106,21 +106,15 @@ Error error_of(int thrown) {
     return Error{ErrorCode::kMeshing, "tetra", std::move(message), {}};
   };
   switch (thrown) {
-    case kCancelledCode:
-      return cancelled_error("tetra");
+    case kCancelledCode: return cancelled_error("tetra");
     case 1:
       return {
           ErrorCode::kOutOfMemory, "tetra", "memory ran out while filling the surface with tetrahedra", {}};
-    case 3:
-      return meshing("TetGen met a self-intersection of the surface");
-    case 4:
-      return meshing("TetGen met a feature smaller than its tolerance");
-    case 5:
-      return meshing("TetGen met two triangles that nearly coincide");
-    case 10:
-      return meshing("TetGen refused the surface as its input");
-    default:
-      return meshing("TetGen failed inside (code " + std::to_string(thrown) + ")");
+    case 3: return meshing("TetGen met a self-intersection of the surface");
+    case 4: return meshing("TetGen met a feature smaller than its tolerance");
+    case 5: return meshing("TetGen met two triangles that nearly coincide");
+    case 10: return meshing("TetGen refused the surface as its input");
+    default: return meshing("TetGen failed inside (code " + std::to_string(thrown) + ")");
   }
 }
 

@@ -37,9 +37,9 @@ struct LabelFidelity {
   Label label = 0;
   std::uint64_t voxels = 0, tets = 0;
   double voxel_mm3 = 0, mesh_mm3 = 0, volume_error_percent = 0;
-  double dice = 0;              ///< mesh sampled at voxel centres against the voxels
-  double median_edge_mm = 0;    ///< over edges of tets of this label
-  double wished_edge_mm = 0;    ///< median of the sizing field over the same edges' midpoints
+  double dice = 0;            ///< mesh sampled at voxel centres against the voxels
+  double median_edge_mm = 0;  ///< over edges of tets of this label
+  double wished_edge_mm = 0;  ///< median of the sizing field over the same edges' midpoints
 };
 
 struct ChecklistItem {

@@ -24,7 +24,8 @@ enum class ErrorCode {
 /// Stable lower-case name of a code, as it stands in JSON ("bad_input").
 std::string to_string(ErrorCode code);
 
-/// Where an error is, for a viewer to fly to. Points in mm, RAS; ids index the elements the message speaks of.
+/// Where an error is, for a viewer to fly to. Points in mm, RAS; ids index the elements the message speaks
+/// of.
 struct ErrorPlace {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::uint32_t> elements;

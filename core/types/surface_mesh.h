@@ -15,8 +15,9 @@ using Triangle = std::array<std::uint32_t, 3>;
 using Sides = std::array<Label, 2>;
 
 /// Points in mm, RAS. Each triangle separates two different labels (0 = background). The triangles that have
-/// label k on exactly one side form the closed boundary of k. Invariant in every stage's output: the two sides
-/// differ, every point is used, sides[t][0] > sides[t][1] (so the boundary of a lone label points outwards).
+/// label k on exactly one side form the closed boundary of k. Invariant in every stage's output: the two
+/// sides differ, every point is used, sides[t][0] > sides[t][1] (so the boundary of a lone label points
+/// outwards).
 struct SurfaceMesh {
   std::vector<Eigen::Vector3d> points;
   std::vector<Triangle> triangles;

@@ -21,8 +21,8 @@ bool succeeded(const Status& status) {
 
 template <class T>
 bool write_raw(const std::string& path, const std::vector<T>& values) {
-  return succeeded(
-      place_files({{path, {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)}}}));
+  return succeeded(place_files(
+      {{path, {reinterpret_cast<const std::uint8_t*>(values.data()), values.size() * sizeof(T)}}}));
 }
 
 bool write_tets(const std::string& base, const TetMesh& mesh) {

@@ -3,14 +3,17 @@
 
 #include <cstdlib>
 
-extern "C" EMSCRIPTEN_KEEPALIVE void voxtet_setenv(const char* name, const char* value) { setenv(name, value, 1); }
+extern "C" EMSCRIPTEN_KEEPALIVE void voxtet_setenv(const char* name, const char* value) {
+  setenv(name, value, 1);
+}
 
 namespace {
 struct ImportEnvironment {
   ImportEnvironment() {
     EM_ASM({
       for (const name in process.env) {
-        if (name.startsWith('VOXTET_')) ccall('voxtet_setenv', null, ['string', 'string'], [name, process.env[name]]);
+        if (name.startsWith('VOXTET_'))
+          ccall('voxtet_setenv', null, [ 'string', 'string' ], [ name, process.env[name] ]);
       }
     });
   }

@@ -39,7 +39,9 @@ class CliTest : public testing::Test {
     const Result<Bytes> bytes = read_file(at(name));
     return bytes.ok() ? json::parse(bytes->begin(), bytes->end()) : json();
   }
-  void write(const std::string& name, const std::string& text) const { ASSERT_TRUE(write_text_file(at(name), text).ok()); }
+  void write(const std::string& name, const std::string& text) const {
+    ASSERT_TRUE(write_text_file(at(name), text).ok());
+  }
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
   }

@@ -11,7 +11,8 @@ namespace {
 TEST(Adjacency, FindsEdgesAndFacesOfTwoTetsOnce) {
   const std::vector<Tet> tets{{3, 1, 2, 0}, {1, 2, 3, 4}};
   const std::vector<Edge> edges = tet_edges(tets, 5);
-  EXPECT_EQ(edges, (std::vector<Edge>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}}));
+  EXPECT_EQ(edges,
+            (std::vector<Edge>{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}, {3, 4}}));
   const std::vector<TetFace> faces = tet_faces(tets, 5);
   ASSERT_EQ(faces.size(), 7U);
   for (const TetFace& face : faces) {

@@ -62,7 +62,8 @@ TEST(MeasureTet, GivesZeroRatiosForFlatAndInvertedOnes) {
   EXPECT_LT(inverted.volume_mm3, 0);
   EXPECT_EQ(inverted.radius_ratio, 0);
   EXPECT_TRUE(std::isinf(inverted.aspect_ratio));
-  const TetShape flat = measure_tet({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(1, 1, 0)});
+  const TetShape flat =
+      measure_tet({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0), Vector3d(1, 1, 0)});
   EXPECT_EQ(flat.mean_ratio, 0);
 }
 
@@ -97,7 +98,8 @@ TEST(MeasureTriangle, MatchesClosedForms) {
   EXPECT_NEAR(right.max_angle_deg, 90, 1e-12);
   EXPECT_NEAR(right.radius_ratio, 2 * 1 / 2.5, 1e-14);
   EXPECT_NEAR(right.aspect_ratio, 5 / (2 * std::sqrt(3)), 1e-14);
-  EXPECT_TRUE(std::isinf(measure_triangle({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(2, 0, 0)}).aspect_ratio));
+  EXPECT_TRUE(
+      std::isinf(measure_triangle({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(2, 0, 0)}).aspect_ratio));
 }
 
 }  // namespace

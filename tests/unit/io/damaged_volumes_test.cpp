@@ -203,18 +203,10 @@ TEST(DamagedVolumes, SurvivesSeededMutationsOfSmallFiles) {
         const auto at = bytes.begin() + static_cast<std::ptrdiff_t>(random() % bytes.size());
         const std::string& word = words[random() % words.size()];
         switch (random() % 4) {
-          case 0:
-            *at = static_cast<std::uint8_t>(random());
-            break;
-          case 1:
-            bytes.insert(at, word.begin(), word.end());
-            break;
-          case 2:
-            bytes.erase(at);
-            break;
-          default:
-            *at = random() % 2 == 0 ? 0xff : 0;
-            break;
+          case 0: *at = static_cast<std::uint8_t>(random()); break;
+          case 1: bytes.insert(at, word.begin(), word.end()); break;
+          case 2: bytes.erase(at); break;
+          default: *at = random() % 2 == 0 ? 0xff : 0; break;
         }
       }
       reset_allocation_peak();

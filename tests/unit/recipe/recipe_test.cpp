@@ -41,16 +41,21 @@ TEST(ParseRecipe, ReadsEveryKindOfField) {
 }
 
 TEST(ParseRecipe, NamesThePathTheValueAndTheExpectation) {
-  EXPECT_NE(error_of(R"({"sizing":{"edge_mm":-1}})").find("sizing.edge_mm: found -1, expected a number from 0.01"),
-            std::string::npos);
-  EXPECT_NE(error_of(R"({"sizing":{"labels":[{"label":1},{"label":0}]}})").find("sizing.labels[1].label: found 0"),
-            std::string::npos);
+  EXPECT_NE(
+      error_of(R"({"sizing":{"edge_mm":-1}})").find("sizing.edge_mm: found -1, expected a number from 0.01"),
+      std::string::npos);
+  EXPECT_NE(
+      error_of(R"({"sizing":{"labels":[{"label":1},{"label":0}]}})").find("sizing.labels[1].label: found 0"),
+      std::string::npos);
   EXPECT_NE(error_of(R"({"sizing":{"edge":1}})").find("sizing.edge: unknown field; known here: edge_mm"),
             std::string::npos);
-  EXPECT_NE(error_of(R"({"surface":{"method":"mc33"}})").find("one of auto, marching_cubes"), std::string::npos);
-  EXPECT_NE(error_of(R"({"labels":[1.5]})").find("labels[0]: found 1.5, expected a whole number"), std::string::npos);
+  EXPECT_NE(error_of(R"({"surface":{"method":"mc33"}})").find("one of auto, marching_cubes"),
+            std::string::npos);
+  EXPECT_NE(error_of(R"({"labels":[1.5]})").find("labels[0]: found 1.5, expected a whole number"),
+            std::string::npos);
   EXPECT_NE(error_of(R"({"merge":1})").find("merge: found 1, expected true or false"), std::string::npos);
-  EXPECT_NE(error_of(R"({"source":{"phantom":{},"file":{}}})").find("expected one of them"), std::string::npos);
+  EXPECT_NE(error_of(R"({"source":{"phantom":{},"file":{}}})").find("expected one of them"),
+            std::string::npos);
   EXPECT_NE(error_of("[]").find("expected an object"), std::string::npos);
   EXPECT_NE(error_of("{\"a\"").find("not valid JSON"), std::string::npos);
 }
@@ -99,7 +104,8 @@ TEST(RecipeSchema, DescribesEveryFieldOfTheRecipe) {
     EXPECT_FALSE(field["description"].get<std::string>().empty()) << field;
     paths.push_back(field["path"]);
   }
-  for (const char* path : {"source.phantom.kind", "labels", "sizing.regions", "remesh.facet_angle_deg", "expected.tets"})
+  for (const char* path :
+       {"source.phantom.kind", "labels", "sizing.regions", "remesh.facet_angle_deg", "expected.tets"})
     EXPECT_NE(std::find(paths.begin(), paths.end(), path), paths.end()) << path;
 }
 

@@ -22,7 +22,8 @@ LabelGrid thin_bodies() {
   for (int k = 0; k < 28; ++k)
     for (int j = 0; j < 28; ++j)
       for (int i = 0; i < 40; ++i, ++voxel) {
-        const double r = std::sqrt((i - 13.3) * (i - 13.3) + (j - 13.6) * (j - 13.6) + (k - 13.8) * (k - 13.8));
+        const double r =
+            std::sqrt((i - 13.3) * (i - 13.3) + (j - 13.6) * (j - 13.6) + (k - 13.8) * (k - 13.8));
         const double rod = std::sqrt((i - 32.2) * (i - 32.2) + (j - 13.4) * (j - 13.4));
         if (r < 4) grid.labels[voxel] = 2;
         if (r > 8 && r < 10) grid.labels[voxel] = 1;
@@ -48,7 +49,8 @@ std::array<double, 4> sampled_volumes(const LabelGrid& grid, const VoxelWeights&
       for (std::size_t l = 0; l < 4; ++l)
         value[l] += w * dense[v + (c & 1) + sx * ((c >> 1) & 1) + sxy * (c >> 2)][l];
     }
-    volumes[static_cast<std::size_t>(std::max_element(value.begin(), value.end()) - value.begin())] += 1.0 / 64;
+    volumes[static_cast<std::size_t>(std::max_element(value.begin(), value.end()) - value.begin())] +=
+        1.0 / 64;
   };
   for (std::size_t k = 0; k + 1 < 28; ++k)
     for (std::size_t j = 0; j + 1 < 28; ++j)
@@ -68,7 +70,8 @@ TEST(BalanceVolumes, GivesBackMostOfWhatSmoothingTakesFromThinAndSmallLabels) {
   balance_volumes(grid, weights);
   const std::array<double, 4> after = sampled_volumes(grid, weights);
   for (const Label label : {1, 2, 3}) {
-    const double lost = std::abs(before[label] / voxels[label] - 1), left = std::abs(after[label] / voxels[label] - 1);
+    const double lost = std::abs(before[label] / voxels[label] - 1),
+                 left = std::abs(after[label] / voxels[label] - 1);
     EXPECT_GT(lost, 0.02) << label << ": a body that loses nothing shows nothing";
     EXPECT_LT(left, lost / 4) << label << ": " << lost << " before";
     RecordProperty("error_before_" + std::to_string(label), std::to_string(lost));

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "geometry/digest.h"
+#include "geometry/self_intersections.h"
 #include "io/read_volume.h"
 #include "remesh/remesh_surface.h"
-#include "geometry/self_intersections.h"
 #include "support/check_surface.h"
 #include "support/data.h"
 #include "support/label_bodies.h"
