@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <utility>
 
 #include "geometry/adjacency.h"
 #include "geometry/tet_measures.h"
+#include "geometry/union_find.h"
 
 namespace voxtet {
 namespace {
@@ -112,36 +112,20 @@ BoundaryFaults boundary_faults(const TetMesh& mesh, const std::vector<TetFace>& 
   return faults;
 }
 
-/// Union-find over indices, with path halving.
-class Components {
- public:
-  explicit Components(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-  /// Number of components for each label (index), background left out.
-  std::vector<std::uint32_t> count(const std::vector<Label>& labels) {
-    std::vector<std::uint32_t> counts(65536, 0);
-    for (std::uint32_t i = 0; i < parent_.size(); ++i)
-      if (labels[i] != kBackground && find(i) == i) ++counts[labels[i]];
-    return counts;
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
+/// Number of components for each label (index), background left out.
+std::vector<std::uint32_t> count_by_label(UnionFind& components, const std::vector<Label>& labels) {
+  std::vector<std::uint32_t> counts(65536, 0);
+  for (std::uint32_t i = 0; i < components.size(); ++i)
+    if (labels[i] != kBackground && components.find(i) == i) ++counts[labels[i]];
+  return counts;
+}
 
 std::vector<std::uint32_t> mesh_components(const TetMesh& mesh, const std::vector<TetFace>& faces) {
-  Components components(mesh.tets.size());
+  UnionFind components(mesh.tets.size());
   for (const TetFace& face : faces)
     if (face.count > 1 && mesh.labels[face.first] == mesh.labels[face.second])
       components.join(face.first, face.second);
-  return components.count(mesh.labels);
+  return count_by_label(components, mesh.labels);
 }
 
 /// Whether a triangle's normal points away from a tetrahedron that it is a face of.
@@ -201,7 +185,7 @@ std::vector<bool> thin_labels(const LabelVolume& volume) {
 }
 
 std::vector<std::uint32_t> voxel_components(const LabelVolume& volume) {
-  Components components(volume.voxel_count());
+  UnionFind components(volume.voxel_count());
   for (int k = 0; k < volume.size[2]; ++k)
     for (int j = 0; j < volume.size[1]; ++j)
       for (int i = 0; i < volume.size[0]; ++i) {
@@ -213,7 +197,7 @@ std::vector<std::uint32_t> voxel_components(const LabelVolume& volume) {
           if (volume.at_or_background(x, y, z) == label)
             components.join(here, static_cast<std::uint32_t>(volume.offset(x, y, z)));
       }
-  return components.count(volume.labels);
+  return count_by_label(components, volume.labels);
 }
 
 }  // namespace

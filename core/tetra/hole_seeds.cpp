@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+
+#include "geometry/union_find.h"
 
 namespace voxtet {
 namespace {
@@ -18,23 +19,6 @@ struct Seed {
   std::uint32_t triangle = 0;
   Eigen::Vector3d from, step;
   bool crossed = false;
-};
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
 };
 
 Eigen::Vector3d doubled_area_vector(const SurfaceMesh& surface, std::uint32_t t) {
