@@ -138,6 +138,7 @@ json stage_json(const Session& session, Stage stage) {
           {"cached", record.cached},
           {"peak_mb", record.peak_mb},
           {"digest", result_digest(session, stage)},
+          {"notes", record.notes},
           {"counts", counts_json(session, stage)}};
 }
 

@@ -159,11 +159,15 @@ Status Session::run(Stage last, RunContext& ctx) {
     if (record.cached) continue;
     if (ctx.cancelled()) return cancelled_error("session");
     const std::string name(kStageNames[static_cast<std::size_t>(stage)]);
-    std::vector<std::string> warnings;
+    std::vector<std::string> warnings, notes;
     RunContext watched = ctx;
     watched.on_warning = [&](const std::string& from, const std::string& message) {
       warnings.push_back(from + ": " + message);
       ctx.warn(from, message);
+    };
+    watched.on_note = [&](const std::string& from, const std::string& message) {
+      notes.push_back(message);
+      ctx.note(from, message);
     };
     watched.progress(name, 0);
     reset_peak_memory();
@@ -178,8 +182,10 @@ Status Session::run(Stage last, RunContext& ctx) {
     } catch (const std::exception& error) {
       return Error{ErrorCode::kInternal, name, "stage " + name + " failed: " + error.what(), {}};
     }
-    record = {key_of(stage), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-              peak_memory_mb(), false, std::move(warnings)};
+    record = {
+        key_of(stage),       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+        peak_memory_mb(),    false,
+        std::move(warnings), std::move(notes)};
     watched.progress(name, 1);
   }
   return std::monostate{};

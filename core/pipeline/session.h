@@ -37,7 +37,7 @@ struct StageRecord {
   double peak_mb =
       0;  ///< native: peak resident memory during the stage; wasm: size of the linear memory after it
   bool cached = false;  ///< the last run() reused an earlier result
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings, notes;
 };
 
 /// A case being meshed. Results stay valid until a run replaces them; each is null before its stage has run.

@@ -1,4 +1,5 @@
-// What a stage may ask of its caller while it runs: progress, cancellation, warnings. No stage prints.
+// What a stage may ask of its caller while it runs: progress, cancellation, warnings, notes. No
+// stage prints.
 #pragma once
 
 #include <functional>
@@ -13,6 +14,9 @@ struct RunContext {
   std::function<void(const std::string& stage, double fraction)> on_progress;  ///< fraction in [0, 1]
   std::function<bool()> on_cancelled;                                          ///< true: stop soon
   std::function<void(const std::string& stage, const std::string& message)> on_warning;
+  /// What a reader of the report should know though nothing is wrong: which method or rung was taken, what
+  /// was removed on demand.
+  std::function<void(const std::string& stage, const std::string& message)> on_note;
 
   void progress(const std::string& stage, double fraction) const {
     if (on_progress) on_progress(stage, fraction);
@@ -20,6 +24,9 @@ struct RunContext {
   bool cancelled() const { return on_cancelled && on_cancelled(); }
   void warn(const std::string& stage, const std::string& message) const {
     if (on_warning) on_warning(stage, message);
+  }
+  void note(const std::string& stage, const std::string& message) const {
+    if (on_note) on_note(stage, message);
   }
 };
 

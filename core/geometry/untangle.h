@@ -1,0 +1,26 @@
+// Moves a deformed complex back towards its start where it intersects itself.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "types/run_context.h"
+#include "types/surface_mesh.h"
+
+namespace voxtet {
+
+struct UntangleOutcome {
+  std::size_t moved_back = 0;  ///< points that do not stand where they were asked to
+  int rounds = 0;
+  bool cancelled = false;
+};
+
+/// On return the triangles of `surface` do not intersect each other, provided that they did not with all
+/// points at `start`. Where they would, the corners of the triangles concerned go halfway back to their
+/// start, in later rounds with a growing neighbourhood, at last all the way. Exact (self_intersections.h),
+/// deterministic; a round looks only at triangles with a corner that moved in the round before.
+UntangleOutcome untangle(SurfaceMesh& surface, const std::vector<Eigen::Vector3d>& start,
+                         const RunContext& ctx);
+
+}  // namespace voxtet

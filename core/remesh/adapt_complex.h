@@ -1,0 +1,50 @@
+// The paper's way to an adapted surface: local operations on a labelled complex, each a transaction.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "types/result.h"
+#include "types/run_context.h"
+#include "types/sizing_field.h"
+#include "types/surface_mesh.h"
+
+namespace voxtet::remesh {
+
+enum class AdaptSchedule {
+  kAdaptive,  ///< split, collapse, flip, relocate to the sizing field, several passes
+  kPaper,     ///< coarsen globally to the largest size, refine 1:4 locally, then optimise
+};
+
+struct AdaptParams {
+  AdaptSchedule schedule = AdaptSchedule::kAdaptive;
+  double voxel_mm = 1;           ///< smallest spacing of the labels' voxels
+  double envelope_voxels = 0.5;  ///< how far the result may be from the reference, and the reverse
+  double min_angle_deg = 18;     ///< planar angles below this are not made
+  double min_dihedral_deg = 25;  ///< nor angles between facets, unless the reference is as sharp there
+  double shape_weight = 0.6;     ///< relocation: 0 sizes alone, 1 shapes alone
+  int passes = 3;
+  bool verify = false;  ///< after every operation, look from scratch for intersections around it (slow)
+};
+
+/// What was done and what was refused, for the report and the tests.
+struct AdaptRecord {
+  std::array<std::uint64_t, 4> accepted{};  ///< splits, collapses, flips, relocations
+  struct Refusal {
+    std::string reason;  ///< "link", "length", "angle", "curve", "normal", "envelope", "reverse",
+                         ///< "intersection", "dihedral", "gap"
+    std::uint64_t count = 0;
+  };
+  std::vector<Refusal> refused;
+  std::uint64_t violations = 0;  ///< found by `verify`; expected 0
+};
+
+/// Adapts `reference` (closed for every label, manifold for every label, free of self-intersections) to
+/// `sizing`. The result has the same topology, label by label, and is free of self-intersections: every
+/// operation keeps both. Deterministic. Errors: kCancelled, kOutOfMemory.
+Result<SurfaceMesh> adapt_complex(const SurfaceMesh& reference, const SizingField& sizing,
+                                  const AdaptParams& params, RunContext& ctx, AdaptRecord* record = nullptr);
+
+}  // namespace voxtet::remesh
