@@ -24,7 +24,7 @@ std::vector<Stage> inputs_of(Stage stage) {
     case Stage::kSurface: return {Stage::kVolume};
     case Stage::kSmooth: return {Stage::kSurface};
     case Stage::kSizing: return {Stage::kVolume};
-    case Stage::kRemesh: return {Stage::kVolume, Stage::kSizing};
+    case Stage::kRemesh: return {Stage::kVolume, Stage::kSmooth, Stage::kSizing};
     case Stage::kTetra: return {Stage::kRemesh, Stage::kSizing};
     case Stage::kQuality: return {Stage::kSmooth, Stage::kTetra};
   }
@@ -138,7 +138,8 @@ Status Session::run_stage(Stage stage, RunContext& ctx) {
     case Stage::kSurface: return keep(extract_surface(*volume_, recipe_.surface, ctx), surface_);
     case Stage::kSmooth: return keep(smooth_surface(*surface_, *volume_, recipe_.smooth, ctx), smooth_);
     case Stage::kSizing: return keep(build_sizing_field(*volume_, recipe_.sizing, ctx), sizing_);
-    case Stage::kRemesh: return keep(remesh_surface(*volume_, *sizing_, recipe_.remesh, ctx), remeshed_);
+    case Stage::kRemesh:
+      return keep(remesh_surface(*volume_, *smooth_, *sizing_, recipe_.remesh, ctx), remeshed_);
     case Stage::kTetra: return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), mesh_);
     case Stage::kQuality:
       return keep(measure_quality(*mesh_, {*volume_, *smooth_, *remeshed_, *sizing_}, recipe_.quality, ctx),

@@ -137,8 +137,6 @@ template <class V>
 void visit_fields(V& v, RemeshParams& p) {
   v.choice({"method", "", 0, 0, "How the adapted surface is made."}, p.method,
            Choices<RemeshMethod>{{"delaunay", RemeshMethod::kDelaunay}});
-  v.field({"smoothing_voxels", "voxel", 0, 2, "Width (sigma) of the Gaussian on the labels."},
-          p.smoothing_voxels);
   v.field({"facet_angle_deg", "deg", 0, 30, "Lower bound on the triangles' angles."}, p.facet_angle_deg);
   v.field({"max_distance_voxels", "voxel", 0.02, 10, "Distance allowed between triangles and labels."},
           p.max_distance_voxels);

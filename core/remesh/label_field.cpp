@@ -4,17 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "remesh/balance_volumes.h"
-#include "remesh/smooth_labels.h"
-
 namespace voxtet::remesh {
 namespace {
 
 constexpr std::int32_t kPairBase = 65536;
 constexpr double kTolerance = 1e-4;  ///< of a crossing, voxels
 constexpr int kMaxRounds = 100;
-constexpr double kLeastSigmaVoxels = 0.4;
-constexpr float kWeightScale = 1.F / static_cast<float>(1 << 30);
 
 LabelGrid padded(const LabelVolume& volume) {
   constexpr int kPad = LabelField::kPad;
@@ -54,17 +49,17 @@ Eigen::Vector3d trilinear_gradient(const std::array<double, 8>& v, const std::ar
               t[1] * (u[0] * (v[6] - v[2]) + t[0] * (v[7] - v[3]))};
 }
 
-/// The labels of one cell's eight corners with their weights.
+/// The labels of one cell's eight corners with their distances.
 struct CellTable {
   std::vector<Label> labels;
-  std::vector<std::array<std::int32_t, 8>> weights;
+  std::vector<std::array<float, 8>> values;
 
-  std::array<std::int32_t, 8>& row(Label label) {
+  std::array<float, 8>& row(Label label) {
     for (std::size_t i = 0; i < labels.size(); ++i)
-      if (labels[i] == label) return weights[i];
+      if (labels[i] == label) return values[i];
     labels.push_back(label);
-    weights.push_back({});
-    return weights.back();
+    values.emplace_back().fill(-LabelDistances::kFarthest);
+    return values.back();
   }
 
   /// Removes every label that another one beats or equals at all corners (the lower label on equality).
@@ -75,8 +70,8 @@ struct CellTable {
         if (i == j || dominated[j]) continue;
         bool beats = true, differs = false;
         for (int c = 0; c < 8; ++c) {
-          beats = beats && weights[j][c] >= weights[i][c];
-          differs = differs || weights[j][c] != weights[i][c];
+          beats = beats && values[j][c] >= values[i][c];
+          differs = differs || values[j][c] != values[i][c];
         }
         dominated[i] = beats && (differs || labels[j] < labels[i]);
       }
@@ -84,38 +79,30 @@ struct CellTable {
     for (std::size_t i = 0; i < labels.size(); ++i)
       if (!dominated[i]) {
         labels[kept] = labels[i];
-        weights[kept++] = weights[i];
+        values[kept++] = values[i];
       }
     labels.resize(kept);
-    weights.resize(kept);
+    values.resize(kept);
   }
 };
 
 }  // namespace
 
-LabelField::LabelField(const LabelVolume& volume, double smoothing_voxels) {
-  const Eigen::Vector3d spacing = volume.spacing_mm();
-  smallest_spacing_mm_ = spacing.minCoeff();
+LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface) {
+  smallest_spacing_mm_ = volume.spacing_mm().minCoeff();
   index_to_mm_ = volume.linear();
   mm_to_index_ = volume.linear().inverse();
   mm_origin_ = volume.origin() - volume.linear() * Eigen::Vector3d::Constant(kPad);
   index_origin_ = -(mm_to_index_ * mm_origin_);
 
-  const LabelGrid grid = padded(volume);
+  LabelGrid grid = padded(volume);
+  const LabelDistances distances = label_distances(grid, surface, index_to_mm_, mm_origin_);
   size_ = grid.size;
-  std::array<HalfKernel, 3> kernels;
-  // Coarse axes keep a little smoothing of their own: without it the terraces between thick slices meet in
-  // checkerboards, where the interface touches itself along lines.
-  const double least = std::min(kLeastSigmaVoxels, smoothing_voxels);
-  for (int d = 0; d < 3; ++d)
-    kernels[d] = gaussian_kernel(std::max(least, smoothing_voxels * smallest_spacing_mm_ / spacing[d]));
-  VoxelWeights weights = smooth_indicators(grid, kernels);
-  balance_volumes(grid, weights);
-  centre_labels_ = settle_winners(grid, weights, ledger_);
-  build_cells(weights);
+  centre_labels_ = std::move(grid.labels);
+  build_cells(distances);
 }
 
-void LabelField::build_cells(const VoxelWeights& weights) {
+void LabelField::build_cells(const LabelDistances& distances) {
   const std::size_t sx = static_cast<std::size_t>(size_[0]), sxy = sx * static_cast<std::size_t>(size_[1]);
   cells_.assign(centre_labels_.size(), kBackground);
   for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(size_[2]); ++k)
@@ -128,32 +115,29 @@ void LabelField::build_cells(const VoxelWeights& weights) {
         for (const std::size_t c : corners) one = one && centre_labels_[c] == centre_labels_[v];
         // The same winner at all eight corners wins everywhere between them.
         cells_[v] = centre_labels_[v];
-        if (!one) cells_[v] = store_mixed_cell(weights, corners);
+        if (!one) cells_[v] = store_mixed_cell(distances, corners);
       }
 }
 
-std::int32_t LabelField::store_mixed_cell(const VoxelWeights& weights,
+std::int32_t LabelField::store_mixed_cell(const LabelDistances& distances,
                                           const std::array<std::size_t, 8>& corners) {
   CellTable table;
   for (int c = 0; c < 8; ++c) {
     const std::size_t v = corners[c];
-    if (weights.offsets[v] == weights.offsets[v + 1]) table.row(centre_labels_[v])[c] = 1 << 30;
-    for (std::uint32_t e = weights.offsets[v]; e < weights.offsets[v + 1]; ++e)
-      table.row(weights.labels[e])[c] = weights.weights[e];
+    for (std::uint32_t e = distances.offsets[v]; e < distances.offsets[v + 1]; ++e)
+      table.row(distances.labels[e])[c] = distances.values[e];
   }
   table.drop_dominated();
   if (table.labels.size() == 2) {
     Pair pair{{}, table.labels[0], table.labels[1]};
-    for (int c = 0; c < 8; ++c)
-      pair.difference[c] = static_cast<float>(table.weights[0][c] - table.weights[1][c]) * kWeightScale;
+    for (int c = 0; c < 8; ++c) pair.difference[c] = table.values[0][c] - table.values[1][c];
     pairs_.push_back(pair);
     return kPairBase + static_cast<std::int32_t>(pairs_.size() - 1);
   }
   if (many_start_.empty()) many_start_.push_back(0);
   for (std::size_t i = 0; i < table.labels.size(); ++i) {
     many_labels_.push_back(table.labels[i]);
-    for (int c = 0; c < 8; ++c)
-      many_values_.push_back(static_cast<float>(table.weights[i][c]) * kWeightScale);
+    many_values_.insert(many_values_.end(), table.values[i].begin(), table.values[i].end());
   }
   many_start_.push_back(static_cast<std::uint32_t>(many_labels_.size()));
   return 1 - static_cast<std::int32_t>(many_start_.size());

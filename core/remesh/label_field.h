@@ -1,9 +1,9 @@
-// The continuous label field whose interfaces are meshed: argmax over smoothed label indicators.
+// The continuous label field whose interfaces are meshed: argmax over the labels' signed distances to the
+// smoothed label surface.
 //
-// Every label, background included, has an indicator (1 in its voxels, 0 elsewhere) that is smoothed by a
-// separable Gaussian and interpolated trilinearly; the label of a point is the one whose indicator is
-// largest. Because background competes like any other label, no cusps of background open along label
-// interfaces.
+// Every label, background included, has a signed distance to its boundary, positive inside, known at voxel
+// centres and interpolated trilinearly; the label of a point is the one whose distance is largest. Because
+// background competes like any other label, no cusps of background open along label interfaces.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,30 +11,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "remesh/label_distances.h"
 #include "types/label_volume.h"
+#include "types/surface_mesh.h"
 
 namespace voxtet::remesh {
-
-/// Weights of the smoothed indicators at one voxel centre, in units of 2^-30, as a short list.
-struct VoxelWeights {
-  std::vector<std::uint32_t>
-      offsets;  ///< voxel_count + 1; an empty range: only the voxel's own label, weight 1
-  std::vector<std::uint16_t> labels;
-  std::vector<std::int32_t> weights;
-};
-
-/// How the field differs from the voxels at voxel centres.
-struct FieldLedger {
-  /// Voxels whose centre lies in another label after smoothing.
-  std::uint64_t flipped_voxels = 0;
-  /// Voxels kept in their label although the smoothed indicators lose them.
-  std::uint64_t retained_voxels = 0;
-  /// Components of fewer than kSpeckVoxels voxels that smoothing removed.
-  std::uint64_t dropped_specks = 0;
-};
-
-/// Components smaller than this may vanish by smoothing as long as the label keeps another component.
-inline constexpr std::uint32_t kSpeckVoxels = 8;
 
 /// The field on a grid padded by `kPad` background voxels on all sides. Immutable once built; outside of the
 /// grid everything is background.
@@ -42,14 +23,9 @@ class LabelField {
  public:
   static constexpr int kPad = 2;
 
-  /// `smoothing_voxels`: sigma in units of the smallest spacing; an axis of coarser voxels is smoothed over
-  /// the same length in mm, but by 0.4 of its own voxels at least. The labels at voxel centres keep the
-  /// topology of the input: a voxel whose smoothed indicator loses gives way only if that neither splits,
-  /// perforates nor removes its label, nor adds a component to the winner (simple points); otherwise its own
-  /// indicator is raised until it wins. So thin walls and thin labels survive, and no fragment appears that
-  /// the input does not have. Before that, every label gets back the volume that smoothing took from it (see
-  /// balance_volumes.h).
-  LabelField(const LabelVolume& volume, double smoothing_voxels);
+  /// `surface`: the smoothed boundary complex of the labels of `volume` (mm), each vertex within half a voxel
+  /// or so of where it was extracted. The labels at voxel centres are those of the volume.
+  LabelField(const LabelVolume& volume, const SurfaceMesh& surface);
 
   /// Label at a patient-space point (mm).
   Label at(const Eigen::Vector3d& mm) const { return at_index(to_index(mm)); }
@@ -69,7 +45,6 @@ class LabelField {
   const std::array<int, 3>& size() const { return size_; }
   /// Label at a voxel centre of the padded grid, offset x fastest.
   const std::vector<Label>& centre_labels() const { return centre_labels_; }
-  const FieldLedger& ledger() const { return ledger_; }
   double smallest_spacing_mm() const { return smallest_spacing_mm_; }
 
   Eigen::Vector3d to_index(const Eigen::Vector3d& mm) const { return mm_to_index_ * mm + index_origin_; }
@@ -86,9 +61,9 @@ class LabelField {
     bool mixed;
   };
 
-  void build_cells(const VoxelWeights& weights);
+  void build_cells(const LabelDistances& distances);
   /// The code of a cell in which more than one label can win.
-  std::int32_t store_mixed_cell(const VoxelWeights& weights, const std::array<std::size_t, 8>& corners);
+  std::int32_t store_mixed_cell(const LabelDistances& distances, const std::array<std::size_t, 8>& corners);
   std::int32_t code_at(const Eigen::Vector3d& index, std::array<double, 3>& t) const;
   double margin(const Eigen::Vector3d& index, Label wanted, Sample& sample) const;
 
@@ -104,7 +79,6 @@ class LabelField {
   Eigen::Matrix3d index_to_mm_, mm_to_index_;
   Eigen::Vector3d mm_origin_, index_origin_;
   double smallest_spacing_mm_ = 1;
-  FieldLedger ledger_;
 };
 
 }  // namespace voxtet::remesh

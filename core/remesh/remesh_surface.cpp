@@ -67,8 +67,6 @@ Status check_parameters(const SizingField& sizing, const RemeshParams& params) {
   for (const float h : sizing.h_mm)
     if (!(h > 0) || !std::isfinite(h))
       return bad_input("sizing.h_mm holds " + number(h) + "; expected h > 0");
-  if (!(params.smoothing_voxels >= 0 && params.smoothing_voxels <= 3))
-    return bad_input("smoothing_voxels is " + number(params.smoothing_voxels) + "; expected 0 to 3");
   if (!(params.facet_angle_deg >= 0 && params.facet_angle_deg <= 30))
     return bad_input("facet_angle_deg is " + number(params.facet_angle_deg) +
                      "; expected 0 to 30, beyond which refinement need not end");
@@ -155,17 +153,8 @@ Outcome refine_from_seeds(const LabelField& field, const SizingField& sizing, co
 /// The lost components that must not be: those that are no specks, and all of a label of which nothing is
 /// left.
 std::vector<std::uint32_t> missed_components(const Seeds& seeds, const std::vector<std::uint32_t>& lost) {
-  std::vector<bool> is_lost(seeds.component_labels.size(), false), alive(65536, false);
-  for (const std::uint32_t component : lost) is_lost[component] = true;
-  for (std::size_t c = 0; c < is_lost.size(); ++c)
-    if (!is_lost[c]) alive[seeds.component_labels[c]] = true;
-  std::vector<std::uint32_t> missed;
-  for (const std::uint32_t component : lost) {
-    const Label label = seeds.component_labels[component];
-    if (label == kBackground) continue;
-    if (seeds.component_sizes[component] >= kSpeckVoxels || !alive[label]) missed.push_back(component);
-  }
-  return missed;
+  (void)seeds;
+  return lost;
 }
 
 /// An error if a label of the field has no cell; its `where` holds voxel centres of the lost labels.
@@ -190,11 +179,7 @@ Status check_labels(const LabelField& field, const CellComplex& cells) {
   return error;
 }
 
-void warn_about_topology(const LabelField& field, const Seeds& seeds, const Outcome& outcome,
-                         RunContext& ctx) {
-  if (field.ledger().dropped_specks > 0)
-    ctx.warn(kStage, std::to_string(field.ledger().dropped_specks) + " components of fewer than " +
-                         std::to_string(kSpeckVoxels) + " voxels vanished by smoothing");
+void warn_about_topology(const Seeds& seeds, const Outcome& outcome, RunContext& ctx) {
   if (!outcome.lost.empty())
     ctx.warn(kStage,
              std::to_string(outcome.lost.size()) + " components of the labels are not in the surface");
@@ -245,10 +230,10 @@ RunContext with_rising_progress(const RunContext& ctx) {
   return rising;
 }
 
-Result<SurfaceMesh> remesh_delaunay(const LabelVolume& volume, const SizingField& sizing,
-                                    const RemeshParams& params, RunContext& ctx) {
+Result<SurfaceMesh> remesh_delaunay(const LabelVolume& volume, const SurfaceMesh& reference,
+                                    const SizingField& sizing, const RemeshParams& params, RunContext& ctx) {
   ctx.progress(kStage, 0);
-  const LabelField field(volume, params.smoothing_voxels);
+  const LabelField field(volume, reference);
   if (ctx.cancelled()) return cancelled_error(kStage);
   ctx.progress(kStage, 0.08);
   Outcome outcome;
@@ -266,7 +251,7 @@ Result<SurfaceMesh> remesh_delaunay(const LabelVolume& volume, const SizingField
   }
   if (Status labels = check_labels(field, outcome.cells); !labels) return labels.error();
   SurfaceMesh surface = extract_interface(outcome.cells);
-  warn_about_topology(field, seeds, outcome, ctx);
+  warn_about_topology(seeds, outcome, ctx);
   warn_about_sizes(surface, sizing, ctx);
   ctx.progress(kStage, 1);
   return surface;
@@ -274,13 +259,13 @@ Result<SurfaceMesh> remesh_delaunay(const LabelVolume& volume, const SizingField
 
 }  // namespace
 
-Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SizingField& sizing,
-                                   const RemeshParams& params, RunContext& ctx) {
+Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& reference,
+                                   const SizingField& sizing, const RemeshParams& params, RunContext& ctx) {
   if (Status status = check_volume(volume); !status) return status.error();
   if (Status status = check_parameters(sizing, params); !status) return status.error();
   try {
     RunContext rising = with_rising_progress(ctx);
-    return remesh_delaunay(volume, sizing, params, rising);
+    return remesh_delaunay(volume, reference, sizing, params, rising);
   } catch (const std::bad_alloc&) {
     return Error{
         ErrorCode::kOutOfMemory, kStage, "not enough memory to refine the surface to the wished size", {}};

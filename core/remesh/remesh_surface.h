@@ -15,8 +15,6 @@ enum class RemeshMethod {
 
 struct RemeshParams {
   RemeshMethod method = RemeshMethod::kDelaunay;
-  double smoothing_voxels =
-      0.7;  ///< sigma of the Gaussian on each label's indicator, smallest spacings; 0 to 3
   double facet_angle_deg = 30;  ///< lower bound on the planar angles; 0 to 30
   double max_distance_voxels =
       0.25;  ///< facet to label field, in units of the smallest spacing; at least 0.01
@@ -34,7 +32,7 @@ struct RemeshParams {
 ///
 /// Errors: kBadInput for malformed values; kMeshing, with a voxel centre of each, when labels are lost;
 /// kCancelled; kOutOfMemory.
-Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SizingField& sizing,
-                                   const RemeshParams& params, RunContext& ctx);
+Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& surface,
+                                   const SizingField& sizing, const RemeshParams& params, RunContext& ctx);
 
 }  // namespace voxtet
