@@ -1,79 +1,198 @@
 #include "geometry/self_intersections.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
-
 #include <algorithm>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "geometry/parallel.h"
+#include "geometry/triangle_intersection.h"
 
 namespace voxtet {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+constexpr std::size_t kLeafSize = 4;
+constexpr std::size_t kFanOut = 4;
+constexpr unsigned kMortonBits = 10;  ///< an axis; the code has 30
 
-class Tester {
- public:
-  explicit Tester(const SurfaceMesh& surface) : surface_(surface) {}
+std::uint32_t spread_bits(std::uint32_t x) {
+  x = (x | (x << 16)) & 0x030000FFU;
+  x = (x | (x << 8)) & 0x0300F00FU;
+  x = (x | (x << 4)) & 0x030C30C3U;
+  return (x | (x << 2)) & 0x09249249U;
+}
 
-  bool intersect(std::uint32_t t, std::uint32_t s) const {
-    Triangle a = surface_.triangles[t], b = surface_.triangles[s];
-    const int shared = move_shared_to_front(a, b);
-    if (shared == 3) return true;
-    if (shared == 2) {
-      const Point p = point(a[0]), q = point(a[1]), r = point(a[2]), other = point(b[2]);
-      return CGAL::coplanar(p, q, r, other) && CGAL::coplanar_orientation(p, q, r, other) == CGAL::POSITIVE;
-    }
-    if (shared == 1)
-      return CGAL::do_intersect(triangle(a), Kernel::Segment_3(point(b[1]), point(b[2]))) ||
-             CGAL::do_intersect(triangle(b), Kernel::Segment_3(point(a[1]), point(a[2])));
-    return CGAL::do_intersect(triangle(a), triangle(b));
+/// Indices of the codes in ascending order, equal codes by index.
+std::vector<std::uint32_t> radix_order(const std::vector<std::uint32_t>& codes) {
+  std::vector<std::uint32_t> order(codes.size()), next(codes.size());
+  std::iota(order.begin(), order.end(), 0U);
+  for (unsigned shift = 0; shift < 3 * kMortonBits; shift += kMortonBits) {
+    std::array<std::uint32_t, (1U << kMortonBits) + 1> first{};
+    const auto digit = [&](std::uint32_t i) { return (codes[i] >> shift) & ((1U << kMortonBits) - 1); };
+    for (const std::uint32_t i : order) ++first[digit(i) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    for (const std::uint32_t i : order) next[first[digit(i)]++] = i;
+    order.swap(next);
   }
+  return order;
+}
 
- private:
-  static int move_shared_to_front(Triangle& a, Triangle& b) {
-    int shared = 0;
-    for (int i = 0; i < 3; ++i)
-      for (int j = shared; j < 3; ++j)
-        if (a[i] == b[j]) {
-          std::swap(a[i], a[shared]);
-          std::swap(b[j], b[shared]);
-          ++shared;
-          break;
-        }
-    return shared;
+std::vector<std::uint32_t> morton_codes(const SurfaceMesh& surface) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::max()), high = -low;
+  for (const Eigen::Vector3d& p : surface.points) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
   }
-  Point point(std::uint32_t v) const {
-    const Eigen::Vector3d& p = surface_.points[v];
-    return {p.x(), p.y(), p.z()};
+  const double extent = (high - low).maxCoeff();
+  const double scale = extent > 0 ? ((1U << kMortonBits) - 1) / extent : 0;
+  std::vector<std::uint32_t> codes;
+  codes.reserve(surface.triangles.size());
+  for (const Triangle& t : surface.triangles) {
+    const Eigen::Vector3d cell =
+        scale * ((surface.points[t[0]] + surface.points[t[1]] + surface.points[t[2]]) / 3 - low);
+    codes.push_back(spread_bits(static_cast<std::uint32_t>(cell.x())) |
+                    spread_bits(static_cast<std::uint32_t>(cell.y())) << 1 |
+                    spread_bits(static_cast<std::uint32_t>(cell.z())) << 2);
   }
-  Kernel::Triangle_3 triangle(const Triangle& t) const { return {point(t[0]), point(t[1]), point(t[2])}; }
+  return codes;
+}
 
-  const SurfaceMesh& surface_;
-};
+template <class Box>
+void grow(Box& box, const Box& other) {
+  for (std::size_t d = 0; d < 3; ++d) {
+    box.low[d] = std::min(box.low[d], other.low[d]);
+    box.high[d] = std::max(box.high[d], other.high[d]);
+  }
+}
+
+template <class Box>
+bool overlap(const Box& a, const Box& b) {
+  return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] && b.low[1] <= a.high[1] &&
+         a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
+}
 
 }  // namespace
 
-std::vector<std::array<std::uint32_t, 2>> find_self_intersections(const SurfaceMesh& surface,
-                                                                  std::size_t max_pairs) {
-  std::vector<Box> boxes;
-  boxes.reserve(surface.triangles.size());
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    CGAL::Bbox_3 bounds;
-    for (const std::uint32_t v : surface.triangles[t]) {
-      const Eigen::Vector3d& p = surface.points[v];
-      bounds += CGAL::Bbox_3(p.x(), p.y(), p.z(), p.x(), p.y(), p.z());
+/// Pairs that the leaves [first, last) make with themselves and with later leaves.
+class SelfIntersectionTree::Search {
+ public:
+  Search(const SelfIntersectionTree& tree, std::span<const std::uint8_t> concerned, std::size_t max_pairs)
+      : tree_(tree), concerned_(concerned), max_pairs_(max_pairs) {}
+
+  std::vector<TrianglePair> run(std::size_t first, std::size_t last) {
+    for (std::size_t leaf = first; leaf < last && pairs_.size() < max_pairs_; ++leaf) {
+      leaf_ = leaf;
+      visit(tree_.levels_.size() - 1, 0, tree_.levels_.back().size());
     }
-    boxes.emplace_back(bounds, t);
+    return std::move(pairs_);
   }
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  const Tester tester(surface);
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    if (pairs.size() < max_pairs && tester.intersect(a.info(), b.info()))
-      pairs.push_back({std::min(a.info(), b.info()), std::max(a.info(), b.info())});
+
+ private:
+  void visit(std::size_t level, std::size_t first, std::size_t last) {
+    const std::vector<Node>& nodes = tree_.levels_[level];
+    const Node& own = tree_.levels_[0][leaf_];
+    std::size_t leaves = 1;  // below a node
+    for (std::size_t l = 0; l < level; ++l) leaves *= kFanOut;
+    for (std::size_t node = std::max(first, leaf_ / leaves); node < last; ++node) {
+      if (!(own.concerned || nodes[node].concerned) || !overlap(own.box, nodes[node].box)) continue;
+      if (level == 0)
+        compare_leaf(node, nodes[node].box);
+      else
+        visit(level - 1, kFanOut * node, std::min(kFanOut * (node + 1), tree_.levels_[level - 1].size()));
+    }
+  }
+
+  void compare_leaf(std::size_t other, const Box& box) {
+    const std::size_t end = std::min(kLeafSize * (leaf_ + 1), tree_.order_.size());
+    const std::size_t other_end = std::min(kLeafSize * (other + 1), tree_.order_.size());
+    for (std::size_t i = kLeafSize * leaf_; i < end; ++i) {
+      if (!overlap(tree_.boxes_[i], box)) continue;
+      for (std::size_t j = std::max(i + 1, kLeafSize * other); j < other_end; ++j)
+        if (overlap(tree_.boxes_[i], tree_.boxes_[j])) compare(tree_.order_[i], tree_.order_[j]);
+    }
+  }
+
+  void compare(std::uint32_t a, std::uint32_t b) {
+    if (!concerned_.empty() && !concerned_[a] && !concerned_[b]) return;
+    const SurfaceMesh& surface = tree_.surface_;
+    if (pairs_.size() < max_pairs_ &&
+        triangles_intersect(surface.points, surface.triangles[a], surface.triangles[b]))
+      pairs_.push_back({std::min(a, b), std::max(a, b)});
+  }
+
+  const SelfIntersectionTree& tree_;
+  std::span<const std::uint8_t> concerned_;
+  std::size_t max_pairs_, leaf_ = 0;
+  std::vector<TrianglePair> pairs_;
+};
+
+SelfIntersectionTree::SelfIntersectionTree(const SurfaceMesh& surface, int threads)
+    : surface_(surface),
+      threads_(threads),
+      order_(radix_order(morton_codes(surface))),
+      boxes_(order_.size()) {
+  std::size_t count = order_.size(), per_node = kLeafSize;
+  do {
+    count = (count + per_node - 1) / per_node;
+    levels_.emplace_back(count);
+    per_node = kFanOut;
+  } while (count > kFanOut);
+}
+
+void SelfIntersectionTree::measure(std::span<const std::uint8_t> concerned) {
+  parallel_for(threads_, levels_[0].size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t leaf = first; leaf < last; ++leaf) {
+      Node& node = levels_[0][leaf];
+      node.concerned = concerned.empty();
+      const std::size_t begin = kLeafSize * leaf, end = std::min(begin + kLeafSize, order_.size());
+      for (std::size_t slot = begin; slot < end; ++slot) {
+        const Triangle& t = surface_.triangles[order_[slot]];
+        const Eigen::Vector3d &p = surface_.points[t[0]], &q = surface_.points[t[1]],
+                              &r = surface_.points[t[2]];
+        for (int d = 0; d < 3; ++d) {
+          boxes_[slot].low[d] = std::min({p[d], q[d], r[d]});
+          boxes_[slot].high[d] = std::max({p[d], q[d], r[d]});
+        }
+        if (slot == begin)
+          node.box = boxes_[slot];
+        else
+          grow(node.box, boxes_[slot]);
+        node.concerned = node.concerned || (!concerned.empty() && concerned[order_[slot]] != 0);
+      }
+    }
   });
+  for (std::size_t level = 1; level < levels_.size(); ++level)
+    for (std::size_t i = 0; i < levels_[level].size(); ++i) {
+      const std::vector<Node>& below = levels_[level - 1];
+      Node& node = levels_[level][i] = below[kFanOut * i];
+      for (std::size_t c = kFanOut * i + 1; c < std::min(kFanOut * (i + 1), below.size()); ++c) {
+        grow(node.box, below[c].box);
+        node.concerned = node.concerned || below[c].concerned;
+      }
+    }
+}
+
+std::vector<TrianglePair> SelfIntersectionTree::find(std::span<const std::uint8_t> concerned,
+                                                     std::size_t max_pairs) {
+  measure(concerned);
+  constexpr std::size_t kLeavesAPart = 2048;
+  const std::size_t leaves = levels_[0].size(), parts = (leaves + kLeavesAPart - 1) / kLeavesAPart;
+  std::vector<std::vector<TrianglePair>> found(parts);
+  parallel_for(threads_, parts, [&](std::size_t first, std::size_t last) {
+    for (std::size_t part = first; part < last; ++part)
+      found[part] = Search(*this, concerned, max_pairs)
+                        .run(kLeavesAPart * part, std::min(kLeavesAPart * (part + 1), leaves));
+  });
+  std::vector<TrianglePair> pairs;
+  for (const std::vector<TrianglePair>& part : found) pairs.insert(pairs.end(), part.begin(), part.end());
+  if (pairs.size() > max_pairs) pairs.resize(max_pairs);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+std::vector<TrianglePair> find_self_intersections(const SurfaceMesh& surface, std::size_t max_pairs,
+                                                  int threads) {
+  return SelfIntersectionTree(surface, threads).find({}, max_pairs);
 }
 
 }  // namespace voxtet

@@ -3,17 +3,51 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "types/surface_mesh.h"
 
 namespace voxtet {
 
-/// Pairs of triangles (lower index first, ascending) whose intersection is more than their common corners or
-/// common edge, decided with exact predicates; duplicates of a triangle count. Needs valid indices and
-/// triangles with an area. Stops adding after `max_pairs`; which pairs are then given is unspecified. Boxes
-/// are swept as in Zomorodian and Edelsbrunner, "Fast software for box intersections", 2000 (CGAL).
-std::vector<std::array<std::uint32_t, 2>> find_self_intersections(const SurfaceMesh& surface,
-                                                                  std::size_t max_pairs = 100000);
+using TrianglePair = std::array<std::uint32_t, 2>;  ///< lower index first
+
+/// Bounding boxes in a tree over the triangles of a complex whose points may move, not its triangles. Blocks
+/// of triangles along a Morton curve are the leaves, four nodes have one parent; every search measures the
+/// boxes afresh, so the order only has to be good near the points of construction. Neither points nor
+/// triangles are copied: `surface` must outlive the tree.
+class SelfIntersectionTree {
+ public:
+  explicit SelfIntersectionTree(const SurfaceMesh& surface, int threads = 1);
+
+  /// Pairs of triangles whose intersection is more than their common corners or common edge
+  /// (triangle_intersection.h), ascending, at the present points. With `concerned` (one entry a triangle)
+  /// only pairs that have a triangle whose entry is not 0. The search ends at `max_pairs`; which pairs are
+  /// then given is unspecified, but the same for any number of threads.
+  std::vector<TrianglePair> find(std::span<const std::uint8_t> concerned = {},
+                                 std::size_t max_pairs = 100000);
+
+ private:
+  struct Box {
+    std::array<double, 3> low, high;
+  };
+  struct Node {
+    Box box;
+    bool concerned = true;
+  };
+  class Search;
+
+  void measure(std::span<const std::uint8_t> concerned);
+
+  const SurfaceMesh& surface_;
+  int threads_;
+  std::vector<std::uint32_t> order_;       ///< triangle of each slot; a leaf is a block of slots
+  std::vector<Box> boxes_;                 ///< by slot
+  std::vector<std::vector<Node>> levels_;  ///< leaves first, the root's children last
+};
+
+/// The same in one call. Needs valid indices and triangles with an area. O(n log n) where few boxes overlap.
+std::vector<TrianglePair> find_self_intersections(const SurfaceMesh& surface, std::size_t max_pairs = 100000,
+                                                  int threads = 1);
 
 }  // namespace voxtet

@@ -17,6 +17,7 @@ struct RunContext {
   /// What a reader of the report should know though nothing is wrong: which method or rung was taken, what
   /// was removed on demand.
   std::function<void(const std::string& stage, const std::string& message)> on_note;
+  int threads = 1;  ///< that a stage may use (geometry/parallel.h); never changes what it returns
 
   void progress(const std::string& stage, double fraction) const {
     if (on_progress) on_progress(stage, fraction);
