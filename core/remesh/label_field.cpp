@@ -28,7 +28,8 @@ LabelGrid padded(const LabelVolume& volume) {
   return grid;
 }
 
-double trilinear(const float* v, const std::array<double, 3>& t) {
+template <class Number>
+double trilinear(const Number* v, const std::array<double, 3>& t) {
   const double a = v[0] + t[0] * (static_cast<double>(v[1]) - v[0]);
   const double b = v[2] + t[0] * (static_cast<double>(v[3]) - v[2]);
   const double c = v[4] + t[0] * (static_cast<double>(v[5]) - v[4]);
@@ -193,27 +194,52 @@ double LabelField::margin(const Eigen::Vector3d& index, Label wanted, Sample& sa
   return sample.mixed ? own - rival : -1;
 }
 
-Eigen::Vector3d LabelField::gradient(const Eigen::Vector3d& mm, Label a, Label b) const {
-  std::array<double, 3> t{};
+bool LabelField::corner_differences(const Eigen::Vector3d& mm, Label a, Label b,
+                                    std::array<double, 8>& difference, std::array<double, 3>& t) const {
   const std::int32_t code = code_at(to_index(mm), t);
-  std::array<double, 8> difference{};
+  difference.fill(0);
   if (code >= kPairBase) {
     const Pair& pair = pairs_[static_cast<std::size_t>(code - kPairBase)];
-    if (!((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a))) return Eigen::Vector3d::Zero();
+    if (!((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a))) return false;
     const double sign = pair.a == a ? 1 : -1;
     for (std::size_t c = 0; c < 8; ++c) difference[c] = sign * pair.difference[c];
-  } else if (code < 0) {
-    const std::size_t many = static_cast<std::size_t>(-(code + 1));
-    int found = 0;
-    for (std::uint32_t e = many_start_[many]; e < many_start_[many + 1]; ++e) {
-      const double sign = many_labels_[e] == a ? 1 : many_labels_[e] == b ? -1 : 0;
-      if (sign != 0) ++found;
-      for (std::size_t c = 0; c < 8; ++c)
-        difference[c] += sign * many_values_[8 * static_cast<std::size_t>(e) + c];
-    }
-    if (found < 2) return Eigen::Vector3d::Zero();
+    return true;
   }
+  if (code >= 0) return false;
+  const std::size_t many = static_cast<std::size_t>(-(code + 1));
+  int found = 0;
+  for (std::uint32_t e = many_start_[many]; e < many_start_[many + 1]; ++e) {
+    const double sign = many_labels_[e] == a ? 1 : many_labels_[e] == b ? -1 : 0;
+    if (sign == 0) continue;
+    ++found;
+    for (std::size_t c = 0; c < 8; ++c)
+      difference[c] += sign * many_values_[8 * static_cast<std::size_t>(e) + c];
+  }
+  return found == 2;
+}
+
+Eigen::Vector3d LabelField::gradient(const Eigen::Vector3d& mm, Label a, Label b) const {
+  std::array<double, 3> t{};
+  std::array<double, 8> difference{};
+  if (!corner_differences(mm, a, b, difference, t)) return Eigen::Vector3d::Zero();
   return mm_to_index_.transpose() * trilinear_gradient(difference, t);
+}
+
+std::optional<double> LabelField::distance(const Eigen::Vector3d& mm, Label a, Label b) const {
+  std::array<double, 3> t{};
+  std::array<double, 8> difference{};
+  if (!corner_differences(mm, a, b, difference, t)) return std::nullopt;
+  const double slope = (mm_to_index_.transpose() * trilinear_gradient(difference, t)).norm();
+  const double value = trilinear(difference.data(), t);
+  return slope > 0 ? std::optional<double>(value / slope) : std::nullopt;
+}
+
+double LabelField::depth(const Eigen::Vector3d& mm, Label a) const {
+  Sample sample{};
+  const double lead = margin(to_index(mm), a, sample);
+  if (!sample.mixed) return lead * smallest_spacing_mm_;
+  // Distances of two labels fall and rise alike: the lead grows by two for a step of one.
+  return 0.5 * lead * smallest_spacing_mm_;
 }
 
 Eigen::Vector3d LabelField::crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b,

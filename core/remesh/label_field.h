@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "remesh/label_distances.h"
@@ -42,6 +43,14 @@ class LabelField {
   /// cannot win in that cell. Not normalised.
   Eigen::Vector3d gradient(const Eigen::Vector3d& mm, Label a, Label b) const;
 
+  /// Signed distance in mm, to first order, from a point to the interface of labels `a` and `b`: positive on
+  /// the side of `a`. Nothing where one of the two cannot win in that cell.
+  std::optional<double> distance(const Eigen::Vector3d& mm, Label a, Label b) const;
+
+  /// How deep a point lies in label `a`, mm, to first order: the distance to the interface with its strongest
+  /// rival, negative outside of `a`; a whole voxel where no other label can win.
+  double depth(const Eigen::Vector3d& mm, Label a) const;
+
   const std::array<int, 3>& size() const { return size_; }
   /// Label at a voxel centre of the padded grid, offset x fastest.
   const std::vector<Label>& centre_labels() const { return centre_labels_; }
@@ -65,6 +74,9 @@ class LabelField {
   /// The code of a cell in which more than one label can win.
   std::int32_t store_mixed_cell(const LabelDistances& distances, const std::array<std::size_t, 8>& corners);
   std::int32_t code_at(const Eigen::Vector3d& index, std::array<double, 3>& t) const;
+  /// Corner values of a's distance less b's in the cell of a point, and the place in the cell.
+  bool corner_differences(const Eigen::Vector3d& mm, Label a, Label b, std::array<double, 8>& difference,
+                          std::array<double, 3>& t) const;
   double margin(const Eigen::Vector3d& index, Label wanted, Sample& sample) const;
 
   std::array<int, 3> size_{};

@@ -31,7 +31,7 @@ using Point = Kernel::Point_3;
 using Cell = Triangulation::Cell_handle;
 
 /// A facet whose normal is more than 60 degrees off the field's is refined, unless its ball is this small.
-constexpr double kAstrayCosine = 0.5;
+constexpr double kAstrayCosine = 0.25;
 constexpr double kLeastAstrayVoxels = 0.35;
 
 Vector3d vec(const Point& p) {
@@ -220,15 +220,19 @@ DelaunayRefiner::DelaunayRefiner(const LabelField& field, const SizingField& siz
 
 DelaunayRefiner::~DelaunayRefiner() = default;
 
-std::vector<std::uint32_t> DelaunayRefiner::insert(const std::vector<Vector3d>& points) {
-  std::vector<std::uint32_t> ids;
-  Cell hint = impl_->triangulation.finite_cells_begin();
+std::size_t DelaunayRefiner::insert(const std::vector<Vector3d>& points, double separation_mm) {
+  Triangulation& t = impl_->triangulation;
+  std::size_t added = 0;
+  Cell hint = t.finite_cells_begin();
   for (const Vector3d& p : points) {
-    const bool inserted = impl_->insert_point(p, hint, Cell());
-    ids.push_back(inserted ? impl_->next_vertex - 1 : CellComplex::kNone);
-    if (inserted) hint = impl_->star.front();
+    const auto nearest = t.nearest_vertex(Point(p.x(), p.y(), p.z()), hint);
+    hint = nearest->cell();
+    if ((vec(nearest->point()) - p).squaredNorm() < separation_mm * separation_mm) continue;
+    if (!impl_->insert_point(p, hint, Cell())) continue;
+    ++added;
+    hint = impl_->star.front();
   }
-  return ids;
+  return added;
 }
 
 bool DelaunayRefiner::refine(RunContext& ctx, double predicted_vertices) {

@@ -30,9 +30,9 @@ class DelaunayRefiner {
   DelaunayRefiner(const LabelField& field, const SizingField& sizing, const RefineCriteria& criteria);
   ~DelaunayRefiner();
 
-  /// Adds points as they are. Returns the id of each in CellComplex::points, or kNone where one stood there
-  /// already.
-  std::vector<std::uint32_t> insert(const std::vector<Eigen::Vector3d>& points);
+  /// Adds points as they are, apart from those closer than `separation_mm` to one that is there: facets
+  /// around an edge much shorter than the others would become as small. Returns how many were added.
+  std::size_t insert(const std::vector<Eigen::Vector3d>& points, double separation_mm);
 
   /// Refines until no facet is bad. False when cancelled.
   bool refine(RunContext& ctx, double predicted_vertices);

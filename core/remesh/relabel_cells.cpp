@@ -44,7 +44,6 @@ class Relabeller {
   }
 
   void run() {
-    give_islands_away();
     std::vector<EdgeOfCell> work = sharp_edges();
     for (int round = 0; round < kRounds && !work.empty(); ++round) {
       changed_.clear();
@@ -167,37 +166,6 @@ class Relabeller {
     --population_[cells_.labels[cell]];
     ++population_[label];
     cells_.labels[cell] = label;
-  }
-
-  bool is_island(std::uint32_t cell) const {
-    for (const std::uint32_t n : cells_.neighbours[cell])
-      if (cells_.label_or_background(n) == cells_.labels[cell]) return false;
-    return true;
-  }
-
-  void give_islands_away() {
-    for (std::uint32_t cell = 0; cell < cells_.labels.size(); ++cell) {
-      if (!is_island(cell) || population_[cells_.labels[cell]] < 2) continue;
-      std::array<double, 4> area{};
-      Label best = kBackground;
-      double best_area = -1;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Label label = cells_.label_or_background(cells_.neighbours[cell][i]);
-        const auto& corners = kFacetCorners[i];
-        const auto point = [&](std::size_t k) {
-          return cells_.points[cells_.vertices[cell][static_cast<std::size_t>(corners[k])]];
-        };
-        area[i] = (point(1) - point(0)).cross(point(2) - point(0)).norm();
-        double shared = 0;
-        for (std::size_t j = 0; j <= i; ++j)
-          if (cells_.label_or_background(cells_.neighbours[cell][j]) == label) shared += area[j];
-        if (shared > best_area) {
-          best_area = shared;
-          best = label;
-        }
-      }
-      set_label(cell, best);
-    }
   }
 
   /// Edges at which two interface facets stand at less than kSharpSectorDeg.

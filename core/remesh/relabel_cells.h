@@ -1,4 +1,4 @@
-// Small changes of cell labels that remove islands and needle-sharp wedges from the interfaces.
+// Small changes of cell labels that remove needle-sharp wedges from the interfaces.
 #pragma once
 
 #include "remesh/cell_complex.h"
@@ -9,10 +9,10 @@ namespace voxtet::remesh {
 inline constexpr double kSharpSectorDeg = 27;
 
 /// Flat cells lie on the interfaces of a restricted Delaunay triangulation, and which side their circumcentre
-/// falls on is chance. An island takes the neighbouring label with the largest shared area. For an edge
-/// sector (the run of cells of one label between two interface facets) sharper than kSharpSectorDeg, the
-/// sector, or one cell beside it, is given to the label next door, if that lowers the cost of the edges and
-/// facets concerned. The facets stay a subset of the triangulation; no label loses its last cell.
+/// falls on is chance. For an edge sector (the run of cells of one label between two interface facets)
+/// sharper than kSharpSectorDeg, the sector, or one cell beside it, is given to the label next door, if that
+/// lowers the cost of the edges and facets concerned. The facets stay a subset of the triangulation; no label
+/// loses its last cell.
 void relabel_cells(CellComplex& cells);
 
 }  // namespace voxtet::remesh

@@ -7,9 +7,14 @@
 #include <new>
 #include <stdexcept>
 
+#include <chrono>
+#include "remesh/drop_fragments.h"
 #include "remesh/extract_interface.h"
+#include "remesh/fit_surface.h"
 #include "remesh/interface_edges.h"
 #include "remesh/label_field.h"
+#include "remesh/mend_pinches.h"
+#include "remesh/missed_places.h"
 #include "remesh/refine_delaunay.h"
 #include "remesh/relabel_cells.h"
 #include "remesh/seed_interfaces.h"
@@ -24,9 +29,18 @@ const char* const kStage = "remesh";
 /// Measured on hearts, aorta and spheres: the median edge of a refined surface is 1.30 times the largest
 /// radius allowed for the surface Delaunay balls.
 constexpr double kEdgePerRadius = 1.30;
-constexpr int kSeedTries = 4;  ///< each with seeds twice as dense where a component got lost
-constexpr int kPinchRounds = 12;
-constexpr double kLeastPinchVoxels = 0.15;  ///< radius below which a facet is not refined to open a pinch
+constexpr int kRepairRounds = 3;
+constexpr double kLeastPinchVoxels = 0.3;
+constexpr double kMissedVoxels = 0.45;
+constexpr double kSeparation = 0.5, kSeedSeparation = 0.25;
+void pinch(const char* w, const CellComplex& c) {
+  auto e = find_interface_edges(c);
+  printf("   %s: edges %zu points %zu\n", w, find_pinched_edges(c, e).size(),
+         find_pinched_points(c, e).size());
+}
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 Error bad_input(const std::string& message) {
   return {ErrorCode::kBadInput, kStage, message, {}};
@@ -78,83 +92,54 @@ Status check_parameters(const SizingField& sizing, const RemeshParams& params) {
 
 struct Outcome {
   CellComplex cells;
-  std::vector<std::uint32_t> lost;  ///< components without a cell
+  SurfaceMesh surface;
   bool cancelled = false;
 };
 
-double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
-  const auto point = [&](std::size_t c) {
-    return cells.points[cells.vertices[facet.cell][static_cast<std::size_t>(kFacetCorners[facet.corner][c])]];
-  };
-  return (point(1) - point(0)).cross(point(2) - point(0)).squaredNorm();
-}
-
-/// The largest facet at each edge and point where the boundary of a label touches itself.
-std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells) {
-  const InterfaceEdges edges = find_interface_edges(cells);
-  constexpr std::uint32_t kNone = CellComplex::kNone;
-  std::vector<InterfaceFacet> out;
-  for (const std::uint32_t edge : find_pinched_edges(cells, edges)) {
-    std::uint32_t largest = edges.facet_of[edges.start[edge]];
-    for (std::uint32_t k = edges.start[edge]; k < edges.start[edge + 1]; ++k)
-      if (facet_area2(cells, edges.facets[edges.facet_of[k]]) > facet_area2(cells, edges.facets[largest]))
-        largest = edges.facet_of[k];
-    out.push_back(edges.facets[largest]);
-  }
-  const std::vector<std::uint32_t> points = find_pinched_points(cells, edges);
-  if (points.empty()) return out;
-  std::vector<std::uint32_t> slot(cells.points.size(), kNone), largest(points.size(), kNone);
-  for (std::uint32_t i = 0; i < points.size(); ++i) slot[points[i]] = i;
-  for (std::uint32_t f = 0; f < edges.facets.size(); ++f)
-    for (const int k : kFacetCorners[edges.facets[f].corner]) {
-      const std::uint32_t i = slot[cells.vertices[edges.facets[f].cell][static_cast<std::size_t>(k)]];
-      if (i == kNone) continue;
-      if (largest[i] == kNone ||
-          facet_area2(cells, edges.facets[f]) > facet_area2(cells, edges.facets[largest[i]]))
-        largest[i] = f;
-    }
-  for (const std::uint32_t f : largest) out.push_back(edges.facets[f]);
-  return out;
-}
-
-/// Refines where a label's boundary touches itself, as long as the facets there are not tiny. False when
-/// cancelled.
-bool open_pinches(DelaunayRefiner& refiner, CellComplex& cells, double least_mm, RunContext& ctx) {
-  for (int round = 0; round < kPinchRounds; ++round) {
-    bool requested = false;
-    for (const InterfaceFacet& facet : facets_at_pinches(cells))
-      requested = refiner.request(facet.cell, facet.corner, least_mm) || requested;
-    if (!requested) return true;
-    if (!refiner.refine(ctx, static_cast<double>(refiner.vertex_count()))) return false;
-    cells = refiner.cells();
-  }
-  return true;
-}
-
-Outcome refine_from_seeds(const LabelField& field, const SizingField& sizing, const RemeshParams& params,
-                          const Seeds& seeds, RunContext& ctx) {
+Outcome refine_until_followed(const LabelField& field, const SurfaceMesh& reference,
+                              const SizingField& sizing, const RemeshParams& params, const Seeds& seeds,
+                              RunContext& ctx) {
+  const double voxel = field.smallest_spacing_mm();
   RefineCriteria criteria;
   criteria.facet_angle_deg = params.facet_angle_deg;
-  criteria.max_distance_mm = params.max_distance_voxels * field.smallest_spacing_mm();
+  criteria.max_distance_mm = params.max_distance_voxels * voxel;
   criteria.radius_per_edge = 1 / kEdgePerRadius;
   DelaunayRefiner refiner(field, sizing, criteria);
   Outcome out;
-  const std::vector<std::uint32_t> seed_points = refiner.insert(seeds.points);
-  out.cancelled = !refiner.refine(ctx, seeds.predicted_vertices);
-  if (out.cancelled) return out;
-  out.cells = refiner.cells();
-  out.cancelled = !open_pinches(refiner, out.cells, kLeastPinchVoxels * field.smallest_spacing_mm(), ctx);
-  if (out.cancelled) return out;
-  relabel_cells(out.cells);
-  out.lost = lost_components(out.cells, seeds, seed_points);
-  return out;
-}
-
-/// The lost components that must not be: those that are no specks, and all of a label of which nothing is
-/// left.
-std::vector<std::uint32_t> missed_components(const Seeds& seeds, const std::vector<std::uint32_t>& lost) {
-  (void)seeds;
-  return lost;
+  refiner.insert(seeds.points, kSeedSeparation * voxel);
+  for (int round = 0;; ++round) {
+    out.cancelled =
+        !refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count())));
+    if (out.cancelled) return out;
+    double T0 = now();
+    out.cells = refiner.cells();
+    double T1 = now();
+    auto nf = drop_fragments(out.cells, field);
+    pinch("refined", out.cells);
+    relabel_cells(out.cells);
+    pinch("relabelled", out.cells);
+    double T2 = now();
+    auto nm = mend_pinches(out.cells, field);
+    double T3 = now();
+    pinch("mended", out.cells);
+    auto nf2 = drop_fragments(out.cells, field);
+    printf("  fragments %zu %zu\n", nf, nf2);
+    out.surface = extract_interface(out.cells);
+    fit_surface(out.surface, field);
+    double T4 = now();
+    const std::vector<Eigen::Vector3d> missed =
+        missed_places(reference, out.surface, field, kMissedVoxels * voxel, kSeparation * voxel);
+    double T5 = now();
+    printf(
+        "  round %d: vertices %zu missed %zu mended %zu  t cells %.3f relabel %.3f mend %.3f fit %.3f missed "
+        "%.3f\n",
+        round, refiner.vertex_count(), missed.size(), nm, T1 - T0, T2 - T1, T3 - T2, T4 - T3, T5 - T4);
+    if (round == kRepairRounds) return out;
+    std::size_t added = refiner.insert(missed, kSeparation * voxel);
+    for (const InterfaceFacet& facet : facets_at_pinches(out.cells))
+      added += refiner.request(facet.cell, facet.corner, kLeastPinchVoxels * voxel);
+    if (added == 0) return out;
+  }
 }
 
 /// An error if a label of the field has no cell; its `where` holds voxel centres of the lost labels.
@@ -180,9 +165,6 @@ Status check_labels(const LabelField& field, const CellComplex& cells) {
 }
 
 void warn_about_topology(const Seeds& seeds, const Outcome& outcome, RunContext& ctx) {
-  if (!outcome.lost.empty())
-    ctx.warn(kStage,
-             std::to_string(outcome.lost.size()) + " components of the labels are not in the surface");
   std::vector<std::uint32_t> expected(65536, 0);
   for (const Label label : seeds.component_labels) ++expected[label];
   const std::vector<std::uint32_t> found = count_components(outcome.cells);
@@ -236,21 +218,14 @@ Result<SurfaceMesh> remesh_delaunay(const LabelVolume& volume, const SurfaceMesh
   const LabelField field(volume, reference);
   if (ctx.cancelled()) return cancelled_error(kStage);
   ctx.progress(kStage, 0.08);
-  Outcome outcome;
-  Seeds seeds;
-  std::vector<std::uint8_t> denser;  // per component, how often its seeds have been made denser
-  for (int attempt = 0; attempt < kSeedTries; ++attempt) {
-    seeds = seed_interfaces(field, sizing, denser);
-    if (ctx.cancelled()) return cancelled_error(kStage);
-    outcome = refine_from_seeds(field, sizing, params, seeds, ctx);
-    if (outcome.cancelled) return cancelled_error(kStage);
-    denser.resize(seeds.component_labels.size(), 0);
-    const std::vector<std::uint32_t> missed = missed_components(seeds, outcome.lost);
-    if (missed.empty()) break;
-    for (const std::uint32_t component : missed) ++denser[component];
-  }
+  double T0 = now();
+  const Seeds seeds = seed_interfaces(field, sizing, {});
+  printf("  seeds %zu %.3f s\n", seeds.points.size(), now() - T0);
+  if (ctx.cancelled()) return cancelled_error(kStage);
+  Outcome outcome = refine_until_followed(field, reference, sizing, params, seeds, ctx);
+  if (outcome.cancelled) return cancelled_error(kStage);
   if (Status labels = check_labels(field, outcome.cells); !labels) return labels.error();
-  SurfaceMesh surface = extract_interface(outcome.cells);
+  SurfaceMesh surface = std::move(outcome.surface);
   warn_about_topology(seeds, outcome, ctx);
   warn_about_sizes(surface, sizing, ctx);
   ctx.progress(kStage, 1);

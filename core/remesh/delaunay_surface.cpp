@@ -1,0 +1,105 @@
+#include "remesh/delaunay_surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "geometry/untangle.h"
+#include "remesh/drop_fragments.h"
+#include "remesh/extract_interface.h"
+#include "remesh/fit_surface.h"
+#include "remesh/interface_edges.h"
+#include "remesh/label_field.h"
+#include "remesh/mend_pinches.h"
+#include "remesh/missed_places.h"
+#include "remesh/refine_delaunay.h"
+#include "remesh/relabel_cells.h"
+#include "remesh/seed_interfaces.h"
+
+namespace voxtet::remesh {
+namespace {
+
+/// Measured on hearts, aorta and spheres: the median edge of a refined surface is 1.30 times the largest
+/// radius allowed for the surface Delaunay balls.
+constexpr double kEdgePerRadius = 1.30;
+constexpr int kRepairRounds = 3;
+// In units of the smallest spacing:
+constexpr double kMissed = 0.45;           ///< a reference farther than this from the surface was missed
+constexpr double kSeedSeparation = 0.25;   ///< between first points
+constexpr double kRepairSeparation = 0.5;  ///< between points added where the surface missed something
+constexpr double kLeastPinchRadius = 0.3;  ///< of a facet that is refined to open a pinch
+
+double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
+  const auto point = [&](std::size_t c) {
+    return cells.points[cells.vertices[facet.cell][static_cast<std::size_t>(kFacetCorners[facet.corner][c])]];
+  };
+  return (point(1) - point(0)).cross(point(2) - point(0)).squaredNorm();
+}
+
+/// The largest facet at each edge and point where the boundary of a label touches itself.
+std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells) {
+  const InterfaceEdges edges = find_interface_edges(cells);
+  constexpr std::uint32_t kNone = CellComplex::kNone;
+  std::vector<InterfaceFacet> out;
+  for (const std::uint32_t edge : find_pinched_edges(cells, edges)) {
+    std::uint32_t largest = edges.facet_of[edges.start[edge]];
+    for (std::uint32_t k = edges.start[edge]; k < edges.start[edge + 1]; ++k)
+      if (facet_area2(cells, edges.facets[edges.facet_of[k]]) > facet_area2(cells, edges.facets[largest]))
+        largest = edges.facet_of[k];
+    out.push_back(edges.facets[largest]);
+  }
+  const std::vector<std::uint32_t> points = find_pinched_points(cells, edges);
+  if (points.empty()) return out;
+  std::vector<std::uint32_t> slot(cells.points.size(), kNone), largest(points.size(), kNone);
+  for (std::uint32_t i = 0; i < points.size(); ++i) slot[points[i]] = i;
+  for (std::uint32_t f = 0; f < edges.facets.size(); ++f)
+    for (const int k : kFacetCorners[edges.facets[f].corner]) {
+      const std::uint32_t i = slot[cells.vertices[edges.facets[f].cell][static_cast<std::size_t>(k)]];
+      if (i == kNone) continue;
+      if (largest[i] == kNone ||
+          facet_area2(cells, edges.facets[f]) > facet_area2(cells, edges.facets[largest[i]]))
+        largest[i] = f;
+    }
+  for (const std::uint32_t f : largest) out.push_back(edges.facets[f]);
+  return out;
+}
+
+/// Adds points where the surface misses the reference or a label touches itself; how many.
+std::size_t repair(DelaunayRefiner& refiner, const CellComplex& cells, const std::vector<Eigen::Vector3d>& missed,
+                   double voxel_mm) {
+  std::size_t added = refiner.insert(missed, kRepairSeparation * voxel_mm);
+  for (const InterfaceFacet& facet : facets_at_pinches(cells))
+    added += refiner.request(facet.cell, facet.corner, kLeastPinchRadius * voxel_mm);
+  return added;
+}
+
+}  // namespace
+
+Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
+                                     const SizingField& sizing, const DelaunayParams& params, RunContext& ctx) {
+  const double voxel = field.smallest_spacing_mm();
+  const Seeds seeds = seed_interfaces(field, sizing);
+  if (ctx.cancelled()) return cancelled_error("remesh");
+  DelaunayRefiner refiner(field, sizing,
+                          {params.facet_angle_deg, params.max_distance_voxels * voxel, 1 / kEdgePerRadius});
+  refiner.insert(seeds.points, kSeedSeparation * voxel);
+  for (int round = 0;; ++round) {
+    if (!refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count()))))
+      return cancelled_error("remesh");
+    CellComplex cells = refiner.cells();
+    drop_fragments(cells, field);
+    relabel_cells(cells);
+    mend_pinches(cells, field);
+    drop_fragments(cells, field);
+    SurfaceMesh surface = extract_interface(cells);
+    const std::vector<Eigen::Vector3d> unmoved = surface.points;
+    fit_surface(surface, field);
+    const std::vector<Eigen::Vector3d> missed =
+        missed_places(reference, surface, field, kMissed * voxel, kRepairSeparation * voxel);
+    if (ctx.cancelled()) return cancelled_error("remesh");
+    if (round < kRepairRounds && repair(refiner, cells, missed, voxel) > 0) continue;
+    if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error("remesh");
+    return surface;
+  }
+}
+
+}  // namespace voxtet::remesh

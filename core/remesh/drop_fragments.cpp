@@ -1,0 +1,103 @@
+#include "remesh/drop_fragments.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr std::size_t kMostCells = 300;
+
+/// Six times the signed volume.
+double volume6(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+               const Eigen::Vector3d& d) {
+  return (b - a).dot((c - a).cross(d - a));
+}
+
+/// Whether a voxel centre of the cell's label lies in the cell.
+bool holds_centre(const CellComplex& cells, std::uint32_t cell, const LabelField& field) {
+  std::array<Eigen::Vector3d, 4> p;
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e30), high = -low;
+  for (std::size_t i = 0; i < 4; ++i) {
+    p[i] = field.to_index(cells.points[cells.vertices[cell][i]]);
+    low = low.cwiseMin(p[i]);
+    high = high.cwiseMax(p[i]);
+  }
+  const double whole = volume6(p[0], p[1], p[2], p[3]);  // negative in a mirrored frame
+  std::array<int, 3> first{}, last{};
+  for (int d = 0; d < 3; ++d) {
+    const auto k = static_cast<std::size_t>(d);
+    first[k] = static_cast<int>(std::ceil(std::max(low[d], 0.0)));
+    last[k] = static_cast<int>(std::floor(std::min(high[d], field.size()[k] - 1.0)));
+  }
+  const auto sx = static_cast<std::size_t>(field.size()[0]), sy = static_cast<std::size_t>(field.size()[1]);
+  for (int k = first[2]; k <= last[2]; ++k)
+    for (int j = first[1]; j <= last[1]; ++j)
+      for (int i = first[0]; i <= last[0]; ++i) {
+        const std::size_t voxel = static_cast<std::size_t>(i) +
+                                  sx * (static_cast<std::size_t>(j) + sy * static_cast<std::size_t>(k));
+        if (field.centre_labels()[voxel] != cells.labels[cell]) continue;
+        const Eigen::Vector3d x(i, j, k);
+        if (whole * volume6(x, p[1], p[2], p[3]) >= 0 && whole * volume6(p[0], x, p[2], p[3]) >= 0 &&
+            whole * volume6(p[0], p[1], x, p[3]) >= 0 && whole * volume6(p[0], p[1], p[2], x) >= 0)
+          return true;
+      }
+  return false;
+}
+
+}  // namespace
+
+Label label_around(const CellComplex& cells, const std::vector<std::uint32_t>& group) {
+  std::vector<Label> around;
+  for (const std::uint32_t c : group)
+    for (const std::uint32_t n : cells.neighbours[c])
+      if (cells.label_or_background(n) != cells.labels[c]) around.push_back(cells.label_or_background(n));
+  std::sort(around.begin(), around.end());
+  Label best = kBackground;
+  std::ptrdiff_t most = 0;
+  for (auto first = around.begin(); first != around.end();) {
+    const auto last = std::upper_bound(first, around.end(), *first);
+    if (last - first > most) {
+      most = last - first;
+      best = *first;
+    }
+    first = last;
+  }
+  return best;
+}
+
+std::size_t drop_fragments(CellComplex& cells, const LabelField& field) {
+  std::vector<std::vector<std::uint32_t>> fragments;
+  std::vector<std::size_t> largest(65536, 0);
+  std::vector<std::uint8_t> seen(cells.labels.size(), 0);
+  std::vector<std::uint32_t> group;
+  for (std::uint32_t first = 0; first < cells.labels.size(); ++first) {
+    if (seen[first]) continue;
+    seen[first] = 1;
+    group.assign(1, first);
+    for (std::size_t g = 0; g < group.size(); ++g)
+      for (const std::uint32_t n : cells.neighbours[group[g]]) {
+        if (n == CellComplex::kNone || seen[n] || cells.labels[n] != cells.labels[first]) continue;
+        seen[n] = 1;
+        group.push_back(n);
+      }
+    std::size_t& most = largest[cells.labels[first]];
+    most = std::max(most, group.size());
+    if (group.size() <= kMostCells) fragments.push_back(group);
+  }
+  std::size_t changed = 0;
+  for (const std::vector<std::uint32_t>& fragment : fragments) {
+    if (fragment.size() == largest[cells.labels[fragment.front()]]) continue;
+    if (std::any_of(fragment.begin(), fragment.end(),
+                    [&](std::uint32_t c) { return holds_centre(cells, c, field); }))
+      continue;
+    const Label label = label_around(cells, fragment);
+    for (const std::uint32_t c : fragment) cells.labels[c] = label;
+    changed += fragment.size();
+  }
+  return changed;
+}
+
+}  // namespace voxtet::remesh

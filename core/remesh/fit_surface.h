@@ -1,0 +1,18 @@
+// Small shifts of an adapted surface's points that take out the error of its chords.
+#pragma once
+
+#include "remesh/label_field.h"
+#include "types/surface_mesh.h"
+
+namespace voxtet::remesh {
+
+/// Points on a curved interface with flat facets between them leave the facets on the hollow side: bodies
+/// lose volume. Each point moves so that the mean signed distance of the facets around it vanishes: the
+/// regularised least squares of sum over facets area (normal . shift - distance)^2, at most
+/// kMostShiftVoxels of the smallest spacing. Points near which the field does not know the distance of a
+/// facet count it as 0. Intersections are not looked for.
+void fit_surface(SurfaceMesh& surface, const LabelField& field);
+
+inline constexpr double kMostShiftVoxels = 0.25;
+
+}  // namespace voxtet::remesh

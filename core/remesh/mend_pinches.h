@@ -1,0 +1,18 @@
+// Small changes of cell labels that make the boundary of every label a 2-manifold.
+#pragma once
+
+#include <cstddef>
+
+#include "remesh/cell_complex.h"
+#include "remesh/label_field.h"
+
+namespace voxtet::remesh {
+
+/// Around a point of a 2-manifold boundary the cells of a label are connected over facets, and so are all
+/// others. Where that fails (the boundary of a label, or of background, touches itself at an edge or a
+/// point), the smallest stray group of cells there takes the label next door, or a gap is filled, if that
+/// leaves fewer such places and no cell concerned lies deeper than half a voxel (smallest spacing) in its
+/// label. No label loses its last cell. Returns how many cells changed.
+std::size_t mend_pinches(CellComplex& cells, const LabelField& field);
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,95 @@
+#include "remesh/missed_places.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "geometry/closest_point.h"
+#include "geometry/surface_measures.h"
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr std::size_t kMostSamples = 80'000;
+
+std::uint32_t pair_of(const Sides& sides) {
+  return (static_cast<std::uint32_t>(sides[0]) << 16) | sides[1];
+}
+
+/// Ids of triangles (every `stride`-th) grouped by their two labels.
+std::vector<std::uint32_t> by_pair(const SurfaceMesh& surface, std::size_t stride) {
+  std::vector<std::uint32_t> ids;
+  for (std::size_t t = 0; t < surface.triangles.size(); t += stride)
+    ids.push_back(static_cast<std::uint32_t>(t));
+  std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return pair_of(surface.sides[a]) < pair_of(surface.sides[b]);
+  });
+  return ids;
+}
+
+Eigen::Vector3d centroid(const SurfaceMesh& surface, std::uint32_t t) {
+  const auto [a, b, c] = surface.triangles[t];
+  return (surface.points[a] + surface.points[b] + surface.points[c]) / 3;
+}
+
+/// The point near a triangle's centroid, along its normal, where the field changes between its two labels.
+std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint32_t t,
+                                          const LabelField& field, double reach_mm) {
+  const auto [a, b, c] = surface.triangles[t];
+  const Eigen::Vector3d middle = centroid(surface, t);
+  const Eigen::Vector3d normal =
+      triangle_cross(surface.points[a], surface.points[b], surface.points[c]).normalized();
+  const auto [behind, front] = surface.sides[t];
+  for (const double reach : {0.5 * reach_mm, reach_mm}) {
+    const Eigen::Vector3d from = middle - reach * normal, to = middle + reach * normal;
+    if (field.at(from) != behind || field.at(to) != front) continue;
+    Label other = kBackground;
+    return field.crossing(from, behind, to, front, other);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> missed_places(const SurfaceMesh& reference, const SurfaceMesh& surface,
+                                           const LabelField& field, double limit_mm, double separation_mm) {
+  const std::vector<std::uint32_t> samples =
+      by_pair(reference, std::max<std::size_t>(1, reference.triangles.size() / kMostSamples));
+  const std::vector<std::uint32_t> ids = by_pair(surface, 1);
+  std::vector<Eigen::Vector3d> missed;
+  std::vector<Triangle> triangles;
+  auto from = ids.begin();
+  for (auto s = samples.begin(); s != samples.end();) {
+    const std::uint32_t pair = pair_of(reference.sides[*s]);
+    const auto last =
+        std::find_if(s, samples.end(), [&](std::uint32_t t) { return pair_of(reference.sides[t]) != pair; });
+    while (from != ids.end() && pair_of(surface.sides[*from]) < pair) ++from;
+    triangles.clear();
+    for (; from != ids.end() && pair_of(surface.sides[*from]) == pair; ++from)
+      triangles.push_back(surface.triangles[*from]);
+    const std::size_t known = missed.size();
+    const auto check = [&](std::uint32_t t, double distance) {
+      if (!(distance > limit_mm)) return;
+      const std::optional<Eigen::Vector3d> p = onto_field(reference, t, field, limit_mm);
+      const auto close = [&](const Eigen::Vector3d& q) {
+        return (q - *p).squaredNorm() < separation_mm * separation_mm;
+      };
+      if (p && std::none_of(missed.begin() + static_cast<std::ptrdiff_t>(known), missed.end(), close))
+        missed.push_back(*p);
+    };
+    if (triangles.empty()) {
+      for (; s != last; ++s) check(*s, 2 * limit_mm);
+      continue;
+    }
+    const ClosestPointTree tree(surface.points, triangles);
+    std::uint32_t hint = 0;
+    for (; s != last; ++s) {
+      const ClosestPointTree::Hit hit = tree.closest(centroid(reference, *s), hint);
+      hint = hit.triangle;
+      check(*s, hit.distance_mm);
+    }
+  }
+  return missed;
+}
+
+}  // namespace voxtet::remesh
