@@ -18,7 +18,7 @@ inline constexpr std::array<const char*, 10> kRandomKinds{
 
 struct RandomLabels {
   LabelVolume volume;
-  std::string kind;    ///< one of kRandomKinds: kRandomKinds[seed % 10]
+  std::string kind;    ///< one of kRandomKinds
   std::string affine;  ///< "axis", "anisotropic", "mirrored" or "oblique" (the latter two also anisotropic)
 };
 
@@ -215,7 +215,7 @@ inline RandomLabels random_labels(std::uint64_t seed) {
   TestRandom random(seed);
   std::array<int, 3> size{};
   for (int& n : size) n = 6 + random.below(11);
-  const int labels = 1 + random.below(5), kind = static_cast<int>(seed % kRandomKinds.size());
+  const int labels = 1 + random.below(5), kind = random.below(static_cast<int>(kRandomKinds.size()));
   LabelPainter paint(size, labels, random);
   switch (kind) {
     case 0:
