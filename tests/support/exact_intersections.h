@@ -26,23 +26,26 @@ class ExactTriangles {
   }
   /// Whether two triangles with an area have more in common than the simplex of their common corners.
   bool meet(std::uint32_t t, std::uint32_t s) const {
-    std::vector<std::uint32_t> common, of_t, of_s;
-    for (const std::uint32_t v : triangles_[t]) (has(s, v) ? common : of_t).push_back(v);
-    for (const std::uint32_t v : triangles_[s])
-      if (!has(t, v)) of_s.push_back(v);
-    if (common.empty()) return CGAL::do_intersect(solid(t), solid(s));
-    if (common.size() == 1) return sectors_meet(common[0], of_t, of_s);
-    return common.size() == 3 || folded(common[0], common[1], of_t[0], of_s[0]);
+    // Common corners come first, in the same order.
+    Triangle a = triangles_[t], b = triangles_[s];
+    std::size_t common = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const auto found = std::find(b.begin(), b.end(), a[i]); found != b.end()) {
+        std::iter_swap(found, b.begin() + static_cast<std::ptrdiff_t>(common));
+        std::swap(a[i], a[common++]);
+      }
+    switch (common) {
+      case 0: return CGAL::do_intersect(solid(t), solid(s));
+      case 1: return sectors_meet(a, b);
+      case 2: return folded(a, b[2]);
+      default: return true;
+    }
   }
   CGAL::Bbox_3 box(std::uint32_t t) const { return solid(t).bbox(); }
 
  private:
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Corners = std::vector<std::uint32_t>;
 
-  bool has(std::uint32_t t, std::uint32_t v) const {
-    return std::find(triangles_[t].begin(), triangles_[t].end(), v) != triangles_[t].end();
-  }
   Kernel::Triangle_3 solid(std::uint32_t t) const {
     const auto [a, b, c] = triangles_[t];
     return {points_[a], points_[b], points_[c]};
@@ -53,23 +56,24 @@ class ExactTriangles {
   int flat_side(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     return CGAL::coplanar_orientation(points_[a], points_[b], points_[c], points_[d]);
   }
-  bool folded(std::uint32_t p, std::uint32_t q, std::uint32_t r, std::uint32_t s) const {
-    return side(p, q, r, s) == 0 && flat_side(p, q, r, s) > 0;
+  bool folded(const Triangle& a, std::uint32_t other) const {
+    return side(a[0], a[1], a[2], other) == 0 && flat_side(a[0], a[1], a[2], other) > 0;
   }
   /// Two triangles with the corner v in common meet elsewhere just when the sectors that they span at v do.
-  /// With vectors from v, r2 a1 - r1 a2 = s1 b2 - s2 b1 (Cramer; the coefficients are the determinants
-  /// below), and no other combination of the a's is one of the b's: the sectors share a ray where all four
+  /// For vectors from v, r2 a1 - r1 a2 = s1 b2 - s2 b1 (Cramer; the coefficients are the determinants below)
+  /// is the only combination of the a's that is one of the b's: the sectors share a ray where all four
   /// coefficients can be made nonnegative.
-  bool sectors_meet(std::uint32_t v, const Corners& a, const Corners& b) const {
-    const int s1 = side(v, a[0], a[1], b[0]), s2 = side(v, a[0], a[1], b[1]);
-    const int r1 = side(v, b[0], b[1], a[0]), r2 = side(v, b[0], b[1], a[1]);
+  bool sectors_meet(const Triangle& a, const Triangle& b) const {
+    const int s1 = side(a[0], a[1], a[2], b[1]), s2 = side(a[0], a[1], a[2], b[2]);
+    if (s1 * s2 > 0) return false;
     if (s1 == 0 && s2 == 0)
-      return in_sector(v, a, b[0]) || in_sector(v, a, b[1]) || in_sector(v, b, a[0]) || in_sector(v, b, a[1]);
+      return in_sector(a, b[1]) || in_sector(a, b[2]) || in_sector(b, a[1]) || in_sector(b, a[2]);
+    const int r1 = side(b[0], b[1], b[2], a[1]), r2 = side(b[0], b[1], b[2], a[2]);
     return (s1 >= 0 && s2 <= 0 && r1 <= 0 && r2 >= 0) || (s1 <= 0 && s2 >= 0 && r1 >= 0 && r2 <= 0);
   }
-  /// For a point in the plane of the sector.
-  bool in_sector(std::uint32_t v, const Corners& sector, std::uint32_t p) const {
-    return flat_side(v, sector[0], sector[1], p) >= 0 && flat_side(v, sector[1], sector[0], p) >= 0;
+  /// For a point in the plane of the sector at corner 0.
+  bool in_sector(const Triangle& t, std::uint32_t point) const {
+    return flat_side(t[0], t[1], t[2], point) >= 0 && flat_side(t[0], t[2], t[1], point) >= 0;
   }
 
   std::vector<Kernel::Point_3> points_;

@@ -34,18 +34,19 @@ void check_enclosed_volumes(const TetMesh& mesh, const SurfaceMesh& surface) {
 void find_surface_defects(const std::string& stage, const SurfaceMesh& surface,
                           std::vector<Defect>& defects) {
   const std::string fault = test::surface_fault(surface);
-  std::size_t edges = 0, points = 0;
-  if (fault.find("names a missing point") == std::string::npos) {
+  if (fault.find("missing point") != std::string::npos) return defects.push_back({stage, "unsound", fault});
+  if (!fault.empty()) {
+    std::size_t edges = 0, points = 0;
     for (const test::LabelTopology& label : test::label_topologies(surface)) {
       edges += label.bad_edges;
       points += label.pinched_points;
     }
-    if (const std::size_t pairs = test::count_self_intersections(surface))
-      defects.push_back({stage, "intersection", std::to_string(pairs) + " pairs of triangles"});
+    if (edges) defects.push_back({stage, "edge", std::to_string(edges) + " edges"});
+    if (points) defects.push_back({stage, "point", std::to_string(points) + " points"});
+    if (edges + points == 0) defects.push_back({stage, "unsound", fault});
   }
-  if (edges) defects.push_back({stage, "edge", std::to_string(edges) + " edges"});
-  if (points) defects.push_back({stage, "point", std::to_string(points) + " points"});
-  if (edges + points == 0 && !fault.empty()) defects.push_back({stage, "unsound", fault});
+  if (const std::size_t pairs = test::count_self_intersections(surface))
+    defects.push_back({stage, "intersection", std::to_string(pairs) + " pairs of triangles"});
 }
 
 void find_tet_defects(const TetMesh& mesh, const SurfaceMesh& surface, std::vector<Defect>& defects) {
