@@ -14,12 +14,6 @@
 namespace voxtet::sweep {
 namespace {
 
-bool names_label(const std::vector<std::string>& messages, Label label) {
-  const std::regex name("\\blabels?\\b[^.;]*\\b" + std::to_string(label) + "\\b");
-  return std::any_of(messages.begin(), messages.end(),
-                     [&](const std::string& text) { return std::regex_search(text, name); });
-}
-
 void check_enclosed_volumes(const TetMesh& mesh, const SurfaceMesh& surface) {
   std::map<Label, double> filled;
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) filled[mesh.labels[t]] += test::tet_volume(mesh, t);
@@ -57,15 +51,21 @@ void find_tet_defects(const TetMesh& mesh, const SurfaceMesh& surface, std::vect
   if (!failures.empty()) defects.push_back({"tetra", "unsound", failures});
 }
 
-void find_lost_labels(const std::string& stage, const Session& session, const std::vector<Label>& present,
-                      std::vector<Defect>& defects) {
+bool names_label(const Session& session, Label label) {
   std::vector<std::string> messages = session.warnings();
   for (int i = 0; i < kStageCount; ++i) {
     const std::vector<std::string>& notes = session.record(static_cast<Stage>(i)).notes;
     messages.insert(messages.end(), notes.begin(), notes.end());
   }
+  const std::regex name("\\blabels?\\b[^.;]*\\b" + std::to_string(label) + "\\b");
+  return std::any_of(messages.begin(), messages.end(),
+                     [&](const std::string& text) { return std::regex_search(text, name); });
+}
+
+void find_lost_labels(const std::string& stage, const Session& session, const std::vector<Label>& present,
+                      std::vector<Defect>& defects) {
   for (const auto& [label, voxels] : count_labels(*session.volume()))
-    if (std::find(present.begin(), present.end(), label) == present.end() && !names_label(messages, label))
+    if (std::find(present.begin(), present.end(), label) == present.end() && !names_label(session, label))
       defects.push_back(
           {stage, "lost", "label " + std::to_string(label) + " of " + std::to_string(voxels) + " voxels"});
 }

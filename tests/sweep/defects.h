@@ -22,6 +22,9 @@ void find_surface_defects(const std::string& stage, const SurfaceMesh& surface, 
 /// adapted surface encloses.
 void find_tet_defects(const TetMesh& mesh, const SurfaceMesh& surface, std::vector<Defect>& defects);
 
+/// Whether a warning or note of the session speaks of this label.
+bool names_label(const Session& session, Label label);
+
 /// Labels of the volume that a stage's result lacks although no warning or note names them ("lost").
 void find_lost_labels(const std::string& stage, const Session& session, const std::vector<Label>& present,
                       std::vector<Defect>& defects);

@@ -1,9 +1,9 @@
 #include "sweep/random_case.h"
 
-#include "io/write_volume.h"
 #include "recipe/recipe.h"
 #include "support/check_surface.h"
 #include "support/random_labels.h"
+#include "sweep/load_labels.h"
 
 namespace voxtet::sweep {
 namespace {
@@ -34,10 +34,8 @@ void judge(Stage stage, const Session& session, std::vector<Defect>& defects) {
 Result<RandomCase> run_random_case(std::uint64_t seed, const std::string& method, bool tets) {
   const test::RandomLabels random = test::random_labels(seed);
   RandomCase out{seed, random.kind, random.affine, tets ? Stage::kTetra : Stage::kRemesh, {}, {}};
-  const Result<Bytes> file = write_nifti(random.volume, false);
-  if (!file) return file.error();
   Session session;
-  if (Status loaded = session.load_volume({"random.nii", *file, {}}); !loaded) return loaded.error();
+  if (Status loaded = load_labels(random.volume, session); !loaded) return loaded.error();
   Result<Recipe> recipe = with_field(session.recipe(), "remesh.method", method);
   if (!recipe) return recipe.error();
   recipe->sizing.edge_mm = 2 * random.volume.smallest_spacing_mm();
