@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/adjacency.h"
 #include "geometry/label_topology.h"
 #include "geometry/triangle_measures.h"
+#include "quality/compare_topology.h"
 #include "quality/fidelity.h"
 #include "quality/summarise.h"
 #include "support/exact_intersections.h"
@@ -35,13 +35,14 @@ void measure_triangles(const SurfaceMesh& surface, SurfaceFigures& out) {
   out.triangles = surface.triangles.size();
   out.mean_radius_ratio /= count;
   out.share_below_25 = static_cast<double>(below) / count;
-  out.min_dihedral_deg = find_sharpest_edge(surface, EdgeGroups(surface)).angle_deg;
 }
 
-void measure_sizes(const SurfaceMesh& surface, const SizingField& sizing, SurfaceFigures& out) {
+void measure_edges(const SurfaceMesh& surface, const SizingField& sizing, SurfaceFigures& out) {
+  const EdgeGroups edges(surface);
+  out.min_dihedral_deg = find_sharpest_edge(surface, edges).angle_deg;
   std::vector<float> logs, absolute;
-  for (const EdgeUse& use : edge_uses(surface.triangles, surface.points.size())) {
-    const Eigen::Vector3d &a = surface.points[use.edge[0]], &b = surface.points[use.edge[1]];
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Eigen::Vector3d &a = surface.points[edges[e][0].low], &b = surface.points[edges[e][0].high];
     logs.push_back(static_cast<float>(std::log2((b - a).norm() / sizing.at((a + b) / 2))));
     absolute.push_back(std::abs(logs.back()));
   }
@@ -49,41 +50,14 @@ void measure_sizes(const SurfaceMesh& surface, const SizingField& sizing, Surfac
   out.size_p95 = quantile(absolute, 0.95);
 }
 
-void compare_labels(const LabelTopology& before, const LabelTopology& after, const Session& session,
-                    SurfaceFigures& out) {
-  const auto compare = [&](const char* what, std::uint32_t from, std::uint32_t to) {
-    if (from == to) return;
-    const std::string text = "label " + std::to_string(before.label) + ": " + std::to_string(from) + " " +
-                             what + ", then " + std::to_string(to);
-    out.ledger_differences.push_back(text);
-    if (!names_label(session, before.label)) out.unnamed_differences.push_back(text);
-  };
-  compare("components", before.components, after.components);
-  compare("cavities", before.cavities, after.cavities);
-  compare("handles", before.handles, after.handles);
-  compare("pinched edges", before.pinched_edges, after.pinched_edges);
-  compare("pinched points", before.pinched_points, after.pinched_points);
-}
-
 void compare_ledgers(const Session& session, SurfaceFigures& out) {
-  const TopologyLedger before = label_topology(*session.surface()),
-                       after = label_topology(*session.remeshed());
-  for (const LabelTopology& label : before.labels) {
-    LabelTopology found;
-    for (const LabelTopology& other : after.labels)
-      if (other.label == label.label) found = other;
-    compare_labels(label, found, session, out);
-  }
-  std::vector<std::array<Label, 2>> differing;
-  std::set_symmetric_difference(before.contacts.begin(), before.contacts.end(), after.contacts.begin(),
-                                after.contacts.end(), std::back_inserter(differing));
-  for (const auto& [low, high] : differing) {
-    const bool had =
-        std::binary_search(before.contacts.begin(), before.contacts.end(), std::array<Label, 2>{low, high});
-    const std::string text = "labels " + std::to_string(low) + " and " + std::to_string(high) +
-                             (had ? " no longer touch" : " touch only afterwards");
+  for (const TopologyDifference& difference :
+       compare_topology(label_topology(*session.surface()), label_topology(*session.remeshed()))) {
+    const std::string text = in_words(difference);
     out.ledger_differences.push_back(text);
-    if (!names_label(session, high)) out.unnamed_differences.push_back(text);
+    const bool named = (difference.label != kBackground && names_label(session, difference.label)) ||
+                       (difference.other != kBackground && names_label(session, difference.other));
+    if (!named) out.unnamed_differences.push_back(text);
   }
 }
 
@@ -95,7 +69,7 @@ SurfaceFigures measure_surface(const Session& session) {
   out.smooth_intersections = test::count_self_intersections(labels);
   out.intersections = test::count_self_intersections(adapted);
   measure_triangles(adapted, out);
-  measure_sizes(adapted, *session.sizing(), out);
+  measure_edges(adapted, *session.sizing(), out);
   const double voxel = session.volume()->smallest_spacing_mm();
   const TriangleSet from{adapted.points, adapted.triangles}, to{labels.points, labels.triangles};
   const DistanceSummary there = measure_distance(from, to, voxel / 4),

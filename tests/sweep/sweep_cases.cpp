@@ -34,7 +34,7 @@ std::vector<Case> all_cases() {
 }
 
 std::string name_of(const Case& c, const std::string& method) {
-  return std::string(c.file).substr(0, std::string(c.file).find('.')) +
+  return std::string(c.file).substr(0, std::string(c.file).find(".nii")) +
          (c.merge ? ", merged" : ", conforming") + (c.sizes.empty() ? "" : ", graded") + ", " + method;
 }
 
