@@ -11,7 +11,7 @@
 namespace voxtet::sweep {
 namespace {
 
-constexpr std::uint64_t kFirstSeed = 1, kCount = 60, kTetsEvery = 5;
+constexpr std::uint64_t kFirstSeed = 1, kCount = 40, kTetsEvery = 5;
 
 std::string words(const RandomCase& c) {
   std::string text = "seed " + std::to_string(c.seed) + " (" + c.kind + ", " + c.affine + "):";

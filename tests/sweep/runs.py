@@ -19,11 +19,15 @@ SUFFIXES = (".nii", ".nii.gz", ".nrrd", ".mha", ".mhd")
 
 
 def add_options(parser):
-    parser.add_argument("--engine", choices=ENGINES, default="native")
+    parser.add_argument("--engine", default="native", help="native, wasm, or the path of a command line")
     parser.add_argument("--method", help="remesh.method of the recipe")
     parser.add_argument("--check", type=pathlib.Path, default=CHECK, help="check_mesh.py; default: $VOXTET_CHECK_MESH, or ../tools beside the data")
     parser.add_argument("--timeout", type=float, default=1800, help="seconds a command may take")
     parser.add_argument("--json", help="write all figures to this file")
+
+
+def engine(options):
+    return ENGINES.get(options.engine, [options.engine])
 
 
 def run(command, timeout):
@@ -47,7 +51,7 @@ def as_nifti(path, folder, options):
     if path.name.endswith((".nii", ".nii.gz")):
         return path
     copy = pathlib.Path(folder) / (path.name + ".nii.gz")
-    done = run([*ENGINES[options.engine], "convert", path, copy], options.timeout)
+    done = run([*engine(options), "convert", path, copy], options.timeout)
     if done["code"] != 0:
         raise RuntimeError(f"convert {path.name}: {done['err']}")
     return copy
@@ -62,7 +66,7 @@ def mesh(volume, mesh_file, edge_mm, options, arguments=()):
     """Meshes a volume by the command line. `report` is its JSON, {} without one; `failures` what went wrong."""
     report_file = pathlib.Path(str(mesh_file) + ".json")
     method = ["--set", f"remesh.method={options.method}"] if options.method else []
-    done = run([*ENGINES[options.engine], "mesh", volume, "--edge-mm", f"{edge_mm:.6g}", "-o", mesh_file,
+    done = run([*engine(options), "mesh", volume, "--edge-mm", f"{edge_mm:.6g}", "-o", mesh_file,
                 "--report", report_file, *method, *arguments], options.timeout)
     done["report"] = json.loads(report_file.read_text()) if report_file.exists() else {}
     lines = [line for line in done["err"].splitlines() if line.strip()]

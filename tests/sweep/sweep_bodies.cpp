@@ -12,6 +12,10 @@ using namespace voxtet::sweep;
 
 namespace {
 
+/// Image axes. None is a body's own: their faces would run through voxel centres in bulk, and the voxels' own
+/// volume would be off by per cents.
+const std::array kRotationsDeg{Eigen::Vector3d(31, -17, 53), Eigen::Vector3d(-12, 40, 7)};
+
 /// Bounds in voxels and per cent: the surface distances and volumes of a smoothed label surface. A box's
 /// edges are rounded by what a voxel surface is off at most.
 constexpr double kMeanToTruth = 0.1, kMaxToTruth = 0.5, kMaxAtEdges = 0.87;
@@ -108,8 +112,8 @@ Status run_body(const TestBody& body, const Eigen::Vector3d& rotation_deg, const
 
 void sweep_body(const TestBody& body, const Eigen::Vector3d& rotation_deg, const std::string& method,
                 Findings& findings) {
-  const std::string name =
-      std::string(body.name) + (rotation_deg.isZero() ? "" : ", oblique") + ", " + method;
+  const std::string name = std::string(body.name) + " turned by " +
+                           std::to_string(static_cast<int>(rotation_deg.x())) + " deg, " + method;
   Session session;
   if (Status done = run_body(body, rotation_deg, method, session); !done)
     return findings.add(name, {}, {to_string(done.error().code) + ": " + done.error().message});
@@ -127,7 +131,7 @@ void sweep_body(const TestBody& body, const Eigen::Vector3d& rotation_deg, const
                   {"volume_of_voxels_percent", truth.volume_of_voxels}};
   }
   const double calming = staircase_energy_mm(*session.surface()) / staircase_energy_mm(*session.smooth());
-  if (!rotation_deg.isZero() && calming < kLeastCalming)
+  if (!(calming >= kLeastCalming))
     failures.push_back("staircase energy " + std::to_string(calming) + " times less, expected 10");
   row["staircase_energy_ratio"] = calming;
   std::printf("| %s | %.3f/%.2f | %.2f | %.2f | %.3f/%.2f | %.2f | %.2f | %.1f | %zu |\n", name.c_str(),
@@ -156,7 +160,7 @@ int main(int argc, char** argv) {
       "|\n|---|---|---|---|---|---|---|---|---|\n");
   for (const std::string& method : methods)
     for (const TestBody& body : kBodies)
-      for (const Eigen::Vector3d& rotation_deg : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(31, -17, 53)})
+      for (const Eigen::Vector3d& rotation_deg : kRotationsDeg)
         sweep_body(body, rotation_deg, method, findings);
   return findings.finish(out);
 }
