@@ -1,5 +1,6 @@
 #include "sweep/random_case.h"
 
+#include "geometry/digest.h"
 #include "recipe/recipe.h"
 #include "support/check_surface.h"
 #include "support/random_labels.h"
@@ -33,7 +34,7 @@ void judge(Stage stage, const Session& session, std::vector<Defect>& defects) {
 
 Result<RandomCase> run_random_case(std::uint64_t seed, const std::string& method, bool tets) {
   const test::RandomLabels random = test::random_labels(seed);
-  RandomCase out{seed, random.kind, random.affine, tets ? Stage::kTetra : Stage::kRemesh, {}, {}};
+  RandomCase out{seed, random.kind, random.affine, tets ? Stage::kTetra : Stage::kRemesh, {}, {}, {}};
   Session session;
   if (Status loaded = load_labels(random.volume, session); !loaded) return loaded.error();
   Result<Recipe> recipe = with_field(session.recipe(), "remesh.method", method);
@@ -51,6 +52,10 @@ Result<RandomCase> run_random_case(std::uint64_t seed, const std::string& method
     }
     judge(stage, session, out.defects);
   }
+  if (session.mesh())
+    out.digest = digest_of(*session.mesh());
+  else if (session.remeshed())
+    out.digest = digest_of(*session.remeshed());
   for (std::size_t i = 0; i < kStageCount; ++i)
     out.seconds[i] = session.record(static_cast<Stage>(i)).seconds;
   return out;

@@ -17,6 +17,7 @@ struct RandomCase {
   Stage last = Stage::kRemesh;                ///< how far it was to go
   std::array<double, kStageCount> seconds{};  ///< wall time of each stage
   std::vector<Defect> defects;
+  std::string digest;  ///< of the last result; empty when there is none
 };
 
 /// random_labels(seed) with edges of twice the smallest spacing, through to the adapted surface or, with

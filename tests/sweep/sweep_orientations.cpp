@@ -105,17 +105,18 @@ struct Sweep {
 
 int main(int argc, char** argv) {
   CLI::App app{"One heart in 48 storage orders and 20 oblique positions. Exit code 1 beyond any limit."};
-  std::string out;
+  std::string file = "biv_mean_2mm_float32.nii.gz", out;
   Sweep sweep;
   int orders = 48, turns = 20;
   app.add_option("--method", sweep.method, "remesh.method of the recipe")->default_val("delaunay");
+  app.add_option("--volume", file, "a volume of the data folder");
+  app.add_option("--labels", sweep.labels, "labels meshed")->delimiter(',');
   app.add_option("--orders", orders, "storage orders, of 48");
   app.add_option("--turns", turns, "random oblique positions");
   app.add_option("--json", out, "write all figures to this file");
   CLI11_PARSE(app, argc, argv);
 
-  const std::string path = test::shared_data("biv_mean_2mm_float32.nii.gz");
-  const Result<LabelVolume> volume = read_volume_file(path);
+  const Result<LabelVolume> volume = read_volume_file(test::shared_data(file));
   if (!volume) {
     std::fprintf(stderr, "%s (set VOXTET_DATA)\n", volume.error().message.c_str());
     return 2;

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "geometry/digest.h"
 #include "sweep/random_case.h"
 
 using namespace voxtet;
@@ -20,8 +21,10 @@ struct Tally {
   std::map<std::string, std::array<std::uint64_t, 2>> kinds;               ///< {cases, failed} by kind
   std::array<double, kStageCount> seconds{};
   json failures = json::array();
+  Sha256 digest;  ///< of all last results: native and wasm agree
 
   void add(const RandomCase& c) {
+    digest.update(c.digest);
     ++cases;
     to_tets += c.last == Stage::kTetra ? 1 : 0;
     failed += c.defects.empty() ? 0 : 1;
@@ -42,10 +45,13 @@ struct Tally {
   }
 };
 
-void print(const Tally& tally, const std::string& method) {
-  std::printf("%llu random volumes (method %s), %llu of them through to tetrahedra: %llu with defects\n\n",
-              static_cast<unsigned long long>(tally.cases), method.c_str(),
-              static_cast<unsigned long long>(tally.to_tets), static_cast<unsigned long long>(tally.failed));
+void print(const Tally& tally, const std::string& method, const std::string& digest) {
+  std::printf(
+      "%llu random volumes (method %s), %llu of them through to tetrahedra: %llu with defects\n"
+      "digest of all results: %s\n\n",
+      static_cast<unsigned long long>(tally.cases), method.c_str(),
+      static_cast<unsigned long long>(tally.to_tets), static_cast<unsigned long long>(tally.failed),
+      digest.c_str());
   std::printf("| stage | seconds |\n|---|---|\n");
   for (std::size_t i = 0; i < kStageCount; ++i)
     if (tally.seconds[i] > 0)
@@ -91,13 +97,14 @@ int main(int argc, char** argv) {
                    static_cast<unsigned long long>(seed - first + 1), static_cast<unsigned long long>(count),
                    static_cast<unsigned long long>(tally.failed));
   }
-  print(tally, method);
+  const std::string digest = tally.digest.hex();
+  print(tally, method, digest);
   if (!out.empty()) {
     json seconds;
     for (std::size_t i = 0; i < kStageCount; ++i) seconds[std::string(kStageNames[i])] = tally.seconds[i];
-    std::ofstream(out) << json{{"method", method},         {"first_seed", first},    {"cases", tally.cases},
-                               {"to_tets", tally.to_tets}, {"failed", tally.failed}, {"seconds", seconds},
-                               {"defects", tally.failures}}
+    std::ofstream(out) << json{{"method", method},         {"first_seed", first},      {"cases", tally.cases},
+                               {"to_tets", tally.to_tets}, {"failed", tally.failed},   {"digest", digest},
+                               {"seconds", seconds},       {"defects", tally.failures}}
                               .dump(1)
                        << '\n';
   }
