@@ -1,0 +1,107 @@
+// The four cases of the paper's first table, conforming and merged, and the torso: their adapted surfaces
+// against every limit.
+#include <CLI/CLI.hpp>
+
+#include "io/read_volume.h"
+#include "support/data.h"
+#include "sweep/findings.h"
+#include "sweep/load_labels.h"
+#include "sweep/surface_figures.h"
+
+using namespace voxtet;
+using namespace voxtet::sweep;
+
+namespace {
+
+struct Case {
+  const char* file;
+  std::vector<Label> labels;
+  bool merge = false;
+  std::vector<LabelSize> sizes{};  ///< instead of twice the smallest spacing
+  bool table = true;               ///< all limits hold; else intersections, topology and dihedral only
+};
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  for (const auto& [file, labels] : {std::pair{"biv_mean_1mm.nii.gz", std::vector<Label>{1, 2}},
+                                     std::pair{"biv_ed_scar_1mm.nii.gz", std::vector<Label>{1, 2, 5, 6}},
+                                     std::pair{"biv_es_oblique_sax.nii.gz", std::vector<Label>{1, 2}},
+                                     std::pair{"ct_aorta_dissection_1.5mm.nii.gz", std::vector<Label>{1, 2}}})
+    for (const bool merge : {false, true}) cases.push_back({file, labels, merge});
+  cases.push_back({"biv_ed_scar_1mm.nii.gz", {1, 2, 5, 6}, false, {{5, 0.8}, {6, 0.8}}});
+  cases.push_back({"ct_torso_62labels_3mm.nii.gz", {}, false, {}, false});
+  return cases;
+}
+
+std::string name_of(const Case& c, const std::string& method) {
+  return std::string(c.file).substr(0, std::string(c.file).find(".nii")) +
+         (c.merge ? ", merged" : ", conforming") + (c.sizes.empty() ? "" : ", graded") + ", " + method;
+}
+
+Status run_case(const Case& c, const std::string& path, const std::string& method, Session& session) {
+  const Result<LabelVolume> volume = read_volume_file(path);
+  if (!volume) return volume.error();
+  if (Status loaded = load_labels(*volume, session); !loaded) return loaded;
+  Result<Recipe> recipe = with_field(session.recipe(), "remesh.method", method);
+  if (!recipe) return recipe.error();
+  recipe->labels = c.labels;
+  recipe->merge = c.merge;
+  recipe->sizing.edge_mm = 2 * volume->smallest_spacing_mm();
+  recipe->sizing.labels = c.sizes;
+  if (Status set = session.set_recipe(*recipe); !set) return set;
+  RunContext ctx;
+  if (Status done = session.run(Stage::kSmooth, ctx); !done) return done;
+  return session.run(Stage::kRemesh, ctx);
+}
+
+std::vector<std::string> judge(const Case& c, const SurfaceFigures& figures, const std::string& method) {
+  const SurfaceLimits limits = limits_of(method);
+  std::vector<std::vector<std::string>> parts{check_intersections_and_topology(figures),
+                                              check_dihedral(figures, c.merge ? 60 : 25)};
+  if (c.table) {
+    parts.push_back(check_distances(figures, limits));
+    parts.push_back(check_shape_and_size(figures, limits));
+  }
+  std::vector<std::string> failures;
+  for (const std::vector<std::string>& part : parts)
+    failures.insert(failures.end(), part.begin(), part.end());
+  return failures;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Adapted surfaces of the Table-1 cases and the torso. Exit code 1 beyond any limit."};
+  std::vector<std::string> methods{"delaunay"};
+  std::string only, out;
+  app.add_option("--methods", methods, "as delaunay,remesh")->delimiter(',');
+  app.add_option("--only", only, "cases whose name holds this");
+  app.add_option("--json", out, "write all figures to this file");
+  CLI11_PARSE(app, argc, argv);
+
+  Findings findings;
+  print_figures_heading();
+  for (const std::string& method : methods)
+    for (const Case& c : all_cases()) {
+      const std::string name = name_of(c, method), path = test::shared_data(c.file);
+      if (name.find(only) == std::string::npos) continue;
+      if (path.empty()) {
+        findings.add(name, {}, {"the volume is not there: set VOXTET_DATA"});
+        continue;
+      }
+      Session session;
+      if (Status done = run_case(c, path, method, session); !done) {
+        findings.add(name, {}, {to_string(done.error().code) + ": " + done.error().message});
+        continue;
+      }
+      const SurfaceFigures figures = measure_surface(session);
+      const std::vector<std::string> failures = judge(c, figures, method);
+      print_figures(name, figures, failures.size());
+      nlohmann::json row = figures_json(figures);
+      for (const Stage stage : {Stage::kSurface, Stage::kSmooth, Stage::kSizing, Stage::kRemesh})
+        row["seconds"][std::string(kStageNames[static_cast<std::size_t>(stage)])] =
+            session.record(stage).seconds;
+      findings.add(name, row, failures);
+    }
+  return findings.finish(out);
+}
