@@ -10,6 +10,7 @@
 
 #include "quality/fidelity.h"
 #include "support/labelled_mesh.h"
+#include "support/test_surfaces.h"
 
 namespace voxtet {
 namespace {
@@ -105,7 +106,7 @@ TEST(MeasureQuality, IsExactOnAMeshMadeOfVoxels) {
   EXPECT_EQ(metric(*report, "dihedral_deg").count, 6 * mesh.tets.size());
 }
 
-TEST(MeasureQuality, NoticesALabelThatIsMissingSplitOrOfTheWrongSize) {
+TEST(MeasureQuality, NoticesALabelThatIsMissingOrOfTheWrongSize) {
   const TetMesh mesh = straight_cube(6);
   const SizingField sizing = constant_size(1);
   const SurfaceMesh surface = faces_of(mesh);
@@ -122,12 +123,29 @@ TEST(MeasureQuality, NoticesALabelThatIsMissingSplitOrOfTheWrongSize) {
             }),
             (std::vector<std::string>{"labels_present"}))
       << "label 7 of the mesh is in no voxel";
-  EXPECT_EQ(failures([](LabelVolume& v) { v.labels[v.offset(7, 7, 7)] = 300; }),
-            (std::vector<std::string>{"components_per_label"}));
   EXPECT_EQ(failures([](LabelVolume& v) {
               for (int i = 1; i < 4; ++i) v.labels[v.offset(i, 6, 6)] = 0;
             }),
             (std::vector<std::string>{"label_volumes"}));
+}
+
+TEST(MeasureQuality, NamesWhatTheMeshHasNotKeptOfTheLabelSurface) {
+  const TetMesh mesh = straight_cube(6);
+  const LabelVolume volume = cube_voxels(6);
+  const SizingField sizing = constant_size(1);
+  RunContext ctx;
+  // The surface has one more cell of label 300, apart from the rest, that the mesh lost.
+  SurfaceMesh surface = faces_of(mesh);
+  test::append(surface, test::sphere({50, 0, 0}, 1, 1, 300, 0));
+  const Result<QualityReport> report = measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx);
+  ASSERT_TRUE(report.ok());
+  EXPECT_EQ(failed(*report), (std::vector<std::string>{"topology_kept"}));
+  EXPECT_TRUE(report->passed()) << "a warning, not a failure";
+  for (const ChecklistItem& item : report->checklist)
+    if (item.name == "topology_kept") EXPECT_EQ(item.found, "label 300: components 2 -> 1");
+  EXPECT_EQ(report->topology.before.labels.size(), 3U);
+  EXPECT_EQ(report->topology.before.contacts, report->topology.after.contacts);
+  EXPECT_EQ(report->topology.differences.size(), 1U);
 }
 
 TEST(MeasureMesh, FailsExactlyTheItemThatIsBroken) {
@@ -266,10 +284,12 @@ TEST(MeasureMesh, CountsFlatTetsAndNearlyEqualPoints) {
       {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1e-10, 0}, {0, 1 + 1e-10, 1e-10}};
   near.tets = {{0, 1, 2, 3}, {0, 6, 5, 4}};
   near.labels = {1, 1};
-  EXPECT_EQ(failed(measured(near)), (std::vector<std::string>{"no_duplicate_points"}));
+  EXPECT_EQ(failed(measured(near)),
+            (std::vector<std::string>{"no_duplicate_points", "label_boundaries_manifold"}));
   near.points[5].x() += 1e-6;
   near.points[6].x() += 1e-6;
-  EXPECT_TRUE(failed(measured(near)).empty());
+  EXPECT_EQ(failed(measured(near)), (std::vector<std::string>{"label_boundaries_manifold"}))
+      << "the two share one corner";
 }
 
 TEST(MeasureMesh, SeesThreeTetsOnOneFace) {
