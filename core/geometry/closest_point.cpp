@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace voxtet {
 namespace {
@@ -12,13 +11,38 @@ constexpr std::uint32_t kLeafSize = 4;
 /// A box is passed over only when clearly farther: rounding must not hide an equally close triangle.
 constexpr double kCaution = 1 + 1e-12;
 
-double box_distance2(const Eigen::Vector3d& point, const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
-  double sum = 0;
-  for (int d = 0; d < 3; ++d) {
-    const double outside = std::max({low[d] - point[d], 0.0, point[d] - high[d]});
-    sum += outside * outside;
+using Box = std::array<float, 6>;
+constexpr Box kNothing{std::numeric_limits<float>::max(),    std::numeric_limits<float>::max(),
+                       std::numeric_limits<float>::max(),    std::numeric_limits<float>::lowest(),
+                       std::numeric_limits<float>::lowest(), std::numeric_limits<float>::lowest()};
+
+float at_most(double value) {
+  const auto nearest = static_cast<float>(value);
+  return nearest <= value ? nearest : std::nextafter(nearest, std::numeric_limits<float>::lowest());
+}
+
+Box box_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  Box box{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto i = static_cast<Eigen::Index>(d);
+    box[d] = at_most(std::min({a[i], b[i], c[i]}));
+    box[d + 3] = -at_most(-std::max({a[i], b[i], c[i]}));
   }
-  return sum;
+  return box;
+}
+
+void extend(Box& box, const Box& other) {
+  for (std::size_t d = 0; d < 3; ++d) {
+    box[d] = std::min(box[d], other[d]);
+    box[d + 3] = std::max(box[d + 3], other[d + 3]);
+  }
+}
+
+double box_distance2(const Eigen::Vector3d& point, const Box& box) {
+  const double x = std::max({box[0] - point.x(), 0.0, point.x() - box[3]});
+  const double y = std::max({box[1] - point.y(), 0.0, point.y() - box[4]});
+  const double z = std::max({box[2] - point.z(), 0.0, point.z() - box[5]});
+  return x * x + y * y + z * z;
 }
 
 }  // namespace
@@ -46,53 +70,61 @@ Eigen::Vector3d closest_on_triangle(const Eigen::Vector3d& point, const Eigen::V
 
 ClosestPointTree::ClosestPointTree(const std::vector<Eigen::Vector3d>& points,
                                    const std::vector<Triangle>& triangles) {
-  std::vector<Eigen::AlignedBox3d> boxes;
+  std::vector<Box> boxes;
+  std::vector<Item> items;
   boxes.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles)
-    boxes.push_back(Eigen::AlignedBox3d(points[a]).extend(points[b]).extend(points[c]));
-  order_.resize(triangles.size());
-  std::iota(order_.begin(), order_.end(), 0U);
-  nodes_.reserve(triangles.size());
-  build(0, static_cast<std::uint32_t>(order_.size()), boxes);
+  items.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    const Box box = box_of(points[a], points[b], points[c]);
+    items.push_back(
+        {{box[0] + box[3], box[1] + box[4], box[2] + box[5]}, static_cast<std::uint32_t>(boxes.size())});
+    boxes.push_back(box);
+  }
+  nodes_.reserve(triangles.size() / 2);
+  Box all = kNothing;
+  root_ = build(items, 0, boxes, all);
   slot_.resize(triangles.size());
+  order_.reserve(triangles.size());
   corners_.reserve(triangles.size());
-  for (std::uint32_t slot = 0; slot < order_.size(); ++slot) {
-    const auto& [a, b, c] = triangles[order_[slot]];
+  for (const Item& item : items) {
+    const auto& [a, b, c] = triangles[item.triangle];
+    slot_[item.triangle] = static_cast<std::uint32_t>(order_.size());
+    order_.push_back(item.triangle);
     corners_.push_back({points[a], points[b], points[c]});
-    slot_[order_[slot]] = slot;
   }
 }
 
-std::uint32_t ClosestPointTree::build(std::uint32_t first, std::uint32_t count,
-                                      const std::vector<Eigen::AlignedBox3d>& boxes) {
-  const auto id = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.emplace_back();
-  Eigen::AlignedBox3d box, centres;
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    box.extend(boxes[order_[i]]);
-    centres.extend(boxes[order_[i]].center());
-  }
-  nodes_[id].low = box.min();
-  nodes_[id].high = box.max();
+ClosestPointTree::Child ClosestPointTree::build(std::span<Item> items, std::uint32_t first,
+                                                const std::vector<Box>& boxes, Box& bounds) {
+  const auto count = static_cast<std::uint32_t>(items.size());
   if (count <= kLeafSize) {
-    nodes_[id].first = first;
-    nodes_[id].count = count;
-    return id;
+    std::sort(items.begin(), items.end(),
+              [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
+    for (const Item& item : items) extend(bounds, boxes[item.triangle]);
+    return {first, count};
   }
-  Eigen::Index axis = 0;
-  centres.sizes().maxCoeff(&axis);
+  std::array<float, 3> low = items.front().centre, high = low;
+  for (const Item& item : items)
+    for (std::size_t d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], item.centre[d]);
+      high[d] = std::max(high[d], item.centre[d]);
+    }
+  std::size_t axis = 0;
+  for (const std::size_t d : {1U, 2U})
+    if (high[d] - low[d] > high[axis] - low[axis]) axis = d;
   const std::uint32_t half = count / 2;
   // Ties by index: the halves are then the same whichever way the standard library partitions.
-  std::nth_element(order_.begin() + first, order_.begin() + first + half, order_.begin() + first + count,
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     const double x = boxes[a].min()[axis] + boxes[a].max()[axis];
-                     const double y = boxes[b].min()[axis] + boxes[b].max()[axis];
-                     return x != y ? x < y : a < b;
-                   });
-  build(first, half, boxes);
-  const std::uint32_t right = build(first + half, count - half, boxes);
-  nodes_[id].first = right;
-  return id;
+  std::nth_element(items.begin(), items.begin() + half, items.end(), [axis](const Item& a, const Item& b) {
+    return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.triangle < b.triangle;
+  });
+  const auto id = static_cast<std::uint32_t>(nodes_.size());
+  nodes_.emplace_back();
+  Node node{{kNothing, kNothing}, {}};
+  node.children[0] = build(items.first(half), first, boxes, node.boxes[0]);
+  node.children[1] = build(items.subspan(half), first + half, boxes, node.boxes[1]);
+  for (const Box& box : node.boxes) extend(bounds, box);
+  nodes_[id] = node;
+  return {id, 0};
 }
 
 ClosestPointTree::Hit ClosestPointTree::closest(const Eigen::Vector3d& point, std::uint32_t hint) const {
@@ -109,26 +141,22 @@ ClosestPointTree::Hit ClosestPointTree::closest(const Eigen::Vector3d& point, st
   };
   try_slot(slot_[hint < slot_.size() ? hint : 0]);
   // Nearer child first; the farther one waits on the stack with its distance. Depth is at most 32.
-  std::array<std::pair<std::uint32_t, double>, 64> stack;
+  std::array<std::pair<Child, double>, 64> stack;
   std::size_t depth = 0;
-  stack[depth++] = {0, box_distance2(point, nodes_[0].low, nodes_[0].high)};
+  stack[depth++] = {root_, 0.0};
   while (depth > 0) {
-    const auto [id, bound] = stack[--depth];
+    const auto [child, bound] = stack[--depth];
     if (bound > best2 * kCaution) continue;
-    const Node& node = nodes_[id];
-    if (node.count > 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) try_slot(i);
+    if (child.count > 0) {
+      for (std::uint32_t i = child.first; i < child.first + child.count; ++i) try_slot(i);
       continue;
     }
-    const double left = box_distance2(point, nodes_[id + 1].low, nodes_[id + 1].high);
-    const double right = box_distance2(point, nodes_[node.first].low, nodes_[node.first].high);
-    if (left <= right) {
-      stack[depth++] = {node.first, right};
-      stack[depth++] = {id + 1, left};
-    } else {
-      stack[depth++] = {id + 1, left};
-      stack[depth++] = {node.first, right};
-    }
+    const Node& node = nodes_[child.first];
+    const double left = box_distance2(point, node.boxes[0]), right = box_distance2(point, node.boxes[1]);
+    const std::size_t near = left <= right ? 0 : 1;
+    const double farther = std::max(left, right);
+    if (farther <= best2 * kCaution) stack[depth++] = {node.children[1 - near], farther};
+    stack[depth++] = {node.children[near], std::min(left, right)};
   }
   best.distance_mm = std::sqrt(best2);
   return best;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "types/surface_mesh.h"
@@ -31,19 +32,35 @@ class ClosestPointTree {
   /// to be near, such as the last hit) only makes it faster.
   Hit closest(const Eigen::Vector3d& point, std::uint32_t hint = 0) const;
 
+  /// The corners of a triangle given.
+  const std::array<Eigen::Vector3d, 3>& corners(std::uint32_t triangle) const {
+    return corners_[slot_[triangle]];
+  }
+  /// Every triangle once, those near each other close together.
+  const std::vector<std::uint32_t>& order() const { return order_; }
+
  private:
-  struct Node {
-    Eigen::Vector3d low, high;
-    std::uint32_t first = 0;  ///< leaf: first triangle in order_; inner: index of the right child
-    std::uint32_t count = 0;  ///< leaf: number of triangles; inner: 0
+  /// A leaf (count > 0, first in order_) or an inner node (count 0, first in nodes_).
+  struct Child {
+    std::uint32_t first = 0, count = 0;
   };
-  std::uint32_t build(std::uint32_t first, std::uint32_t count,
-                      const std::vector<Eigen::AlignedBox3d>& boxes);
+  /// Bounds of both children together: one look at the memory decides between them.
+  struct Node {
+    std::array<std::array<float, 6>, 2> boxes;  ///< low x, y, z, high x, y, z; never too small
+    std::array<Child, 2> children;
+  };
+  struct Item {
+    std::array<float, 3> centre;
+    std::uint32_t triangle;
+  };
+  Child build(std::span<Item> items, std::uint32_t first, const std::vector<std::array<float, 6>>& boxes,
+              std::array<float, 6>& bounds);
 
   std::vector<std::array<Eigen::Vector3d, 3>> corners_;  ///< in the order of order_
   std::vector<std::uint32_t> order_;                     ///< triangles as the leaves hold them
   std::vector<std::uint32_t> slot_;                      ///< the place of each triangle in order_
   std::vector<Node> nodes_;
+  Child root_;
 };
 
 }  // namespace voxtet

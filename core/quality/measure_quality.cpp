@@ -12,11 +12,15 @@
 #include "quality/compare_topology.h"
 #include "quality/fidelity.h"
 #include "quality/summarise.h"
+#include "quality/surface_distance.h"
 
 namespace voxtet {
 namespace {
 
 using Worst = MetricInfo::Worst;
+
+/// Of the largest distance, in units of the smallest voxel spacing.
+constexpr double kDistanceToleranceVoxels = 0.05;
 
 TetCorners corners_of(const TetMesh& mesh, const Tet& t) {
   return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};
@@ -220,13 +224,14 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   ctx.progress("quality", 0.6);
   if (ctx.cancelled()) return cancelled_error("quality");
 
-  const double spacing = params.sample_spacing_voxels * reference.volume.smallest_spacing_mm();
-  const TriangleSet boundary{mesh.points, mesh.faces};
-  const TriangleSet labels{reference.label_surface.points, reference.label_surface.triangles};
-  report.mesh_to_surface = measure_distance(boundary, labels, spacing);
-  ctx.progress("quality", 0.8);
-  if (ctx.cancelled()) return cancelled_error("quality");
-  report.surface_to_mesh = measure_distance(labels, boundary, spacing);
+  const double voxel = reference.volume.smallest_spacing_mm();
+  Result<SurfaceDistances> distances = measure_distances(
+      {mesh.points, mesh.faces, mesh.face_sides},
+      {reference.label_surface.points, reference.label_surface.triangles, reference.label_surface.sides},
+      {params.sample_spacing_voxels * voxel, kDistanceToleranceVoxels * voxel}, ctx);
+  if (!distances) return distances.error();
+  report.mesh_to_surface = distances->forth;
+  report.surface_to_mesh = distances->back;
   return report;
 }
 
