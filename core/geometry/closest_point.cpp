@@ -11,38 +11,13 @@ constexpr std::uint32_t kLeafSize = 4;
 /// A box is passed over only when clearly farther: rounding must not hide an equally close triangle.
 constexpr double kCaution = 1 + 1e-12;
 
-using Box = std::array<float, 6>;
-constexpr Box kNothing{std::numeric_limits<float>::max(),    std::numeric_limits<float>::max(),
-                       std::numeric_limits<float>::max(),    std::numeric_limits<float>::lowest(),
-                       std::numeric_limits<float>::lowest(), std::numeric_limits<float>::lowest()};
-
 float at_most(double value) {
   const auto nearest = static_cast<float>(value);
   return nearest <= value ? nearest : std::nextafter(nearest, std::numeric_limits<float>::lowest());
 }
 
-Box box_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  Box box{};
-  for (std::size_t d = 0; d < 3; ++d) {
-    const auto i = static_cast<Eigen::Index>(d);
-    box[d] = at_most(std::min({a[i], b[i], c[i]}));
-    box[d + 3] = -at_most(-std::max({a[i], b[i], c[i]}));
-  }
-  return box;
-}
-
-void extend(Box& box, const Box& other) {
-  for (std::size_t d = 0; d < 3; ++d) {
-    box[d] = std::min(box[d], other[d]);
-    box[d + 3] = std::max(box[d + 3], other[d + 3]);
-  }
-}
-
-double box_distance2(const Eigen::Vector3d& point, const Box& box) {
-  const double x = std::max({box[0] - point.x(), 0.0, point.x() - box[3]});
-  const double y = std::max({box[1] - point.y(), 0.0, point.y() - box[4]});
-  const double z = std::max({box[2] - point.z(), 0.0, point.z() - box[5]});
-  return x * x + y * y + z * z;
+float at_least(double value) {
+  return -at_most(-value);
 }
 
 }  // namespace
@@ -69,75 +44,111 @@ Eigen::Vector3d closest_on_triangle(const Eigen::Vector3d& point, const Eigen::V
 }
 
 ClosestPointTree::ClosestPointTree(const std::vector<Eigen::Vector3d>& points,
-                                   const std::vector<Triangle>& triangles) {
-  std::vector<Box> boxes;
+                                   std::span<const Triangle> triangles) {
   std::vector<Item> items;
-  boxes.reserve(triangles.size());
   items.reserve(triangles.size());
   for (const auto& [a, b, c] : triangles) {
-    const Box box = box_of(points[a], points[b], points[c]);
-    items.push_back(
-        {{box[0] + box[3], box[1] + box[4], box[2] + box[5]}, static_cast<std::uint32_t>(boxes.size())});
-    boxes.push_back(box);
+    Item item{{}, {}, static_cast<std::uint32_t>(items.size())};
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto i = static_cast<Eigen::Index>(d);
+      item.low[d] = at_most(std::min({points[a][i], points[b][i], points[c][i]}));
+      item.high[d] = at_least(std::max({points[a][i], points[b][i], points[c][i]}));
+    }
+    items.push_back(item);
   }
   nodes_.reserve(triangles.size() / 2);
-  Box all = kNothing;
-  root_ = build(items, 0, boxes, all);
+  Item whole;
+  root_ = build(items, 0, whole);
+
+  constexpr std::uint32_t kNone = 0xffffffffU;
+  std::vector<std::uint32_t> place(points.size(), kNone);
   slot_.resize(triangles.size());
   order_.reserve(triangles.size());
-  corners_.reserve(triangles.size());
+  triangles_.reserve(triangles.size());
   for (const Item& item : items) {
-    const auto& [a, b, c] = triangles[item.triangle];
     slot_[item.triangle] = static_cast<std::uint32_t>(order_.size());
     order_.push_back(item.triangle);
-    corners_.push_back({points[a], points[b], points[c]});
+    triangles_.push_back(triangles[item.triangle]);
+    for (std::uint32_t& v : triangles_.back()) {
+      if (place[v] == kNone) {
+        place[v] = static_cast<std::uint32_t>(points_.size());
+        points_.push_back(points[v]);
+      }
+      v = place[v];
+    }
   }
 }
 
-ClosestPointTree::Child ClosestPointTree::build(std::span<Item> items, std::uint32_t first,
-                                                const std::vector<Box>& boxes, Box& bounds) {
+ClosestPointTree::Child ClosestPointTree::build(std::span<Item> items, std::uint32_t first, Item& whole) {
+  const auto extend = [](Item& bounds, const Item& item) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      bounds.low[d] = std::min(bounds.low[d], item.low[d]);
+      bounds.high[d] = std::max(bounds.high[d], item.high[d]);
+    }
+  };
   const auto count = static_cast<std::uint32_t>(items.size());
+  whole = items.front();
   if (count <= kLeafSize) {
     std::sort(items.begin(), items.end(),
               [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
-    for (const Item& item : items) extend(bounds, boxes[item.triangle]);
+    for (const Item& item : items) extend(whole, item);
     return {first, count};
   }
-  std::array<float, 3> low = items.front().centre, high = low;
+  const auto centre = [](const Item& item, std::size_t d) { return item.low[d] + item.high[d]; };
+  std::array<float, 3> low{}, high{}, spread{};
+  for (std::size_t d = 0; d < 3; ++d) low[d] = high[d] = centre(whole, d);
   for (const Item& item : items)
     for (std::size_t d = 0; d < 3; ++d) {
-      low[d] = std::min(low[d], item.centre[d]);
-      high[d] = std::max(high[d], item.centre[d]);
+      low[d] = std::min(low[d], centre(item, d));
+      high[d] = std::max(high[d], centre(item, d));
     }
-  std::size_t axis = 0;
-  for (const std::size_t d : {1U, 2U})
-    if (high[d] - low[d] > high[axis] - low[axis]) axis = d;
+  for (std::size_t d = 0; d < 3; ++d) spread[d] = high[d] - low[d];
+  const auto axis = static_cast<std::size_t>(std::max_element(spread.begin(), spread.end()) - spread.begin());
   const std::uint32_t half = count / 2;
   // Ties by index: the halves are then the same whichever way the standard library partitions.
-  std::nth_element(items.begin(), items.begin() + half, items.end(), [axis](const Item& a, const Item& b) {
-    return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.triangle < b.triangle;
+  std::nth_element(items.begin(), items.begin() + half, items.end(), [&](const Item& a, const Item& b) {
+    const float x = centre(a, axis), y = centre(b, axis);
+    return x != y ? x < y : a.triangle < b.triangle;
   });
   const auto id = static_cast<std::uint32_t>(nodes_.size());
   nodes_.emplace_back();
-  Node node{{kNothing, kNothing}, {}};
-  node.children[0] = build(items.first(half), first, boxes, node.boxes[0]);
-  node.children[1] = build(items.subspan(half), first + half, boxes, node.boxes[1]);
-  for (const Box& box : node.boxes) extend(bounds, box);
-  nodes_[id] = node;
+  std::array<Item, 2> bounds;
+  const Child left = build(items.first(half), first, bounds[0]);
+  const Child right = build(items.subspan(half), first + half, bounds[1]);
+  nodes_[id] = {{box_of(bounds[0]), box_of(bounds[1])}, {left, right}};
+  whole = bounds[0];
+  extend(whole, bounds[1]);
   return {id, 0};
+}
+
+ClosestPointTree::Box ClosestPointTree::box_of(const Item& bounds) {
+  Box box{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    const double centre = box.centre[d] = 0.5F * (bounds.low[d] + bounds.high[d]);
+    box.half[d] = at_least(std::max(bounds.high[d] - centre, centre - bounds.low[d]));
+  }
+  return box;
 }
 
 ClosestPointTree::Hit ClosestPointTree::closest(const Eigen::Vector3d& point, std::uint32_t hint) const {
   Hit best;
   double best2 = std::numeric_limits<double>::max();
   const auto try_slot = [&](std::uint32_t slot) {
-    const auto& [a, b, c] = corners_[slot];
-    const Eigen::Vector3d on = closest_on_triangle(point, a, b, c);
+    const Eigen::Vector3d on = closest_in_slot(slot, point);
     const double distance2 = (on - point).squaredNorm();
     if (distance2 < best2 || (distance2 == best2 && order_[slot] < best.triangle)) {
       best2 = distance2;
       best = {on, order_[slot], 0};
     }
+  };
+  const auto distance2_to = [&](const Box& box) {
+    double sum = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double outside =
+          std::max(std::abs(point[static_cast<Eigen::Index>(d)] - box.centre[d]) - box.half[d], 0.0);
+      sum += outside * outside;
+    }
+    return sum;
   };
   try_slot(slot_[hint < slot_.size() ? hint : 0]);
   // Nearer child first; the farther one waits on the stack with its distance. Depth is at most 32.
@@ -152,10 +163,10 @@ ClosestPointTree::Hit ClosestPointTree::closest(const Eigen::Vector3d& point, st
       continue;
     }
     const Node& node = nodes_[child.first];
-    const double left = box_distance2(point, node.boxes[0]), right = box_distance2(point, node.boxes[1]);
+    const double left = distance2_to(node.boxes[0]), right = distance2_to(node.boxes[1]);
     const std::size_t near = left <= right ? 0 : 1;
-    const double farther = std::max(left, right);
-    if (farther <= best2 * kCaution) stack[depth++] = {node.children[1 - near], farther};
+    if (const double farther = std::max(left, right); farther <= best2 * kCaution)
+      stack[depth++] = {node.children[1 - near], farther};
     stack[depth++] = {node.children[near], std::min(left, right)};
   }
   best.distance_mm = std::sqrt(best2);

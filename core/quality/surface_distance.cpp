@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
+#include <optional>
 #include <utility>
 
 #include "geometry/closest_point.h"
@@ -18,56 +18,32 @@ namespace {
 constexpr double kMaxSamples = 250'000;
 constexpr int kMaxDivisions = 50'000;
 constexpr std::uint32_t kPollEvery = 4096;
+constexpr double kNoBound = std::numeric_limits<double>::max();
 
-/// The triangles around a label, with points of their own.
-struct Boundary {
-  std::vector<Eigen::Vector3d> points;
-  std::vector<Triangle> triangles;
-  std::unique_ptr<ClosestPointTree> tree;
-};
-
+/// The boundary of every label as a tree.
 class Boundaries {
  public:
   explicit Boundaries(const TriangleSet& set) : set_(set) {
-    constexpr std::uint32_t kNone = 0xffffffffU;
-    std::map<Label, std::vector<std::uint32_t>> members;
-    for (std::uint32_t t = 0; t < set.triangles.size(); ++t)
+    std::map<Label, std::vector<Triangle>> members;
+    for (std::size_t t = 0; t < set.triangles.size(); ++t)
       for (const Label label : set.sides[t])
-        if (label != kBackground) members[label].push_back(t);
-    std::vector<std::uint32_t> place(set.points.size(), kNone);
-    for (const auto& [label, triangles] : members) {
-      Boundary& part = parts_[label];
-      std::vector<std::uint32_t> used;
-      for (const std::uint32_t t : triangles) {
-        Triangle own = set.triangles[t];
-        for (std::uint32_t& v : own) {
-          if (place[v] == kNone) {
-            place[v] = static_cast<std::uint32_t>(used.size());
-            used.push_back(v);
-            part.points.push_back(set.points[v]);
-          }
-          v = place[v];
-        }
-        part.triangles.push_back(own);
-      }
-      for (const std::uint32_t v : used) place[v] = kNone;
-      part.tree = std::make_unique<ClosestPointTree>(part.points, part.triangles);
-    }
+        if (label != kBackground) members[label].push_back(set.triangles[t]);
+    for (const auto& [label, triangles] : members) trees_.try_emplace(label, set.points, triangles);
   }
 
-  const std::map<Label, Boundary>& parts() const { return parts_; }
+  const std::map<Label, ClosestPointTree>& trees() const { return trees_; }
 
   /// What the boundary of a label is measured to: that of the same label, or everything.
   const ClosestPointTree& opposite(Label label) {
-    if (const auto own = parts_.find(label); own != parts_.end()) return *own->second.tree;
-    if (!whole_) whole_ = std::make_unique<ClosestPointTree>(set_.points, set_.triangles);
+    if (const auto own = trees_.find(label); own != trees_.end()) return own->second;
+    if (!whole_) whole_.emplace(set_.points, set_.triangles);
     return *whole_;
   }
 
  private:
   const TriangleSet& set_;
-  std::map<Label, Boundary> parts_;
-  std::unique_ptr<ClosestPointTree> whole_;
+  std::map<Label, ClosestPointTree> trees_;
+  std::optional<ClosestPointTree> whole_;
 };
 
 double longest_edge(const std::array<Eigen::Vector3d, 3>& p) {
@@ -82,11 +58,12 @@ struct Sample {
   std::uint32_t triangle = 0;
 };
 
-/// A triangle, or a part of one, that no point of is farther than `bound_mm`.
+/// A triangle, or a part of one, with no point farther than `bound_mm`.
 struct Piece {
   std::array<Sample, 3> corners;
-  const ClosestPointTree* to = nullptr;
+  double longest_mm = 0;  ///< of its edges
   double bound_mm = 0;
+  const ClosestPointTree* to = nullptr;
   std::uint32_t id = 0;  ///< settles which of two equal bounds comes first
   bool operator<(const Piece& other) const {
     return bound_mm != other.bound_mm ? bound_mm < other.bound_mm : id > other.id;
@@ -101,10 +78,11 @@ class DirectedDistance {
 
   Result<DistanceSummary> measure() {
     std::vector<std::vector<Sample>> corners;
-    for (const auto& [label, part] : from_.parts()) corners.push_back(at_points(part, to_.opposite(label)));
+    for (const auto& [label, part] : from_.trees())
+      corners.push_back(at_points(part.points(), to_.opposite(label)));
     const double spacing = affordable_spacing();
     std::size_t i = 0;
-    for (const auto& [label, part] : from_.parts()) sample(part, to_.opposite(label), corners[i++], spacing);
+    for (const auto& [label, part] : from_.trees()) sample(part, to_.opposite(label), corners[i++], spacing);
     for (int divisions = 0; !open_.empty() && divisions < kMaxDivisions && !cancelled_; ++divisions) divide();
     if (cancelled_) return cancelled_error("quality");
     return summary();
@@ -119,24 +97,19 @@ class DirectedDistance {
     return {point, hit.distance_mm, hit.triangle};
   }
 
-  std::vector<Sample> at_points(const Boundary& part, const ClosestPointTree& to) {
-    std::vector<Sample> samples(part.points.size());
-    std::vector<bool> known(part.points.size(), false);
-    for (const std::uint32_t t : part.tree->order())
-      for (const std::uint32_t v : part.triangles[t]) {
-        if (cancelled_) return samples;
-        if (!known[v]) samples[v] = closest(part.points[v], to);
-        known[v] = true;
-      }
+  std::vector<Sample> at_points(const std::vector<Eigen::Vector3d>& points, const ClosestPointTree& to) {
+    std::vector<Sample> samples;
+    samples.reserve(points.size());
+    for (std::size_t i = 0; i < points.size() && !cancelled_; ++i) samples.push_back(closest(points[i], to));
     return samples;
   }
 
   /// The spacing asked for, or a larger one that needs about kMaxSamples.
   double affordable_spacing() const {
     std::vector<double> longest;
-    for (const auto& [label, part] : from_.parts())
-      for (const auto& [a, b, c] : part.triangles)
-        longest.push_back(longest_edge({part.points[a], part.points[b], part.points[c]}));
+    for (const auto& [label, part] : from_.trees())
+      for (const auto& [a, b, c] : part.triangles())
+        longest.push_back(longest_edge({part.points()[a], part.points()[b], part.points()[c]}));
     double spacing = params_.spacing_mm;
     while (true) {
       double samples = 0;
@@ -150,19 +123,19 @@ class DirectedDistance {
   }
 
   /// Samples every triangle on the corners of its n^2 sub-triangles, and keeps those that may hold more.
-  void sample(const Boundary& part, const ClosestPointTree& to, const std::vector<Sample>& corners,
+  void sample(const ClosestPointTree& part, const ClosestPointTree& to, const std::vector<Sample>& corners,
               double spacing) {
     std::vector<double> weights(corners.size(), 0.0);
     std::vector<Sample> lattice;
-    for (const std::uint32_t t : part.tree->order()) {
+    for (const Triangle& v : part.triangles()) {
       if (cancelled_) return;
-      const Triangle& v = part.triangles[t];
       const Eigen::Vector3d &a = corners[v[0]].point, &b = corners[v[1]].point, &c = corners[v[2]].point;
-      const int n = std::max(1, static_cast<int>(std::ceil(longest_edge({a, b, c}) / spacing)));
+      const double longest = longest_edge({a, b, c});
+      const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
       const double weight = triangle_area_mm2(a, b, c) / (3.0 * n * n);
       for (const std::uint32_t corner : v) weights[corner] += weight;
       if (n == 1) {
-        consider({{corners[v[0]], corners[v[1]], corners[v[2]]}, &to});
+        consider(corners[v[0]], corners[v[1]], corners[v[2]], longest, kNoBound, to);
         continue;
       }
       // Row i has n + 1 - i points, from the edge ab towards c.
@@ -181,52 +154,45 @@ class DirectedDistance {
         }
       for (int i = 0, row = 0; i < n; row += n + 1 - i, ++i)
         for (int j = 0; i + j < n; ++j) {
-          const auto at = [&](int of_row, int of_column) {
+          const auto at = [&](int of_row, int of_column) -> const Sample& {
             return lattice[static_cast<std::size_t>(row + of_row * (n + 1 - i) + j + of_column)];
           };
-          consider({{at(0, 0), at(0, 1), at(1, 0)}, &to});
-          if (i + j + 1 < n) consider({{at(0, 1), at(1, 1), at(1, 0)}, &to});
+          consider(at(0, 0), at(0, 1), at(1, 0), longest / n, kNoBound, to);
+          if (i + j + 1 < n) consider(at(0, 1), at(1, 1), at(1, 0), longest / n, kNoBound, to);
         }
     }
     for (std::size_t i = 0; i < corners.size(); ++i)
       found_.emplace_back(static_cast<float>(corners[i].distance_mm), static_cast<float>(weights[i]));
   }
 
-  /// The least of what each corner allows: its distance and the way from it, or, for the closest triangle of
-  /// a corner, the largest distance of a corner.
-  static double bound_of(const Piece& piece, double enough) {
-    const auto& p = piece.corners;
-    double bound = piece.bound_mm > 0 ? piece.bound_mm : std::numeric_limits<double>::max();
-    const std::array<double, 3> edges{(p[2].point - p[1].point).norm(), (p[0].point - p[2].point).norm(),
-                                      (p[1].point - p[0].point).norm()};
-    for (std::size_t i = 0; i < 3; ++i)
-      bound = std::min(bound, p[i].distance_mm + std::max(edges[(i + 1) % 3], edges[(i + 2) % 3]));
-    for (std::size_t i = 0; i < 3 && bound > enough; ++i)
-      bound = std::min(bound, reach(piece, p[i].triangle));
-    return bound;
-  }
-
   static double reach(const Piece& piece, std::uint32_t triangle) {
-    const auto& [a, b, c] = piece.to->corners(triangle);
     double largest = 0;
     for (const Sample& s : piece.corners)
       largest = std::max(largest, s.triangle == triangle
                                       ? s.distance_mm
-                                      : (closest_on_triangle(s.point, a, b, c) - s.point).norm());
+                                      : (piece.to->closest_on(triangle, s.point) - s.point).norm());
     return largest;
   }
 
-  /// Keeps a piece that may hold a distance clearly above the largest found.
-  void consider(Piece piece) {
+  /// Keeps a piece that may hold a distance clearly above the largest found. Its bound is the least of what
+  /// its corners allow: a corner's distance and the way from there, or, for the closest triangle of a corner,
+  /// the largest distance of a corner.
+  void consider(const Sample& a, const Sample& b, const Sample& c, double longest, double bound,
+                const ClosestPointTree& to) {
     const double enough = largest_ + params_.tolerance_mm;
-    piece.bound_mm = bound_of(piece, enough);
-    if (piece.bound_mm <= enough) {
-      bound_ = std::max(bound_, piece.bound_mm);
-      return;
+    bound = std::min(bound, std::min({a.distance_mm, b.distance_mm, c.distance_mm}) + longest);
+    if (bound > enough) {
+      Piece piece{{a, b, c}, longest, bound, &to, next_id_++};
+      for (const Sample& s : piece.corners)
+        piece.bound_mm = std::min(piece.bound_mm, reach(piece, s.triangle));
+      bound = piece.bound_mm;
+      if (bound > enough) {
+        open_.push_back(piece);
+        std::push_heap(open_.begin(), open_.end());
+        return;
+      }
     }
-    piece.id = next_id_++;
-    open_.push_back(piece);
-    std::push_heap(open_.begin(), open_.end());
+    bound_ = std::max(bound_, bound);
   }
 
   /// Takes the piece of the largest bound: settles it by its centre's closest triangle, or divides it in
@@ -246,9 +212,9 @@ class DirectedDistance {
     const Sample ab = closest((a.point + b.point) / 2, *piece.to),
                  bc = closest((b.point + c.point) / 2, *piece.to),
                  ca = closest((c.point + a.point) / 2, *piece.to);
-    for (const std::array<Sample, 3>& part :
+    for (const std::array<Sample, 3>& p :
          {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}})
-      consider({part, piece.to, piece.bound_mm});
+      consider(p[0], p[1], p[2], piece.longest_mm / 2, piece.bound_mm, *piece.to);
   }
 
   DistanceSummary summary() {
@@ -266,12 +232,12 @@ class DirectedDistance {
     out.max_mm = largest_;
     out.uncertainty_mm =
         std::max({0.0, bound_ - largest_, open_.empty() ? 0.0 : open_.front().bound_mm - largest_});
-    std::sort(found_.begin(), found_.end());
-    double below = 0;
-    for (const auto& [distance, weight] : found_) {
-      below += weight;
-      out.p95_mm = distance;
-      if (below >= 0.95 * area) break;
+    // From the largest down, until a twentieth of the area has gone by.
+    std::make_heap(found_.begin(), found_.end());
+    for (double above = 0; above <= 0.05 * area && !found_.empty(); found_.pop_back()) {
+      std::pop_heap(found_.begin(), found_.end());
+      out.p95_mm = found_.back().first;
+      above += found_.back().second;
     }
     return out;
   }

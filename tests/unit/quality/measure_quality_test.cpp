@@ -328,50 +328,6 @@ TEST(MeasureMesh, RefusesIndicesOutOfRangeAndEmptyMeshes) {
   EXPECT_EQ(measure_mesh(test::kuhn_cube(1), {}, ctx).error().code, ErrorCode::kCancelled);
 }
 
-/// A latitude-longitude sphere around the origin.
-SurfaceMesh sphere(double radius, std::uint32_t n) {
-  SurfaceMesh out;
-  for (std::uint32_t i = 0; i <= n; ++i)
-    for (std::uint32_t j = 0; j < 2 * n; ++j) {
-      const double theta = M_PI * i / n, phi = M_PI * j / n;
-      out.points.push_back(radius * Vector3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                                             std::cos(theta)));
-    }
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t j = 0; j < 2 * n; ++j) {
-      const std::uint32_t a = i * 2 * n + j, b = i * 2 * n + (j + 1) % (2 * n);
-      if (i > 0) out.triangles.push_back({a, a + 2 * n, b});
-      if (i + 1 < n) out.triangles.push_back({b, a + 2 * n, b + 2 * n});
-    }
-  return out;
-}
-
-TEST(MeasureDistance, KnowsTheGapBetweenConcentricSpheres) {
-  const SurfaceMesh inner = sphere(10, 40), outer = sphere(11, 60);
-  const DistanceSummary d =
-      measure_distance({inner.points, inner.triangles}, {outer.points, outer.triangles}, 0.2);
-  EXPECT_NEAR(d.mean_mm, 1, 0.02);
-  EXPECT_NEAR(d.rms_mm, 1, 0.02);
-  EXPECT_GE(d.max_mm, d.p95_mm);
-  EXPECT_GE(d.p95_mm, d.mean_mm);
-  EXPECT_LE(d.uncertainty_mm, 0.2 * 2 / 3 + 1e-12);
-  EXPECT_GT(d.samples, 4 * M_PI * 100 / (0.2 * 0.2));
-}
-
-TEST(MeasureDistance, KeepsTheNumberOfSamplesInBounds) {
-  const SurfaceMesh inner = sphere(10, 20), outer = sphere(11, 20);
-  const DistanceSummary fine =
-      measure_distance({inner.points, inner.triangles}, {outer.points, outer.triangles}, 1e-3);
-  EXPECT_LE(fine.samples, 400'000U);
-  EXPECT_GT(fine.samples, 300'000U);
-  const DistanceSummary coarse =
-      measure_distance({inner.points, inner.triangles}, {outer.points, outer.triangles}, 99);
-  EXPECT_EQ(coarse.samples, inner.triangles.size());
-  EXPECT_GT(coarse.uncertainty_mm, 5 * fine.uncertainty_mm);
-  EXPECT_GT(fine.max_mm, coarse.max_mm);
-  EXPECT_LE(fine.max_mm, coarse.max_mm + coarse.uncertainty_mm) << "what lies between samples is covered";
-}
-
 TEST(Rasterise, GivesFlatTetsNoCentre) {
   TetMesh mesh;
   mesh.points = {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}};
