@@ -23,6 +23,43 @@ bool on_terminal() {
 #endif
 }
 
+/// "1", or "1 -> 2" where it changed.
+std::string kept_or_changed(const nlohmann::json& pair) {
+  const std::string before = pair[0].dump(), after = pair[1].dump();
+  return before == after ? before : before + " -> " + after;
+}
+
+void print_topology(const nlohmann::json& topology, std::FILE* out) {
+  std::fprintf(out, "\n%5s %12s %12s %12s   topology, label surface -> mesh\n", "label", "components",
+               "cavities", "handles");
+  for (const auto& t : topology["labels"])
+    std::fprintf(out, "%5u %12s %12s %12s\n", t["label"].get<unsigned>(),
+                 kept_or_changed(t["components"]).c_str(), kept_or_changed(t["cavities"]).c_str(),
+                 kept_or_changed(t["handles"]).c_str());
+  for (const auto& difference : topology["differences"])
+    std::fprintf(out, "      %s\n", difference.get<std::string>().c_str());
+  std::fprintf(out,
+               "      the label surface is the smoothed extraction: marching tetrahedra join voxels over 14\n"
+               "      neighbours, marching cubes (a single label) over 6\n");
+}
+
+void print_fidelity(const nlohmann::json& fidelity, std::FILE* out) {
+  std::fprintf(out, "\n%5s %9s %9s %11s %7s %8s %9s %9s\n", "label", "voxels", "tets", "volume mm3", "error",
+               "Dice", "edge mm", "wished");
+  for (const auto& f : fidelity["labels"])
+    std::fprintf(out, "%5u %9u %9u %11.1f %6.2f%% %8.4f %9.3f %9.3f\n", f["label"].get<unsigned>(),
+                 f["voxels"].get<unsigned>(), f["tets"].get<unsigned>(), f["mesh_mm3"].get<double>(),
+                 f["volume_error_percent"].get<double>(), f["dice"].get<double>(),
+                 f["median_edge_mm"].get<double>(), f["wished_edge_mm"].get<double>());
+  for (const char* direction : {"mesh_to_surface", "surface_to_mesh"}) {
+    const auto& d = fidelity[direction];
+    std::fprintf(out, "distance %-16s mean %.3f  rms %.3f  p95 %.3f  max %.3f (+- %.3f) mm\n", direction,
+                 d["mean_mm"].get<double>(), d["rms_mm"].get<double>(), d["p95_mm"].get<double>(),
+                 d["max_mm"].get<double>(), d["uncertainty_mm"].get<double>());
+  }
+  print_topology(fidelity["topology"], out);
+}
+
 }  // namespace
 
 RunContext printing_context(double time_limit_s) {
@@ -94,19 +131,7 @@ void print_quality(const nlohmann::json& quality, std::FILE* out) {
 void print_report(const nlohmann::json& report, std::FILE* out) {
   std::fprintf(out, "%u tetrahedra, %u points, digest %s\n", report["tets"].get<unsigned>(),
                report["points"].get<unsigned>(), report["digest"].get<std::string>().c_str());
-  std::fprintf(out, "\n%5s %9s %9s %11s %7s %8s %9s %9s\n", "label", "voxels", "tets", "volume mm3", "error",
-               "Dice", "edge mm", "wished");
-  for (const auto& f : report["fidelity"]["labels"])
-    std::fprintf(out, "%5u %9u %9u %11.1f %6.2f%% %8.4f %9.3f %9.3f\n", f["label"].get<unsigned>(),
-                 f["voxels"].get<unsigned>(), f["tets"].get<unsigned>(), f["mesh_mm3"].get<double>(),
-                 f["volume_error_percent"].get<double>(), f["dice"].get<double>(),
-                 f["median_edge_mm"].get<double>(), f["wished_edge_mm"].get<double>());
-  for (const char* direction : {"mesh_to_surface", "surface_to_mesh"}) {
-    const auto& d = report["fidelity"][direction];
-    std::fprintf(out, "distance %-16s mean %.3f  rms %.3f  p95 %.3f  max %.3f (+- %.3f) mm\n", direction,
-                 d["mean_mm"].get<double>(), d["rms_mm"].get<double>(), d["p95_mm"].get<double>(),
-                 d["max_mm"].get<double>(), d["uncertainty_mm"].get<double>());
-  }
+  print_fidelity(report["fidelity"], out);
   print_quality(report["quality"], out);
   std::fprintf(out, "\n");
   double total = 0;

@@ -81,10 +81,9 @@ std::vector<TetFace> tet_faces(std::span<const Tet> tets, std::size_t point_coun
   return faces;
 }
 
-void add_label_faces(TetMesh& mesh) {
-  mesh.faces.clear();
-  mesh.face_sides.clear();
-  for (const TetFace& face : tet_faces(mesh.tets, mesh.points.size())) {
+SurfaceMesh label_boundary(const TetMesh& mesh, std::span<const TetFace> faces) {
+  SurfaceMesh boundary{mesh.points, {}, {}};
+  for (const TetFace& face : faces) {
     const Label first = mesh.labels[face.first];
     const Label second = face.count > 1 ? mesh.labels[face.second] : kBackground;
     if (first == second) continue;
@@ -93,33 +92,17 @@ void add_label_faces(TetMesh& mesh) {
     for (const Triangle& outward :
          {Triangle{b, c, d}, Triangle{a, d, c}, Triangle{a, b, d}, Triangle{a, c, b}}) {
       if (ascending(outward[0], outward[1], outward[2]) != face.corners) continue;
-      mesh.faces.push_back(outward);
-      mesh.face_sides.push_back({std::max(first, second), std::min(first, second)});
+      boundary.triangles.push_back(outward);
+      boundary.sides.push_back({std::max(first, second), std::min(first, second)});
     }
   }
+  return boundary;
 }
 
-std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles, std::size_t point_count) {
-  Buckets<std::uint32_t> buckets(point_count);
-  const auto for_each = [&](const auto& visit) {
-    for (const auto& [a, b, c] : triangles)
-      for (const Edge& e : {ascending(a, b), ascending(b, c), ascending(c, a)}) visit(e);
-  };
-  for_each([&](const Edge& e) { buckets.count(e[0]); });
-  buckets.allocate();
-  for_each([&](const Edge& e) { buckets.add(e[0], e[1]); });
-  std::vector<EdgeUse> uses;
-  for (std::uint32_t low = 0; low < buckets.size(); ++low) {
-    const std::span<std::uint32_t> ends = buckets.at(low);
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      if (i > 0 && ends[i] == ends[i - 1])
-        ++uses.back().count;
-      else
-        uses.push_back({{low, ends[i]}, 1});
-    }
-  }
-  return uses;
+void add_label_faces(TetMesh& mesh) {
+  SurfaceMesh boundary = label_boundary(mesh, tet_faces(mesh.tets, mesh.points.size()));
+  mesh.faces = std::move(boundary.triangles);
+  mesh.face_sides = std::move(boundary.sides);
 }
 
 }  // namespace voxtet

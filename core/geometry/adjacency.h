@@ -27,15 +27,12 @@ struct TetFace {
 /// Each face of the tetrahedra once, ascending by its corners.
 std::vector<TetFace> tet_faces(std::span<const Tet> tets, std::size_t point_count);
 
+/// The boundaries of all labels: the mesh's points and those of its tetrahedra's faces (as `tet_faces` gives
+/// them) that lie between different labels, as TetMesh describes them; ascending by corners.
+SurfaceMesh label_boundary(const TetMesh& mesh, std::span<const TetFace> faces);
+
 /// Sets `faces` and `face_sides` of a mesh that has only tetrahedra and labels, as TetMesh describes them;
 /// ascending by corners.
 void add_label_faces(TetMesh& mesh);
-
-/// How many of the triangles each edge of theirs has.
-struct EdgeUse {
-  Edge edge;
-  std::uint32_t count = 0;
-};
-std::vector<EdgeUse> edge_uses(std::span<const Triangle> triangles, std::size_t point_count);
 
 }  // namespace voxtet

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "types/surface_mesh.h"
@@ -24,26 +25,55 @@ class ClosestPointTree {
     double distance_mm = 0;
   };
 
-  /// Triangles are copied. At least one triangle.
-  ClosestPointTree(const std::vector<Eigen::Vector3d>& points, const std::vector<Triangle>& triangles);
+  /// Points and triangles are copied. At least one triangle.
+  ClosestPointTree(const std::vector<Eigen::Vector3d>& points, std::span<const Triangle> triangles);
 
   /// The closest point; among equally close triangles that of the lowest index. A `hint` (a triangle likely
   /// to be near, such as the last hit) only makes it faster.
   Hit closest(const Eigen::Vector3d& point, std::uint32_t hint = 0) const;
 
- private:
-  struct Node {
-    Eigen::Vector3d low, high;
-    std::uint32_t first = 0;  ///< leaf: first triangle in order_; inner: index of the right child
-    std::uint32_t count = 0;  ///< leaf: number of triangles; inner: 0
-  };
-  std::uint32_t build(std::uint32_t first, std::uint32_t count,
-                      const std::vector<Eigen::AlignedBox3d>& boxes);
+  /// Closest point of one of the triangles given.
+  Eigen::Vector3d closest_on(std::uint32_t triangle, const Eigen::Vector3d& point) const {
+    return closest_in_slot(slot_[triangle], point);
+  }
 
-  std::vector<std::array<Eigen::Vector3d, 3>> corners_;  ///< in the order of order_
-  std::vector<std::uint32_t> order_;                     ///< triangles as the leaves hold them
-  std::vector<std::uint32_t> slot_;                      ///< the place of each triangle in order_
+  /// The triangles in an order that keeps neighbours together, and the points they use, numbered by first
+  /// use.
+  const std::vector<Triangle>& triangles() const { return triangles_; }
+  const std::vector<Eigen::Vector3d>& points() const { return points_; }
+
+ private:
+  /// Centre and half extents, the latter never too small.
+  struct Box {
+    std::array<float, 3> centre, half;
+  };
+  /// A leaf (count > 0, first in triangles_) or an inner node (count 0, first in nodes_).
+  struct Child {
+    std::uint32_t first = 0, count = 0;
+  };
+  /// Bounds of both children together: one look at the memory decides between them.
+  struct Node {
+    std::array<Box, 2> boxes;
+    std::array<Child, 2> children;
+  };
+  struct Item {
+    std::array<float, 3> low, high;
+    std::uint32_t triangle;
+  };
+  /// `whole` receives the bounds of all items.
+  Child build(std::span<Item> items, std::uint32_t first, Item& whole);
+  static Box box_of(const Item& bounds);
+  Eigen::Vector3d closest_in_slot(std::uint32_t slot, const Eigen::Vector3d& point) const {
+    const auto& [a, b, c] = triangles_[slot];
+    return closest_on_triangle(point, points_[a], points_[b], points_[c]);
+  }
+
+  std::vector<Eigen::Vector3d> points_;
+  std::vector<Triangle> triangles_;   ///< as the leaves hold them; a place among them is a slot
+  std::vector<std::uint32_t> order_;  ///< the triangle given in each slot
+  std::vector<std::uint32_t> slot_;   ///< of each triangle given
   std::vector<Node> nodes_;
+  Child root_;
 };
 
 }  // namespace voxtet

@@ -20,13 +20,15 @@ constexpr std::uint32_t kNone = 0xffffffffU;
 class Sheets {
  public:
   explicit Sheets(const SurfaceMesh& surface)
-      : surface_(surface), mates_(6 * surface.triangles.size(), kNone), shells_(2 * surface.sides.size()) {
+      : surface_(surface),
+        mates_(6 * surface.triangles.size(), kNone),
+        shells_(2 * surface.sides.size()),
+        labels_(65536) {
     for_edges([&](std::uint32_t low, std::span<const Crossing> around) { pair_around(low, around); });
     trace_fans();
   }
 
   std::vector<LabelTopology> count() {
-    labels_.resize(65536);
     count_shells();
     count_pinches();
     std::vector<LabelTopology> out;
@@ -105,6 +107,7 @@ class Sheets {
     for (std::size_t first = 0, last = 0; first < halves_.size(); first = last) {
       while (last < halves_.size() && halves_[last].label == halves_[first].label) ++last;
       const auto own = std::span<const LabelHalf>(halves_).subspan(first, last - first);
+      labels_[own[0].label].open_edges += own.size() % 2;
       if (own.size() == 2) mate(own[0].half, own[1].half);
       if (own.size() > 2) pair_wedges(low, around[0].high, own);
     }
@@ -127,7 +130,8 @@ class Sheets {
     std::vector<Blade> blades;
     for (const LabelHalf& h : own) {
       const Eigen::Vector3d to = spoke(h.half);
-      const double x = to.dot(u), y = to.dot(v), sine = y / (std::abs(x) + std::abs(y));
+      const double x = to.dot(u), y = to.dot(v), size = std::abs(x) + std::abs(y);
+      const double sine = size > 0 ? y / size : 0;  // flat triangles and points without a place too
       // Grows with the angle, as 0 to 4 for a full turn.
       blades.push_back({x < 0 ? 2 - sine : y < 0 ? 4 + sine : sine, h.half, origin_of(h.half) == high});
       pinched_.push_back({h.label, h.half});

@@ -1,37 +1,16 @@
 // The topology of every label of a complex, and which labels touch.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "types/surface_mesh.h"
+#include "types/topology_ledger.h"
 
 namespace voxtet {
 
-/// Betti numbers of one label's solid, from the closed surface around it.
-struct LabelTopology {
-  Label label = 0;
-  std::uint32_t components = 0;      ///< shells that enclose a positive volume
-  std::uint32_t cavities = 0;        ///< shells that enclose a negative volume
-  std::uint32_t handles = 0;         ///< sum of the shells' genera: tunnels through the solid
-  int euler = 0;                     ///< Euler number of the boundary: 2 (components + cavities - handles)
-  std::uint32_t pinched_edges = 0;   ///< edges with more than two of the label's triangles
-  std::uint32_t pinched_points = 0;  ///< points whose triangles of the label form more than one fan; ends of
-                                     ///< pinched edges are not counted for that alone
-  bool operator==(const LabelTopology&) const = default;
-};
-
-struct TopologyLedger {
-  std::vector<LabelTopology> labels;           ///< background left out; ascending
-  std::vector<std::array<Label, 2>> contacts;  ///< pairs of labels with a common triangle, lower first
-                                               ///< (background is 0); ascending
-  bool operator==(const TopologyLedger&) const = default;
-};
-
-/// Shells are components of the label's triangles over their edges; where a label touches itself (a pinched
-/// edge), triangles that bound the same wedge of the label belong together, so that a touch joins nothing.
-/// Linear time apart from sorting. `surface` must be closed for every label.
+/// Shells are components of the label's triangles over their edges. Where a label touches itself along a
+/// pinched edge, triangles that bound the same wedge of the label belong together, so that a touch joins
+/// nothing of the label: two boxes that share an edge or a point are two components, and a hook that closes
+/// on itself by a touch has no handle. Two cavities that share an edge are one. Linear time; small sorts
+/// only.
 TopologyLedger label_topology(const SurfaceMesh& surface);
 
 }  // namespace voxtet

@@ -1,10 +1,13 @@
 #include "pipeline/report.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <map>
 
 #include "geometry/digest.h"
 #include "pipeline/select_labels.h"
+#include "quality/compare_topology.h"
 
 namespace voxtet {
 namespace {
@@ -51,6 +54,28 @@ json metric_json(const MetricSummary& m) {
           {"worst", m.worst}};
 }
 
+json topology_json(const TopologyComparison& topology) {
+  const auto& [before, after, differences] = topology;
+  std::map<Label, std::array<LabelTopology, 2>> rows;
+  for (const LabelTopology& t : before.labels) rows[t.label][0] = t;
+  for (const LabelTopology& t : after.labels) rows[t.label][1] = t;
+  json labels = json::array(), texts = json::array();
+  for (const auto& [label, row] : rows) {
+    const auto& [b, a] = row;
+    labels.push_back({{"label", label},
+                      {"components", {b.components, a.components}},
+                      {"cavities", {b.cavities, a.cavities}},
+                      {"handles", {b.handles, a.handles}},
+                      {"euler", {b.euler, a.euler}},
+                      {"pinched_edges", a.pinched_edges},
+                      {"pinched_points", a.pinched_points}});
+  }
+  for (const TopologyDifference& d : differences) texts.push_back(in_words(d));
+  return {{"labels", labels},
+          {"contacts", {{"before", before.contacts}, {"after", after.contacts}}},
+          {"differences", texts}};
+}
+
 json fidelity_json(const QualityReport& report) {
   json labels = json::array();
   for (const LabelFidelity& f : report.labels)
@@ -65,7 +90,8 @@ json fidelity_json(const QualityReport& report) {
                       {"wished_edge_mm", f.wished_edge_mm}});
   return {{"labels", labels},
           {"mesh_to_surface", distance_json(report.mesh_to_surface)},
-          {"surface_to_mesh", distance_json(report.surface_to_mesh)}};
+          {"surface_to_mesh", distance_json(report.surface_to_mesh)},
+          {"topology", topology_json(report.topology)}};
 }
 
 json surface_counts(const SurfaceMesh& surface) {

@@ -6,9 +6,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "geometry/adjacency.h"
 #include "geometry/tet_measures.h"
-#include "geometry/union_find.h"
+#include "quality/compare_topology.h"
 
 namespace voxtet {
 namespace {
@@ -86,48 +85,6 @@ std::size_t count_unused_points(const TetMesh& mesh) {
   return static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
 }
 
-struct BoundaryFaults {
-  std::size_t open = 0, branching = 0, edges = 0;
-};
-
-/// Each label's boundary on its own: edges with an odd number of its faces, and with more than two.
-BoundaryFaults boundary_faults(const TetMesh& mesh, const std::vector<TetFace>& faces) {
-  std::vector<std::vector<Triangle>> boundary(65536);
-  for (const TetFace& face : faces) {
-    const Label first = mesh.labels[face.first];
-    const Label second = face.count > 1 ? mesh.labels[face.second] : kBackground;
-    if (first == second) continue;
-    boundary[first].push_back(face.corners);
-    if (second != kBackground) boundary[second].push_back(face.corners);
-  }
-  BoundaryFaults faults;
-  for (const std::vector<Triangle>& triangles : boundary) {
-    if (triangles.empty()) continue;
-    for (const EdgeUse& use : edge_uses(triangles, mesh.points.size())) {
-      ++faults.edges;
-      if (use.count % 2 == 1) ++faults.open;
-      if (use.count > 2) ++faults.branching;
-    }
-  }
-  return faults;
-}
-
-/// Number of components for each label (index), background left out.
-std::vector<std::uint32_t> count_by_label(UnionFind& components, const std::vector<Label>& labels) {
-  std::vector<std::uint32_t> counts(65536, 0);
-  for (std::uint32_t i = 0; i < components.size(); ++i)
-    if (labels[i] != kBackground && components.find(i) == i) ++counts[labels[i]];
-  return counts;
-}
-
-std::vector<std::uint32_t> mesh_components(const TetMesh& mesh, const std::vector<TetFace>& faces) {
-  UnionFind components(mesh.tets.size());
-  for (const TetFace& face : faces)
-    if (face.count > 1 && mesh.labels[face.first] == mesh.labels[face.second])
-      components.join(face.first, face.second);
-  return count_by_label(components, mesh.labels);
-}
-
 /// Whether a triangle's normal points away from a tetrahedron that it is a face of.
 bool points_away(const TetMesh& mesh, const Triangle& t, std::uint32_t tet) {
   for (const std::uint32_t apex : mesh.tets[tet])
@@ -137,7 +94,7 @@ bool points_away(const TetMesh& mesh, const Triangle& t, std::uint32_t tet) {
 }
 
 /// Faces that `mesh.faces` lacks, has twice or too many of, or that have other sides or point the other way.
-std::size_t count_wrong_faces(const TetMesh& mesh, const std::vector<TetFace>& tet_faces) {
+std::size_t count_wrong_faces(const TetMesh& mesh, std::span<const TetFace> tet_faces) {
   std::vector<std::pair<Triangle, std::size_t>> given;
   given.reserve(mesh.faces.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
@@ -184,73 +141,64 @@ std::vector<bool> thin_labels(const LabelVolume& volume) {
   return thin;
 }
 
-std::vector<std::uint32_t> voxel_components(const LabelVolume& volume) {
-  UnionFind components(volume.voxel_count());
-  for (int k = 0; k < volume.size[2]; ++k)
-    for (int j = 0; j < volume.size[1]; ++j)
-      for (int i = 0; i < volume.size[0]; ++i) {
-        const Label label = volume.at(i, j, k);
-        if (label == kBackground) continue;
-        const auto here = static_cast<std::uint32_t>(volume.offset(i, j, k));
-        for (const auto& [x, y, z] :
-             {std::array{i - 1, j, k}, std::array{i, j - 1, k}, std::array{i, j, k - 1}})
-          if (volume.at_or_background(x, y, z) == label)
-            components.join(here, static_cast<std::uint32_t>(volume.offset(x, y, z)));
-      }
-  return count_by_label(components, volume.labels);
+/// Joined by commas, the first few in full.
+std::string listed(const std::vector<std::string>& items, const char* none) {
+  constexpr std::size_t kShown = 8;
+  std::string text;
+  for (std::size_t i = 0; i < items.size() && i < kShown; ++i) text += (i == 0 ? "" : ", ") + items[i];
+  if (items.size() > kShown) text += " and " + std::to_string(items.size() - kShown) + " more";
+  return items.empty() ? none : text;
 }
 
 }  // namespace
 
-std::vector<ChecklistItem> check_mesh_alone(const TetMesh& mesh, double min_dihedral_deg) {
-  const std::vector<TetFace> faces = tet_faces(mesh.tets, mesh.points.size());
+std::vector<ChecklistItem> check_mesh_alone(const TetMesh& mesh, std::span<const TetFace> faces,
+                                            const TopologyLedger& ledger, double min_dihedral_deg) {
   const auto infinite = std::count_if(mesh.points.begin(), mesh.points.end(),
                                       [](const Eigen::Vector3d& p) { return !p.allFinite(); });
   const auto crowded =
       std::count_if(faces.begin(), faces.end(), [](const TetFace& f) { return f.count > 2; });
-  const BoundaryFaults faults = boundary_faults(mesh, faces);
+  std::uint64_t open = 0, edges = 0, points = 0;
+  for (const LabelTopology& t : ledger.labels) {
+    open += t.open_edges;
+    edges += t.pinched_edges;
+    points += t.pinched_points;
+  }
+  const std::string pinched = std::to_string(edges) + " edges, " + std::to_string(points) + " points";
   return {none_of("finite_coordinates", static_cast<std::size_t>(infinite), mesh.points.size()),
           none_of("no_inverted_tets", count_inverted(mesh), mesh.tets.size()),
           none_of("no_duplicate_points", count_duplicate_points(mesh), mesh.points.size()),
           none_of("no_duplicate_tets", count_duplicate_tets(mesh), mesh.tets.size()),
           none_of("no_unused_points", count_unused_points(mesh), mesh.points.size()),
           none_of("faces_on_at_most_two_tets", static_cast<std::size_t>(crowded), faces.size()),
-          none_of("label_boundaries_closed", faults.open, faults.edges),
-          none_of("label_boundaries_manifold", faults.branching, faults.edges, false),
+          {"label_boundaries_closed", open == 0, true, std::to_string(open) + " open edges", "0"},
+          {"label_boundaries_manifold", edges + points == 0, false, "pinched at " + pinched, "nowhere"},
           {"min_dihedral", min_dihedral_deg >= 10, false, shown(min_dihedral_deg) + " deg", ">= 10 deg"}};
 }
 
-std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, const LabelVolume& volume,
-                                                const std::vector<LabelFidelity>& fidelity) {
-  const std::vector<TetFace> faces = tet_faces(mesh.tets, mesh.points.size());
-  const std::vector<std::uint32_t> in_mesh = mesh_components(mesh, faces),
-                                   in_voxels = voxel_components(volume);
+std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, std::span<const TetFace> faces,
+                                                const LabelVolume& volume,
+                                                const std::vector<LabelFidelity>& fidelity,
+                                                const std::vector<TopologyDifference>& differences) {
   const std::vector<bool> thin = thin_labels(volume);
-  std::string wrong, split, off;
-  const auto add = [](std::string& list, const std::string& text) {
-    list += (list.empty() ? "" : ", ") + text;
-  };
+  std::vector<std::string> wrong, changed, off;
   for (const LabelFidelity& f : fidelity) {
     const std::string name = "label " + std::to_string(f.label);
-    if (f.tets == 0) add(wrong, name + " is missing");
-    if (f.voxels == 0) add(wrong, name + " is not in the voxels");
+    if (f.tets == 0) wrong.push_back(name + " is missing");
+    if (f.voxels == 0) wrong.push_back(name + " is not in the voxels");
     if (f.tets == 0 || f.voxels == 0) continue;
-    if (in_mesh[f.label] != in_voxels[f.label])
-      add(split, name + " has " + std::to_string(in_mesh[f.label]) + " instead of " +
-                     std::to_string(in_voxels[f.label]));
     if (std::abs(f.volume_error_percent) > (thin[f.label] || f.voxels < kSmallLabel ? 2 : 0.5))
-      add(off, name + " " + shown(f.volume_error_percent) + " %");
+      off.push_back(name + " " + shown(f.volume_error_percent) + " %");
   }
-  const auto found = [](const std::string& list, const char* fine) {
-    return list.empty() ? std::string(fine) : list;
-  };
   if (const auto count = std::count(mesh.labels.begin(), mesh.labels.end(), kBackground); count > 0)
-    add(wrong, std::to_string(count) + " tetrahedra of background");
+    wrong.push_back(std::to_string(count) + " tetrahedra of background");
+  for (const TopologyDifference& d : differences) changed.push_back(in_words(d));
   return {
       none_of("faces_match_tets", count_wrong_faces(mesh, faces), mesh.faces.size()),
-      {"labels_present", wrong.empty(), true, found(wrong, "those of the voxels"), "those of the voxels"},
-      {"components_per_label", split.empty(), false, found(split, "as in the voxels"), "as in the voxels"},
-      {"label_volumes", off.empty(), false, found(off, "all"), "within 0.5 %, or 2 % where small or thin"}};
+      {"labels_present", wrong.empty(), true, listed(wrong, "those of the voxels"), "those of the voxels"},
+      {"topology_kept", changed.empty(), false, listed(changed, "as the label surface"),
+       "components, cavities, handles and contacts as the label surface has them"},
+      {"label_volumes", off.empty(), false, listed(off, "all"), "within 0.5 %, or 2 % where small or thin"}};
 }
 
 }  // namespace voxtet

@@ -6,14 +6,11 @@
 #include <cmath>
 
 #include "geometry/adjacency.h"
-#include "geometry/closest_point.h"
 #include "geometry/tet_measures.h"
 #include "quality/summarise.h"
 
 namespace voxtet {
 namespace {
-
-constexpr double kMaxSamples = 400'000;
 
 /// Integer range of the coordinates d of four points, cut to [0, size).
 std::pair<int, int> range_of(const TetCorners& p, int d, int size) {
@@ -22,70 +19,6 @@ std::pair<int, int> range_of(const TetCorners& p, int d, int size) {
   const double high = std::max({p[0][d], p[1][d], p[2][d], p[3][d]});
   return {static_cast<int>(std::ceil(std::clamp(low, 0.0, static_cast<double>(size)))),
           static_cast<int>(std::floor(std::clamp(high, -1.0, static_cast<double>(size - 1))))};
-}
-
-struct Samples {
-  std::vector<Eigen::Vector3d> points;
-  std::vector<double> weights;
-  std::vector<double> reach_mm;  ///< from the sample to the farthest point of its sub-triangle
-};
-
-double longest_edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-  return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-}
-
-/// Rows of sub-triangles that a triangle is cut into.
-int rows_of(double longest, double spacing) {
-  return std::max(1, static_cast<int>(std::ceil(longest / spacing)));
-}
-
-/// The spacing asked for, or a larger one that needs at most kMaxSamples, or else one sample a triangle.
-double affordable_spacing(const TriangleSet& set, double spacing) {
-  std::vector<double> longest;
-  longest.reserve(set.triangles.size());
-  for (const auto& [i, j, k] : set.triangles)
-    longest.push_back(longest_edge(set.points[i], set.points[j], set.points[k]));
-  const double most = longest.empty() ? 0 : *std::max_element(longest.begin(), longest.end());
-  const double limit = std::max(kMaxSamples, static_cast<double>(longest.size()));
-  while (spacing < most) {
-    double samples = 0;
-    for (const double length : longest) {
-      const double rows = std::max(1.0, std::ceil(length / spacing));
-      samples += rows * rows;
-    }
-    if (samples <= limit) break;
-    spacing *= std::max(1.05, std::sqrt(samples / limit));
-  }
-  return spacing;
-}
-
-Samples sample(const TriangleSet& set, double spacing_mm) {
-  const double spacing = affordable_spacing(set, spacing_mm);
-  Samples out;
-  for (const auto& [i, j, k] : set.triangles) {
-    const Eigen::Vector3d &a = set.points[i], &b = set.points[j], &c = set.points[k];
-    const double longest = longest_edge(a, b, c);
-    const int n = rows_of(longest, spacing);
-    const double weight = 0.5 * (b - a).cross(c - a).norm() / (static_cast<double>(n) * n);
-    const Eigen::Vector3d u = (b - a) / n, v = (c - a) / n;
-    const Eigen::Vector3d centre = (a + b + c) / 3;
-    const double reach = std::sqrt(std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(),
-                                             (c - centre).squaredNorm()})) /
-                         n;
-    out.reach_mm.insert(out.reach_mm.end(), static_cast<std::size_t>(n) * static_cast<std::size_t>(n), reach);
-    for (int row = 0; row < n; ++row) {
-      for (int column = 0; column + row < n; ++column) {
-        const Eigen::Vector3d corner = a + row * u + column * v;
-        out.points.push_back(corner + (u + v) / 3);
-        out.weights.push_back(weight);
-        if (column + row + 1 < n) {
-          out.points.push_back(corner + (u + v) * (2.0 / 3));
-          out.weights.push_back(weight);
-        }
-      }
-    }
-  }
-  return out;
 }
 
 std::vector<float> lengths_of(const std::vector<Edge>& edges, const std::vector<Eigen::Vector3d>& points) {
@@ -163,40 +96,6 @@ std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume
     f.median_edge_mm = quantile(lengths, 0.5);
     f.wished_edge_mm = quantile(wished, 0.5);
     out.push_back(f);
-  }
-  return out;
-}
-
-DistanceSummary measure_distance(const TriangleSet& from, const TriangleSet& to, double spacing_mm) {
-  DistanceSummary out;
-  if (from.triangles.empty() || to.triangles.empty()) return out;
-  const ClosestPointTree tree(to.points, to.triangles);
-  const Samples samples = sample(from, spacing_mm);
-  std::vector<std::pair<float, float>> found;  // distance, weight
-  found.reserve(samples.points.size());
-  double sum = 0, squares = 0, area = 0, bound = 0;
-  std::uint32_t hint = 0;
-  for (std::size_t i = 0; i < samples.points.size(); ++i) {
-    const ClosestPointTree::Hit hit = tree.closest(samples.points[i], hint);
-    hint = hit.triangle;
-    sum += samples.weights[i] * hit.distance_mm;
-    squares += samples.weights[i] * hit.distance_mm * hit.distance_mm;
-    area += samples.weights[i];
-    out.max_mm = std::max(out.max_mm, hit.distance_mm);
-    // The distance to a surface changes by no more than the way gone.
-    bound = std::max(bound, hit.distance_mm + samples.reach_mm[i]);
-    found.emplace_back(static_cast<float>(hit.distance_mm), static_cast<float>(samples.weights[i]));
-  }
-  out.samples = found.size();
-  out.mean_mm = sum / area;
-  out.rms_mm = std::sqrt(squares / area);
-  out.uncertainty_mm = bound - out.max_mm;
-  std::sort(found.begin(), found.end());
-  double below = 0;
-  for (const auto& [distance, weight] : found) {
-    below += weight;
-    out.p95_mm = distance;
-    if (below >= 0.95 * area) break;
   }
   return out;
 }

@@ -5,16 +5,22 @@
 #include <limits>
 
 #include "geometry/adjacency.h"
+#include "geometry/label_topology.h"
 #include "geometry/tet_measures.h"
 #include "geometry/triangle_measures.h"
 #include "quality/checklist.h"
+#include "quality/compare_topology.h"
 #include "quality/fidelity.h"
 #include "quality/summarise.h"
+#include "quality/surface_distance.h"
 
 namespace voxtet {
 namespace {
 
 using Worst = MetricInfo::Worst;
+
+/// Of the largest distance, in units of the smallest voxel spacing.
+constexpr double kDistanceToleranceVoxels = 0.05;
 
 TetCorners corners_of(const TetMesh& mesh, const Tet& t) {
   return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};
@@ -157,15 +163,19 @@ bool has_places(const TetMesh& mesh) {
                      [](const Eigen::Vector3d& p) { return p.allFinite(); });
 }
 
-QualityReport report_of_mesh(const TetMesh& mesh, const SizingField* sizing, int bins) {
+/// The part of the report that needs the mesh alone, its ledger included.
+QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& faces,
+                             const SizingField* sizing, int bins) {
   QualityReport report;
+  report.topology.after = label_topology(label_boundary(mesh, faces));
   if (!has_places(mesh)) {
-    report.checklist = check_mesh_alone(mesh, std::numeric_limits<double>::quiet_NaN());
+    report.checklist =
+        check_mesh_alone(mesh, faces, report.topology.after, std::numeric_limits<double>::quiet_NaN());
     return report;
   }
   report.metrics = tet_metrics(mesh, bins);
   for (MetricSummary& m : edge_metrics(mesh, sizing, bins)) report.metrics.push_back(std::move(m));
-  report.checklist = check_mesh_alone(mesh, report.metrics.front().min);
+  report.checklist = check_mesh_alone(mesh, faces, report.topology.after, report.metrics.front().min);
   return report;
 }
 
@@ -181,7 +191,7 @@ Result<QualityReport> measure_mesh(const TetMesh& mesh, const QualityParams& par
   if (Status valid = check_params(params); !valid) return valid.error();
   if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
   if (ctx.cancelled()) return cancelled_error("quality");
-  return report_of_mesh(mesh, nullptr, params.histogram_bins);
+  return report_of_mesh(mesh, tet_faces(mesh.tets, mesh.points.size()), nullptr, params.histogram_bins);
 }
 
 Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReference& reference,
@@ -189,7 +199,8 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   if (Status valid = check_params(params); !valid) return valid.error();
   if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
   const int bins = params.histogram_bins;
-  QualityReport report = report_of_mesh(mesh, &reference.sizing, bins);
+  const std::vector<TetFace> faces = tet_faces(mesh.tets, mesh.points.size());
+  QualityReport report = report_of_mesh(mesh, faces, &reference.sizing, bins);
   if (!has_places(mesh)) return report;
   ctx.progress("quality", 0.3);
   if (ctx.cancelled()) return cancelled_error("quality");
@@ -204,18 +215,23 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
                                      after.min_angle, bins));
 
   report.labels = measure_labels(mesh, reference.volume, reference.sizing);
-  for (ChecklistItem& item : check_against_labels(mesh, reference.volume, report.labels))
+  TopologyComparison& topology = report.topology;
+  topology.before = label_topology(reference.label_surface);
+  topology.differences = compare_topology(topology.before, topology.after);
+  for (ChecklistItem& item :
+       check_against_labels(mesh, faces, reference.volume, report.labels, topology.differences))
     report.checklist.push_back(std::move(item));
   ctx.progress("quality", 0.6);
   if (ctx.cancelled()) return cancelled_error("quality");
 
-  const double spacing = params.sample_spacing_voxels * reference.volume.smallest_spacing_mm();
-  const TriangleSet faces{mesh.points, mesh.faces};
-  const TriangleSet labels{reference.label_surface.points, reference.label_surface.triangles};
-  report.mesh_to_surface = measure_distance(faces, labels, spacing);
-  ctx.progress("quality", 0.8);
-  if (ctx.cancelled()) return cancelled_error("quality");
-  report.surface_to_mesh = measure_distance(labels, faces, spacing);
+  const double voxel = reference.volume.smallest_spacing_mm();
+  Result<SurfaceDistances> distances = measure_distances(
+      {mesh.points, mesh.faces, mesh.face_sides},
+      {reference.label_surface.points, reference.label_surface.triangles, reference.label_surface.sides},
+      {params.sample_spacing_voxels * voxel, kDistanceToleranceVoxels * voxel}, ctx);
+  if (!distances) return distances.error();
+  report.mesh_to_surface = distances->forth;
+  report.surface_to_mesh = distances->back;
   return report;
 }
 

@@ -1,8 +1,10 @@
 #include "quality/summarise.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace voxtet {
 namespace {
@@ -13,6 +15,38 @@ std::size_t rank_of(double q, std::size_t count) {
   const double rank = std::ceil(q * static_cast<double>(count)) - 1;
   return static_cast<std::size_t>(std::clamp(rank, 0.0, static_cast<double>(count - 1)));
 }
+
+/// The values of given ranks among many: counts by the upper half of the bits, then orders only the values of
+/// the bucket that holds the rank.
+class Ranking {
+ public:
+  explicit Ranking(const std::vector<float>& values) : values_(values), ends_(65536, 0) {
+    for (const float value : values) ++ends_[bucket_of(value)];
+    for (std::size_t i = 1; i < ends_.size(); ++i) ends_[i] += ends_[i - 1];
+  }
+  /// `rank` below the number of values.
+  float at(std::size_t rank) const {
+    const auto bucket =
+        static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), rank) - ends_.begin());
+    std::vector<float> within;
+    for (const float value : values_)
+      if (bucket_of(value) == bucket) within.push_back(value);
+    const std::size_t before = bucket == 0 ? 0 : ends_[bucket - 1];
+    const auto place = within.begin() + static_cast<std::ptrdiff_t>(rank - before);
+    std::nth_element(within.begin(), place, within.end());
+    return *place;
+  }
+
+ private:
+  /// Grows with the value: of an IEEE float the bits do, once those of negative ones are turned around.
+  static std::size_t bucket_of(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value + 0.F);  // -0 as 0
+    return (bits >> 31 ? ~bits : bits | 0x80000000U) >> 16;
+  }
+
+  const std::vector<float>& values_;
+  std::vector<std::size_t> ends_;  ///< of each bucket among the values in order
+};
 
 Histogram histogram_of(const MetricInfo& info, const std::vector<float>& values, int bins) {
   Histogram histogram{info.lo, info.hi, std::vector<std::uint64_t>(static_cast<std::size_t>(bins), 0)};
@@ -54,17 +88,17 @@ MetricSummary summarise(const MetricInfo& info, const std::vector<float>& values
   out.name = info.name;
   out.unit = info.unit;
   out.elements = info.elements;
-  std::vector<float> sorted;
-  sorted.reserve(values.size());
-  std::copy_if(values.begin(), values.end(), std::back_inserter(sorted),
+  std::vector<float> numbers;
+  numbers.reserve(values.size());
+  std::copy_if(values.begin(), values.end(), std::back_inserter(numbers),
                [](float v) { return !std::isnan(v); });
-  out.count = sorted.size();
-  out.histogram = histogram_of(info, sorted, bins);
-  if (sorted.empty()) return out;
+  out.count = numbers.size();
+  out.histogram = histogram_of(info, numbers, bins);
+  if (numbers.empty()) return out;
   out.worst = worst_of(info, values);
   double sum = 0, squares = 0;
   std::size_t finite = 0;
-  for (const float value : sorted) {
+  for (const float value : numbers) {
     if (!std::isfinite(value)) continue;
     sum += value;
     squares += static_cast<double>(value) * value;
@@ -74,8 +108,7 @@ MetricSummary summarise(const MetricInfo& info, const std::vector<float>& values
     out.mean = sum / static_cast<double>(finite);
     out.sd = std::sqrt(std::max(0.0, squares / static_cast<double>(finite) - out.mean * out.mean));
   }
-  // Ascending quantiles, each search limited to what lies above the one before.
-  auto from = sorted.begin();
+  const Ranking ranking(numbers);
   for (const auto& [q, target] : {std::pair{0.0, &out.min},
                                   {0.001, &out.p01},
                                   {0.01, &out.p1},
@@ -83,12 +116,8 @@ MetricSummary summarise(const MetricInfo& info, const std::vector<float>& values
                                   {0.5, &out.median},
                                   {0.95, &out.p95},
                                   {0.99, &out.p99},
-                                  {1.0, &out.max}}) {
-    const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(rank_of(q, sorted.size()));
-    std::nth_element(from, at, sorted.end());
-    *target = *at;
-    from = at;
-  }
+                                  {1.0, &out.max}})
+    *target = ranking.at(rank_of(q, numbers.size()));
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "types/label_volume.h"
+#include "types/topology_ledger.h"
 
 namespace voxtet {
 
@@ -42,6 +43,20 @@ struct LabelFidelity {
   double wished_edge_mm = 0;  ///< median of the sizing field over the same edges' midpoints
 };
 
+/// One number in which two ledgers differ.
+struct TopologyDifference {
+  std::string what;  ///< a field of LabelTopology, or "label" or "contact": 1 where there is one, else 0
+  Label label = 0;
+  Label other = 0;  ///< of a contact
+  std::int64_t before = 0, after = 0;
+};
+
+struct TopologyComparison {
+  TopologyLedger before;  ///< of the label surface
+  TopologyLedger after;   ///< of the mesh
+  std::vector<TopologyDifference> differences;
+};
+
 struct ChecklistItem {
   std::string name;  ///< e.g. "no_inverted_tets"
   bool passed = false;
@@ -53,6 +68,7 @@ struct QualityReport {
   std::vector<MetricSummary> metrics;
   std::vector<LabelFidelity> labels;
   DistanceSummary mesh_to_surface, surface_to_mesh;  ///< mesh boundary against the label surface
+  TopologyComparison topology;
   std::vector<ChecklistItem> checklist;
 
   bool passed() const {

@@ -37,12 +37,5 @@ TEST(AddLabelFaces, FindsTheFacesBetweenLabelsOutwardFromTheGreater) {
   test::check_tets(mesh);
 }
 
-TEST(Adjacency, CountsTrianglesOnEachEdge) {
-  const std::vector<Triangle> fan{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
-  const Edge shared{0, 1};
-  for (const EdgeUse& use : edge_uses(fan, 5)) EXPECT_EQ(use.count, use.edge == shared ? 3U : 1U);
-  EXPECT_EQ(edge_uses(fan, 5).size(), 7U);
-}
-
 }  // namespace
 }  // namespace voxtet

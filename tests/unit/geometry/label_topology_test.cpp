@@ -18,7 +18,7 @@ namespace voxtet {
 void PrintTo(const LabelTopology& t, std::ostream* out) {
   *out << "label " << t.label << ": components " << t.components << ", cavities " << t.cavities
        << ", handles " << t.handles << ", euler " << t.euler << ", pinched edges " << t.pinched_edges
-       << ", pinched points " << t.pinched_points;
+       << ", pinched points " << t.pinched_points << ", open edges " << t.open_edges;
 }
 
 namespace {
@@ -27,7 +27,7 @@ using Contacts = std::vector<std::array<Label, 2>>;
 
 LabelTopology topology(Label label, std::uint32_t components, std::uint32_t cavities, std::uint32_t handles) {
   const int euler = 2 * (static_cast<int>(components + cavities) - static_cast<int>(handles));
-  return {label, components, cavities, handles, euler, 0, 0};
+  return {label, components, cavities, handles, euler, 0, 0, 0};
 }
 
 LabelTopology pinched(LabelTopology t, std::uint32_t edges, std::uint32_t points) {
@@ -133,6 +133,16 @@ TEST(LabelTopology, PairsThreeBladesOfOneEdgeByTheWedgesOfTheLabel) {
   SurfaceMesh solid = test::sphere({0, 0, 0.5}, 20, 2, 5, 0);
   test::append(solid, blades);
   EXPECT_EQ(lone(solid), pinched(topology(5, 1, 1, 0), 1, 0));
+}
+
+TEST(LabelTopology, CountsTheEdgesOfAHole) {
+  SurfaceMesh open = test::cells({3, 3, 3}, 1, [](int i, int, int) -> Label { return i == 0 ? 2 : 1; });
+  const auto outer = std::find(open.sides.begin(), open.sides.end(), Sides{1, 0}) - open.sides.begin();
+  open.triangles.erase(open.triangles.begin() + outer);
+  open.sides.erase(open.sides.begin() + outer);
+  const TopologyLedger ledger = label_topology(open);
+  EXPECT_EQ(ledger.labels[0].open_edges, 3U);
+  EXPECT_EQ(ledger.labels[1], topology(2, 1, 0, 0));
 }
 
 TEST(LabelTopology, OfNothingIsEmpty) {

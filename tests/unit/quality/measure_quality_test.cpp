@@ -10,6 +10,7 @@
 
 #include "quality/fidelity.h"
 #include "support/labelled_mesh.h"
+#include "support/test_surfaces.h"
 
 namespace voxtet {
 namespace {
@@ -105,7 +106,7 @@ TEST(MeasureQuality, IsExactOnAMeshMadeOfVoxels) {
   EXPECT_EQ(metric(*report, "dihedral_deg").count, 6 * mesh.tets.size());
 }
 
-TEST(MeasureQuality, NoticesALabelThatIsMissingSplitOrOfTheWrongSize) {
+TEST(MeasureQuality, NoticesALabelThatIsMissingOrOfTheWrongSize) {
   const TetMesh mesh = straight_cube(6);
   const SizingField sizing = constant_size(1);
   const SurfaceMesh surface = faces_of(mesh);
@@ -122,12 +123,29 @@ TEST(MeasureQuality, NoticesALabelThatIsMissingSplitOrOfTheWrongSize) {
             }),
             (std::vector<std::string>{"labels_present"}))
       << "label 7 of the mesh is in no voxel";
-  EXPECT_EQ(failures([](LabelVolume& v) { v.labels[v.offset(7, 7, 7)] = 300; }),
-            (std::vector<std::string>{"components_per_label"}));
   EXPECT_EQ(failures([](LabelVolume& v) {
               for (int i = 1; i < 4; ++i) v.labels[v.offset(i, 6, 6)] = 0;
             }),
             (std::vector<std::string>{"label_volumes"}));
+}
+
+TEST(MeasureQuality, NamesWhatTheMeshHasNotKeptOfTheLabelSurface) {
+  const TetMesh mesh = straight_cube(6);
+  const LabelVolume volume = cube_voxels(6);
+  const SizingField sizing = constant_size(1);
+  RunContext ctx;
+  // The surface has one more cell of label 300, apart from the rest, that the mesh lost.
+  SurfaceMesh surface = faces_of(mesh);
+  test::append(surface, test::sphere({50, 0, 0}, 1, 1, 300, 0));
+  const Result<QualityReport> report = measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx);
+  ASSERT_TRUE(report.ok());
+  EXPECT_EQ(failed(*report), (std::vector<std::string>{"topology_kept"}));
+  EXPECT_TRUE(report->passed()) << "a warning, not a failure";
+  for (const ChecklistItem& item : report->checklist)
+    if (item.name == "topology_kept") EXPECT_EQ(item.found, "label 300: components 2 -> 1");
+  EXPECT_EQ(report->topology.before.labels.size(), 3U);
+  EXPECT_EQ(report->topology.before.contacts, report->topology.after.contacts);
+  EXPECT_EQ(report->topology.differences.size(), 1U);
 }
 
 TEST(MeasureMesh, FailsExactlyTheItemThatIsBroken) {
@@ -266,10 +284,12 @@ TEST(MeasureMesh, CountsFlatTetsAndNearlyEqualPoints) {
       {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {1, 1e-10, 0}, {0, 1 + 1e-10, 1e-10}};
   near.tets = {{0, 1, 2, 3}, {0, 6, 5, 4}};
   near.labels = {1, 1};
-  EXPECT_EQ(failed(measured(near)), (std::vector<std::string>{"no_duplicate_points"}));
+  EXPECT_EQ(failed(measured(near)),
+            (std::vector<std::string>{"no_duplicate_points", "label_boundaries_manifold"}));
   near.points[5].x() += 1e-6;
   near.points[6].x() += 1e-6;
-  EXPECT_TRUE(failed(measured(near)).empty());
+  EXPECT_EQ(failed(measured(near)), (std::vector<std::string>{"label_boundaries_manifold"}))
+      << "the two share one corner";
 }
 
 TEST(MeasureMesh, SeesThreeTetsOnOneFace) {
@@ -306,50 +326,6 @@ TEST(MeasureMesh, RefusesIndicesOutOfRangeAndEmptyMeshes) {
   EXPECT_EQ(measure_mesh(TetMesh{}, {}, ctx).error().code, ErrorCode::kBadInput);
   ctx.on_cancelled = [] { return true; };
   EXPECT_EQ(measure_mesh(test::kuhn_cube(1), {}, ctx).error().code, ErrorCode::kCancelled);
-}
-
-/// A latitude-longitude sphere around the origin.
-SurfaceMesh sphere(double radius, std::uint32_t n) {
-  SurfaceMesh out;
-  for (std::uint32_t i = 0; i <= n; ++i)
-    for (std::uint32_t j = 0; j < 2 * n; ++j) {
-      const double theta = M_PI * i / n, phi = M_PI * j / n;
-      out.points.push_back(radius * Vector3d(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                                             std::cos(theta)));
-    }
-  for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t j = 0; j < 2 * n; ++j) {
-      const std::uint32_t a = i * 2 * n + j, b = i * 2 * n + (j + 1) % (2 * n);
-      if (i > 0) out.triangles.push_back({a, a + 2 * n, b});
-      if (i + 1 < n) out.triangles.push_back({b, a + 2 * n, b + 2 * n});
-    }
-  return out;
-}
-
-TEST(MeasureDistance, KnowsTheGapBetweenConcentricSpheres) {
-  const SurfaceMesh inner = sphere(10, 40), outer = sphere(11, 60);
-  const DistanceSummary d =
-      measure_distance({inner.points, inner.triangles}, {outer.points, outer.triangles}, 0.2);
-  EXPECT_NEAR(d.mean_mm, 1, 0.02);
-  EXPECT_NEAR(d.rms_mm, 1, 0.02);
-  EXPECT_GE(d.max_mm, d.p95_mm);
-  EXPECT_GE(d.p95_mm, d.mean_mm);
-  EXPECT_LE(d.uncertainty_mm, 0.2 * 2 / 3 + 1e-12);
-  EXPECT_GT(d.samples, 4 * M_PI * 100 / (0.2 * 0.2));
-}
-
-TEST(MeasureDistance, KeepsTheNumberOfSamplesInBounds) {
-  const SurfaceMesh inner = sphere(10, 20), outer = sphere(11, 20);
-  const DistanceSummary fine =
-      measure_distance({inner.points, inner.triangles}, {outer.points, outer.triangles}, 1e-3);
-  EXPECT_LE(fine.samples, 400'000U);
-  EXPECT_GT(fine.samples, 300'000U);
-  const DistanceSummary coarse =
-      measure_distance({inner.points, inner.triangles}, {outer.points, outer.triangles}, 99);
-  EXPECT_EQ(coarse.samples, inner.triangles.size());
-  EXPECT_GT(coarse.uncertainty_mm, 5 * fine.uncertainty_mm);
-  EXPECT_GT(fine.max_mm, coarse.max_mm);
-  EXPECT_LE(fine.max_mm, coarse.max_mm + coarse.uncertainty_mm) << "what lies between samples is covered";
 }
 
 TEST(Rasterise, GivesFlatTetsNoCentre) {

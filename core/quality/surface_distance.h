@@ -1,0 +1,40 @@
+// How far two labelled complexes are apart.
+#pragma once
+
+#include <vector>
+
+#include "types/quality_report.h"
+#include "types/result.h"
+#include "types/run_context.h"
+#include "types/surface_mesh.h"
+
+namespace voxtet {
+
+/// Triangles in mm with a label on each side.
+struct TriangleSet {
+  const std::vector<Eigen::Vector3d>& points;
+  const std::vector<Triangle>& triangles;
+  const std::vector<Sides>& sides;
+};
+
+struct DistanceParams {
+  double spacing_mm = 0.25;    ///< between samples, or more where that would take more than 250,000
+  double tolerance_mm = 0.05;  ///< how far the largest distance may be from the largest one found
+};
+
+struct SurfaceDistances {
+  DistanceSummary forth, back;
+};
+
+/// Area-weighted distances from `a` to `b` and back. The boundary of each label is measured to that of the
+/// same label, so that no other sheet nearby hides an error (an interface of two labels counts for both);
+/// where the other set lacks the label, to all of it. Mean, rms and p95 come from samples on a lattice of
+/// every triangle (its corners at least). The largest distance is searched by branch and bound: only pieces
+/// of triangles that could hold a larger one are divided, until none is left or 50,000 have been; what is
+/// left open is `uncertainty_mm`. Bounds: the distance to a surface changes by no more than the way gone, and
+/// that to one triangle is largest at a corner (Guthe, Borodin, Klein, "Fast and accurate Hausdorff distance
+/// calculation between meshes", WSCG 2005). A set without triangles gives zeros. Errors: kCancelled.
+Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleSet& b,
+                                           const DistanceParams& params, RunContext& ctx);
+
+}  // namespace voxtet
