@@ -1,6 +1,7 @@
 // Proof in floating point that vectors lie strictly on one side of some plane through the origin.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -35,8 +36,7 @@ bool in_open_half_space(const Vectors<N>& v, int steps = 8) {
     nx += v.x[i];
     ny += v.y[i];
     nz += v.z[i];
-    largest =
-        std::fmax(largest, std::fmax(std::fabs(v.x[i]), std::fmax(std::fabs(v.y[i]), std::fabs(v.z[i]))));
+    largest = std::max(largest, std::max(std::fabs(v.x[i]), std::max(std::fabs(v.y[i]), std::fabs(v.z[i]))));
   }
   nx /= N;
   ny /= N;
@@ -51,7 +51,7 @@ bool in_open_half_space(const Vectors<N>& v, int steps = 8) {
         at = i;
       }
     }
-    const double n_max = std::fmax(std::fabs(nx), std::fmax(std::fabs(ny), std::fabs(nz)));
+    const double n_max = std::max(std::fabs(nx), std::max(std::fabs(ny), std::fabs(nz)));
     if (least > kRoundings * n_max * largest + kUnderflow) return true;
     const double dx = nx - v.x[at], dy = ny - v.y[at], dz = nz - v.z[at];
     const double along = nx * dx + ny * dy + nz * dz, length2 = dx * dx + dy * dy + dz * dz;
