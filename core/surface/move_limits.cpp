@@ -6,25 +6,36 @@ namespace voxtet {
 namespace {
 
 constexpr double kOnEdge = 1e-3;  ///< voxels; other vertices are at least 1/6 from the middle of an edge
+constexpr int kMostTouching = 4;
+
+using Voxel = std::array<int, 3>;
+
+/// A voxel of a wire has its two neighbours along it, on a staircase two more; of a speck, fewer than that.
+/// The tip of a wedge or of a spur has at least five.
+bool is_slender(const Voxel& p, const VoxelRegions& regions) {
+  if (regions.around(p[0], p[1], p[2]).thin_axes == 0) return false;
+  const std::uint32_t own = regions.at(p[0], p[1], p[2]);
+  int touching = -1;
+  for (int k = p[2] - 1; k <= p[2] + 1; ++k)
+    for (int j = p[1] - 1; j <= p[1] + 1; ++j)
+      for (int i = p[0] - 1; i <= p[0] + 1; ++i) touching += regions.at(i, j, k) == own ? 1 : 0;
+  return touching <= kMostTouching;
+}
 
 std::uint8_t kind_of(const Eigen::Vector3d& start, const VoxelRegions& regions) {
-  std::array<int, 3> p{}, q{}, step{};
+  Voxel p{}, q{};
   for (std::size_t d = 0; d < 3; ++d) {
     const double twice = std::round(2 * start[static_cast<Eigen::Index>(d)]);
     if (std::abs(twice - 2 * start[static_cast<Eigen::Index>(d)]) > kOnEdge) return 0;
     p[d] = static_cast<int>(std::floor(twice / 2));
     q[d] = static_cast<int>(std::ceil(twice / 2));
-    step[d] = q[d] - p[d];
   }
-  const bool p_is_thin =
-      regions.at(p[0] - step[0], p[1] - step[1], p[2] - step[2]) != regions.at(p[0], p[1], p[2]);
-  const bool q_is_thin =
-      regions.at(q[0] + step[0], q[1] + step[1], q[2] + step[2]) != regions.at(q[0], q[1], q[2]);
+  const bool p_is_slender = is_slender(p, regions), q_is_slender = is_slender(q, regions);
   unsigned kind = 0;
   for (unsigned d = 0; d < 3; ++d) {
-    if (step[d] == 0) continue;
-    if (p_is_thin) kind |= 1U << d;
-    if (q_is_thin) kind |= 8U << d;
+    if (p[d] == q[d]) continue;
+    if (p_is_slender) kind |= 1U << d;
+    if (q_is_slender) kind |= 8U << d;
   }
   return static_cast<std::uint8_t>(kind);
 }

@@ -12,9 +12,9 @@ namespace voxtet {
 
 /// A box around the start of each vertex, in index space: `reach` in both directions of every index axis. A
 /// vertex on the lattice edge between voxels p and q does not go towards p along the axes of that edge where
-/// the region of p is only this one voxel thick along the edge, and the same for q: specks, wires and sheets
-/// one voxel thick keep the thickness they were extracted with. Vertices inside a lattice cell are bounded by
-/// `reach` alone.
+/// p is slender, that is, has no neighbour of its region along two axes at least, and the same for q: specks
+/// and wires one voxel thick keep the thickness they were extracted with. Vertices inside a lattice cell are
+/// bounded by `reach` alone.
 class MoveLimits {
  public:
   /// `start`: vertices of an extracted surface in index space, exact to a small fraction of a voxel.

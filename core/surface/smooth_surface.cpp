@@ -1,6 +1,7 @@
 #include "surface/smooth_surface.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <new>
 #include <string>
@@ -20,6 +21,7 @@ namespace {
 using Points = std::vector<Eigen::Vector3d>;
 
 constexpr int kCorrectionPasses = 2;
+constexpr int kStepsBetweenGuards = 10;
 
 Error failure(ErrorCode code, const std::string& message) {
   return {code, "smooth", message, {}};
@@ -91,21 +93,31 @@ Result<RegionSides> find_region_sides(const SurfaceMesh& surface, const Points& 
   return found;
 }
 
+/// Smoothing, and the guard after every few steps, so that a surface held at a voxel centre stays smooth
+/// around it. False when cancelled.
+bool smooth_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
+                    const SmoothParams& params, const RunContext& ctx, Points& x) {
+  BilaplacianSmoother smoother(graph, problem.start, problem.limits, params.step);
+  for (int done = 0; done < params.iterations; done += kStepsBetweenGuards) {
+    ctx.progress("smooth", 0.8 * done / params.iterations);
+    const Points safe = x;
+    if (!smoother.run(std::min(kStepsBetweenGuards, params.iterations - done), ctx, x)) return false;
+    guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
+  }
+  return true;
+}
+
 /// Volumes corrected and shapes guarded in turn: points that the guard took back leave their share of the
 /// correction to the others.
-void settle(const CorrectionProblem& problem, const SurfaceGraph& graph, bool keep_volume,
-            const RunContext& ctx, Points& x) {
+void correct_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
+                     const RunContext& ctx, Points& x) {
   Flags movable(x.size());
   for (std::size_t v = 0; v < x.size(); ++v) movable[v] = graph.kinds[v] == VertexKind::kSurface;
-  const auto guard = [&] {
-    const Flags back = guard_shape(problem.surface.triangles, problem.start, x, ctx);
-    for (std::size_t v = 0; v < x.size(); ++v) movable[v] = movable[v] && !back[v];
-  };
-  guard();
-  if (!keep_volume) return;
   for (int pass = 0; pass < kCorrectionPasses; ++pass) {
+    const Points safe = x;
     correct_volumes(problem, movable, x);
-    guard();
+    const Flags back = guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
+    for (std::size_t v = 0; v < x.size(); ++v) movable[v] = movable[v] && !back[v];
   }
 }
 
@@ -122,10 +134,11 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   if (!sides) return sides.error();
   const SurfaceGraph graph = build_surface_graph(surface);
   const MoveLimits limits(start, regions, params.max_move_voxels);
-  Points x = smooth_bilaplacian(graph, start, limits, params.iterations, params.step, ctx);
-  if (x.empty()) return cancelled_error("smooth");
   const double orientation = to_mm.determinant() < 0 ? -1 : 1;
-  settle({surface, *sides, regions.volumes(), start, limits, orientation}, graph, params.keep_volume, ctx, x);
+  const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
+  Points x = start;
+  if (!smooth_guarded(problem, regions, graph, params, ctx, x)) return cancelled_error("smooth");
+  if (params.keep_volume) correct_guarded(problem, regions, graph, ctx, x);
 
   SurfaceMesh out{std::move(x), surface.triangles, surface.sides};
   for (std::size_t v = 0; v < out.points.size(); ++v)

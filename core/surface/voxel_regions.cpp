@@ -93,4 +93,19 @@ VoxelRegions::VoxelRegions(const LabelVolume& volume, Label merged) : size_(volu
   }
 }
 
+VoxelRegions::Surroundings VoxelRegions::around(int i, int j, int k) const {
+  const std::uint32_t own = at(i, j, k);
+  const std::array<int, 3> along{
+      (at(i - 1, j, k) != own ? 1 : 0) + (at(i + 1, j, k) != own ? 1 : 0),
+      (at(i, j - 1, k) != own ? 1 : 0) + (at(i, j + 1, k) != own ? 1 : 0),
+      (at(i, j, k - 1) != own ? 1 : 0) + (at(i, j, k + 1) != own ? 1 : 0),
+  };
+  Surroundings found;
+  for (const int others : along) {
+    found.others += others;
+    found.thin_axes += others == 2 ? 1 : 0;
+  }
+  return found;
+}
+
 }  // namespace voxtet

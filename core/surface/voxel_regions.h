@@ -32,6 +32,13 @@ class VoxelRegions {
                           static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(k))];
   }
 
+  /// The six neighbours of a voxel.
+  struct Surroundings {
+    int others = 0;     ///< neighbours of another region
+    int thin_axes = 0;  ///< axes along which both neighbours are of another region
+  };
+  Surroundings around(int i, int j, int k) const;
+
  private:
   std::array<int, 3> size_;
   std::vector<std::uint32_t> of_voxel_;
