@@ -6,12 +6,12 @@ namespace voxtet {
 namespace {
 
 constexpr double kOnEdge = 1e-3;  ///< voxels; other vertices are at least 1/6 from the middle of an edge
-constexpr int kMostTouching = 4;
+constexpr int kMostTouching = 3;
 
 using Voxel = std::array<int, 3>;
 
-/// A voxel of a wire has its two neighbours along it, on a staircase two more; of a speck, fewer than that.
-/// The tip of a wedge or of a spur has at least five.
+/// A voxel of a straight wire touches the two along it; the tips of wedges and spurs, where smoothing must be
+/// free, touch more than three.
 bool is_slender(const Voxel& p, const VoxelRegions& regions) {
   if (regions.around(p[0], p[1], p[2]).thin_axes == 0) return false;
   const std::uint32_t own = regions.at(p[0], p[1], p[2]);

@@ -21,7 +21,7 @@ namespace {
 using Points = std::vector<Eigen::Vector3d>;
 
 constexpr int kCorrectionPasses = 2;
-constexpr int kStepsBetweenGuards = 10;
+constexpr int kStepsBetweenGuards = 25;
 
 Error failure(ErrorCode code, const std::string& message) {
   return {code, "smooth", message, {}};
