@@ -2,21 +2,26 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <new>
 #include <string>
 #include <vector>
 
+#include "geometry/untangle.h"
+#include "surface/bilaplacian.h"
+#include "surface/move_limits.h"
+#include "surface/shape_guard.h"
 #include "surface/surface_graph.h"
 #include "surface/volume_correction.h"
+#include "surface/voxel_regions.h"
 
 namespace voxtet {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr double kSmallestAreaRatio = 0.02;  ///< of a triangle's area before smoothing
-constexpr int kRestoreRounds = 6;
+constexpr int kCorrectionPasses = 2;
+constexpr int kStepsBetweenGuards = 25;
 
 Error failure(ErrorCode code, const std::string& message) {
   return {code, "smooth", message, {}};
@@ -41,83 +46,79 @@ Status check_input(const SurfaceMesh& surface, const LabelVolume& volume, const 
       if (v >= surface.points.size())
         return failure(ErrorCode::kBadInput, "a triangle names point " + std::to_string(v) + " of " +
                                                  std::to_string(surface.points.size()));
+  if (volume.labels.size() != volume.voxel_count())
+    return failure(ErrorCode::kBadInput, "the volume has " + std::to_string(volume.labels.size()) +
+                                             " labels, expected " + std::to_string(volume.voxel_count()));
   if (!volume.index_to_mm.allFinite() || !(volume.voxel_mm3() > 0))
     return failure(ErrorCode::kBadInput, "the volume's affine is singular or not finite");
   return std::monostate{};
 }
 
-/// L(x) at vertex v: mean of its neighbours minus itself.
-Eigen::Vector3d umbrella(const SurfaceGraph& graph, const Points& x, std::size_t v) {
-  const auto row = graph.of(v);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const std::uint32_t other : row) sum += x[other];
-  return sum / static_cast<double>(row.size()) - x[v];
+/// The only label of a surface against background, which may stand for several of the volume; background if
+/// there are more.
+Label only_label(const SurfaceMesh& surface) {
+  const Label label = surface.sides.front()[0];
+  for (const Sides& sides : surface.sides)
+    if (sides != Sides{label, kBackground}) return kBackground;
+  return label;
 }
 
-/// x <- clamp(x - step * L(L(x))). Returns false when cancelled.
-bool smooth_points(const SurfaceGraph& graph, const SmoothParams& params, const Points& start,
-                   const RunContext& ctx, Points& x) {
-  Points laplacian(x.size(), Eigen::Vector3d::Zero());
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(params.max_move_voxels);
-  for (int iteration = 0; iteration < params.iterations; ++iteration) {
-    if (ctx.cancelled()) return false;
-    ctx.progress("smooth", static_cast<double>(iteration) / (params.iterations + 1));
-    for (std::size_t v = 0; v < x.size(); ++v)
-      if (graph.kinds[v] != VertexKind::kFixed) laplacian[v] = umbrella(graph, x, v);
-    for (std::size_t v = 0; v < x.size(); ++v) {
-      if (graph.kinds[v] == VertexKind::kFixed) continue;
-      x[v] -= params.step * umbrella(graph, laplacian, v);
-      x[v] = x[v].cwiseMax(start[v] - reach).cwiseMin(start[v] + reach);
-    }
+/// Regions on both sides of each triangle: an equally labelled corner of the lattice cell it lies in.
+Result<RegionSides> find_region_sides(const SurfaceMesh& surface, const Points& start,
+                                      const VoxelRegions& regions, const std::array<int, 3>& size) {
+  RegionSides found(surface.triangles.size());
+  const Eigen::Vector3d last(size[0], size[1], size[2]);
+  for (std::size_t t = 0; t < found.size(); ++t) {
+    const Triangle& v = surface.triangles[t];
+    const Eigen::Vector3d cell = ((start[v[0]] + start[v[1]] + start[v[2]]) / 3).array().floor();
+    std::array<bool, 2> known{};
+    if ((cell.array() >= -1).all() && (cell.array() < last.array()).all())
+      for (int corner = 0; corner < 8; ++corner) {
+        const std::uint32_t region = regions.at(static_cast<int>(cell.x()) + (corner & 1),
+                                                static_cast<int>(cell.y()) + (corner >> 1 & 1),
+                                                static_cast<int>(cell.z()) + (corner >> 2));
+        for (std::size_t side = 0; side < 2; ++side)
+          if (regions.label(region) == surface.sides[t][side]) {
+            found[t][side] = region;
+            known[side] = true;
+          }
+      }
+    if (!known[0] || !known[1])
+      return failure(
+          ErrorCode::kBadInput,
+          "triangle " + std::to_string(t) + " lies between the labels " +
+              std::to_string(surface.sides[t][0]) + " and " + std::to_string(surface.sides[t][1]) +
+              ", which do not meet there in the volume: expected the volume it was extracted from");
+  }
+  return found;
+}
+
+/// Smoothing, and the guard after every few steps, so that a surface held at a voxel centre stays smooth
+/// around it. False when cancelled.
+bool smooth_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
+                    const SmoothParams& params, const RunContext& ctx, Points& x) {
+  BilaplacianSmoother smoother(graph, problem.start, problem.limits, params.step);
+  for (int done = 0; done < params.iterations; done += kStepsBetweenGuards) {
+    ctx.progress("smooth", 0.8 * done / params.iterations);
+    const Points safe = x;
+    if (!smoother.run(std::min(kStepsBetweenGuards, params.iterations - done), ctx, x)) return false;
+    guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
   }
   return true;
 }
 
-/// Specks and pillars one voxel thick would shrink to points and lines. Vertices of triangles that lost
-/// nearly all their area, or turned over, go half-way back to their start until none is left.
-void restore_collapsed(const SurfaceMesh& surface, const Points& start, Points& x) {
-  const auto cross = [&surface](const Points& points, std::size_t t) -> Eigen::Vector3d {
-    const Triangle& v = surface.triangles[t];
-    return (points[v[1]] - points[v[0]]).cross(points[v[2]] - points[v[0]]);
-  };
-  std::vector<bool> back(x.size());
-  for (int round = 0; round < kRestoreRounds; ++round) {
-    std::fill(back.begin(), back.end(), false);
-    bool any = false;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      const Eigen::Vector3d before = cross(start, t);
-      // The projection on the old normal falls below the ratio in either case.
-      if (cross(x, t).dot(before) >= kSmallestAreaRatio * before.squaredNorm()) continue;
-      any = true;
-      for (const std::uint32_t v : surface.triangles[t]) back[v] = true;
-    }
-    if (!any) return;
-    for (std::size_t v = 0; v < x.size(); ++v)
-      if (back[v]) x[v] = 0.5 * (x[v] + start[v]);
+/// Volumes corrected and shapes guarded in turn: points that the guard took back leave their share of the
+/// correction to the others.
+void correct_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
+                     const RunContext& ctx, Points& x) {
+  Flags movable(x.size());
+  for (std::size_t v = 0; v < x.size(); ++v) movable[v] = graph.kinds[v] == VertexKind::kSurface;
+  for (int pass = 0; pass < kCorrectionPasses; ++pass) {
+    const Points safe = x;
+    correct_volumes(problem, movable, x);
+    const Flags back = guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
+    for (std::size_t v = 0; v < x.size(); ++v) movable[v] = movable[v] && !back[v];
   }
-}
-
-/// Wanted volume by label, in voxels. A surface of one label may be that of all labels together.
-std::vector<double> voxel_volumes(const SurfaceMesh& surface, const LabelVolume& volume) {
-  Label largest = kBackground, only = kBackground;
-  bool several = false;
-  for (const Sides& sides : surface.sides)
-    for (const Label label : sides) {
-      largest = std::max(largest, label);
-      if (label == kBackground) continue;
-      several = several || (only != kBackground && label != only);
-      only = label;
-    }
-  for (const Label label : volume.labels) largest = std::max(largest, label);
-  std::vector<double> counts(static_cast<std::size_t>(largest) + 1, 0.0);
-  for (const Label label : volume.labels) counts[label] += 1;
-  counts[kBackground] = 0;
-  if (!several) {
-    double total = 0;
-    for (const double count : counts) total += count;
-    counts[only] = total;
-  }
-  return counts;
 }
 
 Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume& volume,
@@ -128,19 +129,22 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   Points start(surface.points.size());
   for (std::size_t v = 0; v < start.size(); ++v) start[v] = to_index * (surface.points[v] - origin);
 
+  const VoxelRegions regions(volume, only_label(surface));
+  const Result<RegionSides> sides = find_region_sides(surface, start, regions, volume.size);
+  if (!sides) return sides.error();
   const SurfaceGraph graph = build_surface_graph(surface);
+  const MoveLimits limits(start, regions, params.max_move_voxels);
+  const double orientation = to_mm.determinant() < 0 ? -1 : 1;
+  const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
   Points x = start;
-  if (!smooth_points(graph, params, start, ctx, x)) return cancelled_error("smooth");
-  restore_collapsed(surface, start, x);
-  if (params.keep_volume) {
-    const double orientation = to_mm.determinant() < 0 ? -1 : 1;
-    correct_volumes(surface, graph, voxel_volumes(surface, volume), orientation, params.max_move_voxels,
-                    start, x);
-  }
+  if (!smooth_guarded(problem, regions, graph, params, ctx, x)) return cancelled_error("smooth");
+  if (params.keep_volume) correct_guarded(problem, regions, graph, ctx, x);
+
   SurfaceMesh out{std::move(x), surface.triangles, surface.sides};
   for (std::size_t v = 0; v < out.points.size(); ++v)
     out.points[v] =
         out.points[v] == start[v] ? surface.points[v] : Eigen::Vector3d(to_mm * out.points[v] + origin);
+  if (untangle(out, surface.points, ctx).cancelled) return cancelled_error("smooth");
   ctx.progress("smooth", 1.0);
   return out;
 }

@@ -1,0 +1,47 @@
+// Points that go back towards their start wherever a triangle on them is not acceptable.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "types/surface_mesh.h"
+
+namespace voxtet {
+
+using Flags = std::vector<std::uint8_t>;  ///< 0 or 1 by index
+
+/// Keeps `triangles`, `start` and `points` by reference. Every point stays on the segment from its start to
+/// where it was at construction.
+class Retreat {
+ public:
+  Retreat(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& start,
+          std::vector<Eigen::Vector3d>& points);
+
+  /// Flags of the triangles with a corner away from its start.
+  Flags displaced() const;
+
+  /// The corners of the flagged triangles go halfway back, at the fifth time all the way; after every third
+  /// call their neighbourhood grows by a ring of triangles. On return those triangles are flagged that have a
+  /// corner which moved. Repeated until nothing is flagged this ends: at the latest with all points at their
+  /// start.
+  void step(Flags& flagged);
+
+  /// Points that went back, and how many steps there were.
+  std::size_t moved_back() const { return moved_back_; }
+  int steps() const { return steps_; }
+  bool went_back(std::size_t point) const { return halvings_[point] > 0; }
+
+ private:
+  Flags corners_of(const Flags& flagged) const;
+  Flags triangles_at(const Flags& moved) const;
+
+  const std::vector<Triangle>& triangles_;
+  const std::vector<Eigen::Vector3d>& start_;
+  std::vector<Eigen::Vector3d>& points_;
+  Flags halvings_;
+  std::size_t moved_back_ = 0;
+  int steps_ = 0;
+};
+
+}  // namespace voxtet
