@@ -136,10 +136,24 @@ void visit_fields(V& v, SizingParams& p) {
 template <class V>
 void visit_fields(V& v, RemeshParams& p) {
   v.choice({"method", "", 0, 0, "How the adapted surface is made."}, p.method,
-           Choices<RemeshMethod>{{"delaunay", RemeshMethod::kDelaunay}});
-  v.field({"facet_angle_deg", "deg", 0, 30, "Lower bound on the triangles' angles."}, p.facet_angle_deg);
-  v.field({"max_distance_voxels", "voxel", 0.02, 10, "Distance allowed between triangles and labels."},
+           Choices<RemeshMethod>{{"delaunay", RemeshMethod::kDelaunay}, {"remesh", RemeshMethod::kRemesh}});
+  v.choice({"keep_topology", "", 0, 0,
+            "What makes method delaunay give way to remesh: a lost or self-touching label, any change of "
+            "topology, or nothing."},
+           p.keep_topology,
+           Choices<KeepTopology>{{"labels", KeepTopology::kLabels},
+                                 {"all", KeepTopology::kAll},
+                                 {"nothing", KeepTopology::kNothing}});
+  v.field({"facet_angle_deg", "deg", 0, 30, "delaunay: lower bound on the triangles' angles."},
+          p.facet_angle_deg);
+  v.field({"max_distance_voxels", "voxel", 0.02, 10, "delaunay: distance allowed from triangles to labels."},
           p.max_distance_voxels);
+  v.choice({"schedule", "", 0, 0, "remesh: adaptive, or the paper's coarsen, refine, optimise."}, p.schedule,
+           Choices<remesh::AdaptSchedule>{{"adaptive", remesh::AdaptSchedule::kAdaptive},
+                                          {"paper", remesh::AdaptSchedule::kPaper}});
+  v.field({"shape_weight", "", 0, 1, "remesh: weight of shape against size when points are moved."},
+          p.shape_weight);
+  v.field({"verify", "", 0, 0, "remesh: check every operation for intersections; slow."}, p.verify);
 }
 
 template <class V>

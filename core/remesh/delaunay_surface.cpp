@@ -64,8 +64,8 @@ std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells) {
 }
 
 /// Adds points where the surface misses the reference or a label touches itself; how many.
-std::size_t repair(DelaunayRefiner& refiner, const CellComplex& cells, const std::vector<Eigen::Vector3d>& missed,
-                   double voxel_mm) {
+std::size_t repair(DelaunayRefiner& refiner, const CellComplex& cells,
+                   const std::vector<Eigen::Vector3d>& missed, double voxel_mm) {
   std::size_t added = refiner.insert(missed, kRepairSeparation * voxel_mm);
   for (const InterfaceFacet& facet : facets_at_pinches(cells))
     added += refiner.request(facet.cell, facet.corner, kLeastPinchRadius * voxel_mm);
@@ -75,7 +75,8 @@ std::size_t repair(DelaunayRefiner& refiner, const CellComplex& cells, const std
 }  // namespace
 
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
-                                     const SizingField& sizing, const DelaunayParams& params, RunContext& ctx) {
+                                     const SizingField& sizing, const DelaunayParams& params,
+                                     RunContext& ctx) {
   const double voxel = field.smallest_spacing_mm();
   const Seeds seeds = seed_interfaces(field, sizing);
   if (ctx.cancelled()) return cancelled_error("remesh");

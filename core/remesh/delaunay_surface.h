@@ -19,6 +19,7 @@ struct DelaunayParams {
 /// the label surface the field was made of, was missed, for a few rounds. Facets are a subset of one Delaunay
 /// triangulation until the fit, which is taken back where it would make them intersect. Errors: kCancelled.
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
-                                     const SizingField& sizing, const DelaunayParams& params, RunContext& ctx);
+                                     const SizingField& sizing, const DelaunayParams& params,
+                                     RunContext& ctx);
 
 }  // namespace voxtet::remesh

@@ -32,8 +32,8 @@ double mean_distance(const SurfaceMesh& surface, std::size_t t, const LabelField
 double sharpest_cosine(const Vector3d& p, const Vector3d& q, const Vector3d& r) {
   const Vector3d u = q - p, v = r - q, w = p - r;
   const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = w.squaredNorm();
-  return std::max({-u.dot(w) / std::sqrt(uu * ww), -u.dot(v) / std::sqrt(uu * vv),
-                   -v.dot(w) / std::sqrt(vv * ww)});
+  return std::max(
+      {-u.dot(w) / std::sqrt(uu * ww), -u.dot(v) / std::sqrt(uu * vv), -v.dot(w) / std::sqrt(vv * ww)});
 }
 
 /// Halves the shifts of a triangle that would make it thinner than before and than kLeastPlanar, in the last

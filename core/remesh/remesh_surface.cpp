@@ -7,18 +7,10 @@
 #include <new>
 #include <stdexcept>
 
-#include <chrono>
-#include "remesh/drop_fragments.h"
-#include "remesh/extract_interface.h"
-#include "remesh/fit_surface.h"
-#include "remesh/interface_edges.h"
+#include "geometry/label_topology.h"
+#include "remesh/adapt_complex.h"
+#include "remesh/delaunay_surface.h"
 #include "remesh/label_field.h"
-#include "remesh/mend_pinches.h"
-#include "remesh/missed_places.h"
-#include "remesh/refine_delaunay.h"
-#include "remesh/relabel_cells.h"
-#include "remesh/seed_interfaces.h"
-#include "remesh/topology_ledger.h"
 
 namespace voxtet {
 namespace {
@@ -26,21 +18,6 @@ namespace {
 using namespace remesh;
 
 const char* const kStage = "remesh";
-/// Measured on hearts, aorta and spheres: the median edge of a refined surface is 1.30 times the largest
-/// radius allowed for the surface Delaunay balls.
-constexpr double kEdgePerRadius = 1.30;
-constexpr int kRepairRounds = 3;
-constexpr double kLeastPinchVoxels = 0.3;
-constexpr double kMissedVoxels = 0.45;
-constexpr double kSeparation = 0.5, kSeedSeparation = 0.25;
-void pinch(const char* w, const CellComplex& c) {
-  auto e = find_interface_edges(c);
-  printf("   %s: edges %zu points %zu\n", w, find_pinched_edges(c, e).size(),
-         find_pinched_points(c, e).size());
-}
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 Error bad_input(const std::string& message) {
   return {ErrorCode::kBadInput, kStage, message, {}};
@@ -69,118 +46,6 @@ Status check_volume(const LabelVolume& volume) {
   if (std::all_of(volume.labels.begin(), volume.labels.end(), [](Label l) { return l == kBackground; }))
     return bad_input("volume has no voxel with a label other than 0: there is nothing to mesh");
   return std::monostate{};
-}
-
-Status check_parameters(const SizingField& sizing, const RemeshParams& params) {
-  const std::size_t count = static_cast<std::size_t>(std::max(0, sizing.size[0])) *
-                            static_cast<std::size_t>(std::max(0, sizing.size[1])) *
-                            static_cast<std::size_t>(std::max(0, sizing.size[2]));
-  if (count == 0 || sizing.h_mm.size() != count)
-    return bad_input("sizing.h_mm holds " + std::to_string(sizing.h_mm.size()) + " values; expected " +
-                     std::to_string(count) + ", at least 1");
-  for (const float h : sizing.h_mm)
-    if (!(h > 0) || !std::isfinite(h))
-      return bad_input("sizing.h_mm holds " + number(h) + "; expected h > 0");
-  if (!(params.facet_angle_deg >= 0 && params.facet_angle_deg <= 30))
-    return bad_input("facet_angle_deg is " + number(params.facet_angle_deg) +
-                     "; expected 0 to 30, beyond which refinement need not end");
-  if (!(params.max_distance_voxels >= 0.01))
-    return bad_input("max_distance_voxels is " + number(params.max_distance_voxels) +
-                     "; expected at least 0.01");
-  return std::monostate{};
-}
-
-struct Outcome {
-  CellComplex cells;
-  SurfaceMesh surface;
-  bool cancelled = false;
-};
-
-Outcome refine_until_followed(const LabelField& field, const SurfaceMesh& reference,
-                              const SizingField& sizing, const RemeshParams& params, const Seeds& seeds,
-                              RunContext& ctx) {
-  const double voxel = field.smallest_spacing_mm();
-  RefineCriteria criteria;
-  criteria.facet_angle_deg = params.facet_angle_deg;
-  criteria.max_distance_mm = params.max_distance_voxels * voxel;
-  criteria.radius_per_edge = 1 / kEdgePerRadius;
-  DelaunayRefiner refiner(field, sizing, criteria);
-  Outcome out;
-  refiner.insert(seeds.points, kSeedSeparation * voxel);
-  for (int round = 0;; ++round) {
-    out.cancelled =
-        !refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count())));
-    if (out.cancelled) return out;
-    double T0 = now();
-    out.cells = refiner.cells();
-    double T1 = now();
-    auto nf = drop_fragments(out.cells, field);
-    pinch("refined", out.cells);
-    relabel_cells(out.cells);
-    pinch("relabelled", out.cells);
-    double T2 = now();
-    auto nm = mend_pinches(out.cells, field);
-    double T3 = now();
-    pinch("mended", out.cells);
-    auto nf2 = drop_fragments(out.cells, field);
-    printf("  fragments %zu %zu\n", nf, nf2);
-    out.surface = extract_interface(out.cells);
-    fit_surface(out.surface, field);
-    double T4 = now();
-    const std::vector<Eigen::Vector3d> missed =
-        missed_places(reference, out.surface, field, kMissedVoxels * voxel, kSeparation * voxel);
-    double T5 = now();
-    printf(
-        "  round %d: vertices %zu missed %zu mended %zu  t cells %.3f relabel %.3f mend %.3f fit %.3f missed "
-        "%.3f\n",
-        round, refiner.vertex_count(), missed.size(), nm, T1 - T0, T2 - T1, T3 - T2, T4 - T3, T5 - T4);
-    if (round == kRepairRounds) return out;
-    std::size_t added = refiner.insert(missed, kSeparation * voxel);
-    for (const InterfaceFacet& facet : facets_at_pinches(out.cells))
-      added += refiner.request(facet.cell, facet.corner, kLeastPinchVoxels * voxel);
-    if (added == 0) return out;
-  }
-}
-
-/// An error if a label of the field has no cell; its `where` holds voxel centres of the lost labels.
-Status check_labels(const LabelField& field, const CellComplex& cells) {
-  std::vector<std::uint8_t> meshed(65536, 0);
-  for (const Label label : cells.labels) meshed[label] = 1;
-  Error error{ErrorCode::kMeshing, kStage, "", {}};
-  std::size_t voxel = 0;
-  for (int k = 0; k < field.size()[2]; ++k)
-    for (int j = 0; j < field.size()[1]; ++j)
-      for (int i = 0; i < field.size()[0]; ++i, ++voxel) {
-        const Label label = field.centre_labels()[voxel];
-        if (meshed[label]) continue;
-        meshed[label] = 1;
-        error.message += (error.message.empty() ? "label " : ", ") + std::to_string(label);
-        error.where.points.push_back(field.to_mm(Eigen::Vector3d(i, j, k)));
-      }
-  if (error.message.empty()) return std::monostate{};
-  error.message +=
-      ": in the volume, but lost in the surface; expected every label to have a boundary. "
-      "A smaller edge length there may keep it";
-  return error;
-}
-
-void warn_about_topology(const Seeds& seeds, const Outcome& outcome, RunContext& ctx) {
-  std::vector<std::uint32_t> expected(65536, 0);
-  for (const Label label : seeds.component_labels) ++expected[label];
-  const std::vector<std::uint32_t> found = count_components(outcome.cells);
-  std::string differing;
-  for (std::size_t label = 0; label < expected.size(); ++label)
-    if (expected[label] != found[label])
-      differing += (differing.empty() ? "" : "; ") + std::string("label ") + std::to_string(label) + ": " +
-                   std::to_string(expected[label]) + " in the volume, " + std::to_string(found[label]) +
-                   " in the surface";
-  if (!differing.empty()) ctx.warn(kStage, "connected components differ: " + differing);
-  const InterfaceEdges edges = find_interface_edges(outcome.cells);
-  const std::size_t pinched_edges = find_pinched_edges(outcome.cells, edges).size();
-  const std::size_t pinched_points = find_pinched_points(outcome.cells, edges).size();
-  if (pinched_edges + pinched_points > 0)
-    ctx.warn(kStage, "the boundary of a label touches itself at " + std::to_string(pinched_edges) +
-                         " edges and " + std::to_string(pinched_points) + " points");
 }
 
 void warn_about_sizes(const SurfaceMesh& surface, const SizingField& sizing, RunContext& ctx) {
@@ -212,24 +77,55 @@ RunContext with_rising_progress(const RunContext& ctx) {
   return rising;
 }
 
-Result<SurfaceMesh> remesh_delaunay(const LabelVolume& volume, const SurfaceMesh& reference,
-                                    const SizingField& sizing, const RemeshParams& params, RunContext& ctx) {
+/// Why a surface is not good enough to be kept instead of one with the reference's exact topology; empty if
+/// it is.
+std::string broken_topology(const TopologyLedger& wanted, const TopologyLedger& found, KeepTopology keep) {
+  if (keep == KeepTopology::kNothing || wanted == found) return {};
+  std::string lost, pinched;
+  const auto name = [](std::string& list, Label label) {
+    list += (list.empty() ? "" : ", ") + std::to_string(label);
+  };
+  for (const LabelTopology& label : wanted.labels) {
+    const auto same = std::find_if(found.labels.begin(), found.labels.end(),
+                                   [&](const LabelTopology& other) { return other.label == label.label; });
+    if (same == found.labels.end())
+      name(lost, label.label);
+    else if (same->pinched_edges + same->pinched_points > label.pinched_edges + label.pinched_points)
+      name(pinched, label.label);
+  }
+  if (!lost.empty()) return "lost label " + lost;
+  if (!pinched.empty()) return "left the boundary touching itself of label " + pinched;
+  return keep == KeepTopology::kAll ? "changed pieces, holes or contacts of labels" : "";
+}
+
+Result<SurfaceMesh> adapt(const LabelVolume& volume, const SurfaceMesh& reference, const SizingField& sizing,
+                          const RemeshParams& params, RunContext& ctx) {
+  AdaptParams adapt;
+  adapt.schedule = params.schedule;
+  adapt.voxel_mm = volume.spacing_mm().minCoeff();
+  adapt.shape_weight = params.shape_weight;
+  adapt.verify = params.verify;
+  return adapt_complex(reference, sizing, adapt, ctx);
+}
+
+Result<SurfaceMesh> remesh(const LabelVolume& volume, const SurfaceMesh& reference, const SizingField& sizing,
+                           const RemeshParams& params, RunContext& ctx) {
   ctx.progress(kStage, 0);
+  if (params.method == RemeshMethod::kRemesh) return adapt(volume, reference, sizing, params, ctx);
   const LabelField field(volume, reference);
   if (ctx.cancelled()) return cancelled_error(kStage);
   ctx.progress(kStage, 0.08);
-  double T0 = now();
-  const Seeds seeds = seed_interfaces(field, sizing, {});
-  printf("  seeds %zu %.3f s\n", seeds.points.size(), now() - T0);
-  if (ctx.cancelled()) return cancelled_error(kStage);
-  Outcome outcome = refine_until_followed(field, reference, sizing, params, seeds, ctx);
-  if (outcome.cancelled) return cancelled_error(kStage);
-  if (Status labels = check_labels(field, outcome.cells); !labels) return labels.error();
-  SurfaceMesh surface = std::move(outcome.surface);
-  warn_about_topology(seeds, outcome, ctx);
-  warn_about_sizes(surface, sizing, ctx);
-  ctx.progress(kStage, 1);
-  return surface;
+  Result<SurfaceMesh> surface =
+      delaunay_surface(field, reference, sizing, {params.facet_angle_deg, params.max_distance_voxels}, ctx);
+  if (!surface) return surface;
+  const std::string broken =
+      broken_topology(label_topology(reference), label_topology(*surface), params.keep_topology);
+  if (broken.empty()) {
+    ctx.note(kStage, "method delaunay");
+    return surface;
+  }
+  ctx.warn(kStage, "the method delaunay " + broken + ": the method remesh was taken instead");
+  return adapt(volume, reference, sizing, params, ctx);
 }
 
 }  // namespace
@@ -240,7 +136,12 @@ Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh&
   if (Status status = check_parameters(sizing, params); !status) return status.error();
   try {
     RunContext rising = with_rising_progress(ctx);
-    return remesh_delaunay(volume, reference, sizing, params, rising);
+    Result<SurfaceMesh> surface = remesh(volume, reference, sizing, params, rising);
+    if (surface) {
+      warn_about_sizes(*surface, sizing, ctx);
+      ctx.progress(kStage, 1);
+    }
+    return surface;
   } catch (const std::bad_alloc&) {
     return Error{
         ErrorCode::kOutOfMemory, kStage, "not enough memory to refine the surface to the wished size", {}};

@@ -1,6 +1,7 @@
 // The adapted surface: the label boundaries triangulated to the sizing field.
 #pragma once
 
+#include "remesh/adapt_complex.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"
@@ -10,29 +11,37 @@
 namespace voxtet {
 
 enum class RemeshMethod {
-  kDelaunay,  ///< restricted Delaunay refinement: free of self-intersections by construction
+  kDelaunay,  ///< restricted Delaunay refinement of the field of the labels' distances
+  kRemesh,    ///< local operations on the label surface itself, each keeping topology and embedding
+};
+
+/// When a surface of method delaunay is given up for one of method remesh, which keeps all topology.
+enum class KeepTopology {
+  kLabels,   ///< when a label is lost or its boundary touches itself
+  kAll,      ///< when pieces, cavities, handles or contacts of any label differ from the label surface's
+  kNothing,  ///< never
 };
 
 struct RemeshParams {
   RemeshMethod method = RemeshMethod::kDelaunay;
-  double facet_angle_deg = 30;  ///< lower bound on the planar angles; 0 to 30
+  KeepTopology keep_topology = KeepTopology::kLabels;
+  double facet_angle_deg = 30;  ///< delaunay: lower bound on the planar angles; 0 to 30
   double max_distance_voxels =
-      0.25;  ///< facet to label field, in units of the smallest spacing; at least 0.01
+      0.5;  ///< delaunay: facet to label field, in units of the smallest spacing; at least 0.01
+  remesh::AdaptSchedule schedule = remesh::AdaptSchedule::kAdaptive;  ///< remesh: order of operations
+  double shape_weight = 0.6;  ///< remesh: relocation, from sizes alone (0) to shapes alone (1)
+  bool verify = false;        ///< remesh: look for intersections after every operation (slow)
 };
 
-/// Restricted Delaunay triangulation of the interfaces between all labels (background included) of the
-/// smoothed label field, facets sized by `sizing` (median edge = wish). Conforming between any number of
-/// labels, closed for each, free of self-intersections. Planar angles stay above facet_angle_deg except at
-/// the few facets that the relabelling of sharp wedges exposes (above 24 degrees in every case measured).
+/// The interfaces between all labels (background included) triangulated to the sizing field (median edge =
+/// wish): conforming between any number of labels, closed for each, free of self-intersections.
+/// `label_surface` is the smoothed boundary complex of the labels of `volume`; it defines the shape. Planar
+/// angles stay above about facet_angle_deg (delaunay) or 18 degrees (remesh). Where fidelity or a narrow
+/// place demands it, triangles are smaller than wished: a warning tells the share. A note tells the method
+/// taken, a warning that and why the other one had to help out.
 ///
-/// Where max_distance_voxels or a wall narrower than the wish demands it, facets are smaller than wished: a
-/// warning tells the share. Components of the labels keep the voxels' topology before meshing (see
-/// label_field.h); warnings tell how many vanished as specks of fewer than 8 voxels, where the surface's
-/// components differ from the volume's, and where the boundary of a label touches itself.
-///
-/// Errors: kBadInput for malformed values; kMeshing, with a voxel centre of each, when labels are lost;
-/// kCancelled; kOutOfMemory.
-Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& surface,
+/// Errors: kBadInput for malformed values; kCancelled; kOutOfMemory.
+Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& label_surface,
                                    const SizingField& sizing, const RemeshParams& params, RunContext& ctx);
 
 }  // namespace voxtet

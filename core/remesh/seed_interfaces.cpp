@@ -135,8 +135,7 @@ class PointBuckets {
 
 }  // namespace
 
-Seeds seed_interfaces(const LabelField& field, const SizingField& sizing,
-                      const std::vector<std::uint8_t>& denser) {
+Seeds seed_interfaces(const LabelField& field, const SizingField& sizing) {
   Seeds out;
   std::vector<Crossing> crossings = find_crossings(field, out);
   const std::array<int, 3>& size = field.size();
@@ -166,8 +165,6 @@ Seeds seed_interfaces(const LabelField& field, const SizingField& sizing,
                      crossings.begin() + static_cast<std::ptrdiff_t>(end));
     const std::array<std::uint32_t, 2> pair{static_cast<std::uint32_t>(crossings[begin].pair >> 32),
                                             static_cast<std::uint32_t>(crossings[begin].pair)};
-    double spacing = kSeedSpacing;
-    if (!denser.empty()) spacing /= 1 << std::max(denser[pair[0]], denser[pair[1]]);
     std::size_t found = 0;
     double shrink = 1;
     for (int round = 0; round <= kShrinkRounds && (round == 0 || found < kEnough); ++round, shrink *= kShrink)
@@ -176,7 +173,7 @@ Seeds seed_interfaces(const LabelField& field, const SizingField& sizing,
         const Eigen::Vector3d step = Eigen::Vector3d::Unit(crossings[c].axis);
         const double h = sizing.at(field.to_mm(index + 0.5 * step));
         if (round == 0) out.predicted_vertices += kVerticesPerArea * facet_mm2[crossings[c].axis] / (h * h);
-        const double distance = spacing * h * shrink;
+        const double distance = kSeedSpacing * h * shrink;
         if (buckets.occupied(field.to_mm(index + 0.5 * step), group, distance, 0)) continue;
         const Eigen::Vector3d a = field.to_mm(index), b = field.to_mm(index + step);
         const Label label_a = field.at(a), label_b = field.at(b);

@@ -20,10 +20,8 @@ struct Seeds {
 };
 
 /// Poisson-spaced points (kSeedSpacing wished edge lengths apart) on the interface of every pair of touching
-/// 6-connected components, at least eight each where the lattice offers as many. Fixed order. `denser`
-/// (empty, or one value per component) halves the spacing on a component's interfaces that many times.
-Seeds seed_interfaces(const LabelField& field, const SizingField& sizing,
-                      const std::vector<std::uint8_t>& denser);
+/// 6-connected components, at least eight each where the lattice offers as many. Fixed order.
+Seeds seed_interfaces(const LabelField& field, const SizingField& sizing);
 
 inline constexpr double kSeedSpacing = 2.5;
 
