@@ -1,0 +1,220 @@
+#include "remesh/adapt_complex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numeric>
+
+#include "remesh/complex_editor.h"
+#include "remesh/local_operations.h"
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr double kLongest = 4.0 / 3, kShortest = 4.0 / 5;  ///< wished lengths
+constexpr double kCreaseCosine = 0.5;                      ///< 60 degrees
+constexpr double kGapShare = 0.25;
+constexpr double kPoorCosine = 0.9;  ///< 26 degrees: planar angles below this are polished
+constexpr const char* kStage = "remesh";
+
+double cosine_of_deg(double deg) {
+  return std::cos(deg * (EIGEN_PI / 180));
+}
+
+struct Edge {
+  std::uint32_t a, b;
+  double length;
+};
+
+/// The passes over the complex, each in the order of vertices or triangles.
+class Adapter {
+ public:
+  Adapter(const SurfaceMesh& reference, const SizingField& sizing, const AdaptParams& params, RunContext& ctx)
+      : params_(params), ctx_(ctx), editor_(reference, sizing), operations_(editor_) {
+    operations_.shape_weight = params.shape_weight;
+    EditLimits& limits = editor_.limits;
+    limits.reach_mm = params.envelope_voxels * params.voxel_mm;
+    limits.lattice_mm = 0.9 * params.voxel_mm;
+    limits.angle_cosine = cosine_of_deg(params.min_angle_deg);
+    limits.crease_cosine = std::min(kCreaseCosine, cosine_of_deg(params.min_dihedral_deg));
+    limits.junction_cosine = cosine_of_deg(params.min_dihedral_deg);
+    limits.verify = params.verify;
+  }
+
+  /// False when cancelled.
+  bool run() { return params_.schedule == AdaptSchedule::kAdaptive ? run_adaptive() : run_paper(); }
+  SurfaceMesh surface() const { return editor_.mesh().to_surface(); }
+  void write(AdaptRecord& record) const {
+    record.accepted = operations_.accepted;
+    record.violations = editor_.violations();
+    record.refused.clear();
+    for (std::size_t i = 1; i < kReasonNames.size(); ++i)
+      record.refused.push_back({kReasonNames[i], editor_.refusals()[i]});
+  }
+
+ private:
+  bool run_adaptive();
+  bool run_paper();
+  bool coarsen(double shortest);
+  bool refine();
+  bool flip_all(FlipGoal goal);
+  bool relocate_all();
+  bool polish();
+  void polish_triangle(std::uint32_t t);
+  void fit_cells();
+  std::vector<Edge> edges() const;
+  bool alive(std::uint32_t v) const { return !editor_.mesh().star(v).empty(); }
+  bool step(double share) {
+    ctx_.progress(kStage, share);
+    return !ctx_.cancelled();
+  }
+
+  const AdaptParams& params_;
+  RunContext& ctx_;
+  ComplexEditor editor_;
+  LocalOperations operations_;
+};
+
+/// Each edge once, ascending by its ends.
+std::vector<Edge> Adapter::edges() const {
+  const ComplexMesh& mesh = editor_.mesh();
+  std::vector<Edge> out;
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t a = 0; a < mesh.vertex_count(); ++a) {
+    others.clear();
+    for (const std::uint32_t t : mesh.star(a))
+      for (const std::uint32_t b : mesh.triangle(t))
+        if (b > a) others.push_back(b);
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    for (const std::uint32_t b : others) out.push_back({a, b, editor_.metric_length(a, b)});
+  }
+  return out;
+}
+
+/// Cells of the search as large as edges are long.
+void Adapter::fit_cells() {
+  const ComplexMesh& mesh = editor_.mesh();
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t)
+    if (mesh.alive(t)) {
+      const Corners p = mesh.corners(mesh.triangle(t));
+      sum += (p[0] - p[1]).norm() + (p[1] - p[2]).norm() + (p[2] - p[0]).norm();
+      count += 3;
+    }
+  editor_.set_cell(
+      std::max(sum / static_cast<double>(std::max<std::size_t>(count, 1)), 1e-6 * params_.voxel_mm));
+}
+
+/// Each vertex goes to its nearest neighbour that takes it and is nearer than `shortest` wished lengths.
+bool Adapter::coarsen(double shortest) {
+  const ComplexMesh& mesh = editor_.mesh();
+  std::vector<std::pair<double, std::uint32_t>> near;
+  const double longest = std::min(kLongest, 2.2 * shortest);
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (v % 4096 == 0 && ctx_.cancelled()) return false;
+    if (!alive(v) || mesh.stratum(v) == Stratum::kCorner) continue;
+    near.clear();
+    for (const std::uint32_t other : operations_.neighbours(v)) {
+      const double length = editor_.metric_length(v, other);
+      if (length < shortest && mesh.stratum(other) >= mesh.stratum(v)) near.emplace_back(length, other);
+    }
+    std::sort(near.begin(), near.end());
+    for (const auto& [length, other] : near)
+      if (operations_.collapse(v, other, longest)) break;
+  }
+  return true;
+}
+
+bool Adapter::refine() {
+  std::vector<Edge> all = edges();
+  std::erase_if(all, [](const Edge& e) { return e.length <= kLongest; });
+  std::stable_sort(all.begin(), all.end(), [](const Edge& p, const Edge& q) { return p.length > q.length; });
+  for (const Edge& e : all)
+    if (editor_.mesh().edge_degree(e.a, e.b) > 0) operations_.split(e.a, e.b);
+  return !ctx_.cancelled();
+}
+
+bool Adapter::flip_all(FlipGoal goal) {
+  for (const Edge& e : edges())
+    if (editor_.mesh().edge_degree(e.a, e.b) > 0) operations_.flip(e.a, e.b, goal);
+  return !ctx_.cancelled();
+}
+
+bool Adapter::relocate_all() {
+  for (std::uint32_t v = 0; v < editor_.mesh().vertex_count(); ++v) {
+    if (v % 4096 == 0 && ctx_.cancelled()) return false;
+    if (alive(v)) operations_.relocate(v);
+  }
+  return true;
+}
+
+bool Adapter::polish() {
+  const ComplexMesh& mesh = editor_.mesh();
+  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t)
+    if (mesh.alive(t) && sharpest_cosine(mesh.corners(mesh.triangle(t))) > kPoorCosine) polish_triangle(t);
+  return !ctx_.cancelled();
+}
+
+void Adapter::polish_triangle(std::uint32_t t) {
+  const ComplexMesh& mesh = editor_.mesh();
+  const Triangle corners = mesh.triangle(t);
+  std::array<std::pair<double, std::size_t>, 3> sides;  // by length; entry i is opposite corner i
+  for (std::size_t i = 0; i < 3; ++i)
+    sides[i] = {(mesh.point(corners[(i + 1) % 3]) - mesh.point(corners[(i + 2) % 3])).squaredNorm(), i};
+  std::sort(sides.begin(), sides.end());
+  const auto end = [&](std::size_t side, std::size_t which) {
+    return corners[(sides[side].second + which) % 3];
+  };
+  if (operations_.flip(end(2, 1), end(2, 2), FlipGoal::kAngle)) return;
+  if (operations_.flip(end(1, 1), end(1, 2), FlipGoal::kAngle)) return;
+  for (const std::uint32_t v : corners)
+    if (operations_.relocate(v, Demand::kBetterAngle)) return;
+  constexpr double kLongestPolished = 1.7;
+  if (operations_.collapse(end(0, 1), end(0, 2), kLongestPolished, Demand::kBetterAngle)) return;
+  operations_.collapse(end(0, 2), end(0, 1), kLongestPolished, Demand::kBetterAngle);
+}
+
+bool Adapter::run_adaptive() {
+  editor_.set_scale(1.08);
+  for (const double shortest : {0.3, 0.45, 0.6}) {
+    fit_cells();
+    if (!coarsen(shortest)) return false;
+  }
+  fit_cells();
+  editor_.limits.gap_share = kGapShare;
+  for (int pass = 0; pass < params_.passes; ++pass) {
+    if (!step(0.3 + 0.6 * pass / params_.passes)) return false;
+    if (!coarsen(kShortest) || !refine() || !flip_all(FlipGoal::kValence) || !relocate_all() ||
+        !flip_all(FlipGoal::kAngle) || !relocate_all())
+      return false;
+  }
+  for (int round = 0; round < 2; ++round)
+    if (!polish() || !relocate_all()) return false;
+  return polish();
+}
+
+bool Adapter::run_paper() {
+  return run_adaptive();
+}
+
+}  // namespace
+
+Result<SurfaceMesh> adapt_complex(const SurfaceMesh& reference, const SizingField& sizing,
+                                  const AdaptParams& params, RunContext& ctx, AdaptRecord* record) {
+  try {
+    if (reference.triangles.empty()) return reference;
+    Adapter adapter(reference, sizing, params, ctx);
+    if (!adapter.run()) return cancelled_error(kStage);
+    if (record) adapter.write(*record);
+    return adapter.surface();
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kOutOfMemory,
+                 kStage,
+                 "not enough memory to adapt " + std::to_string(reference.triangles.size()) + " triangles",
+                 {}};
+  }
+}
+
+}  // namespace voxtet::remesh

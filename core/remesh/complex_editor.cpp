@@ -1,0 +1,294 @@
+#include "remesh/complex_editor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closest_point.h"
+#include "geometry/self_intersections.h"
+#include "geometry/surface_measures.h"
+
+namespace voxtet::remesh {
+namespace {
+
+/// A facet may turn by 60 degrees in one step.
+constexpr double kLeastTurnCosine = 0.5;
+/// Improvements of an angle's cosine below this are not worth a change.
+constexpr double kCosineStep = 1e-3;
+
+}  // namespace
+
+ComplexEditor::ComplexEditor(const SurfaceMesh& surface, const SizingField& sizing)
+    : mesh_(surface), reference_(mesh_), samples_(mesh_, reference_), sizing_(sizing) {
+  for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
+    sizes_.push_back(sizing.at(mesh_.point(v)));
+    hints_.push_back(v);
+  }
+  for (std::uint32_t t = 0; t < mesh_.slot_count(); ++t) {
+    const Corners p = mesh_.corners(mesh_.triangle(t));
+    const Eigen::Vector3d cross = triangle_cross(p[0], p[1], p[2]);
+    normals_.push_back(cross / std::max(cross.norm(), 1e-300));
+  }
+}
+
+std::uint32_t ComplexEditor::add_vertex(const Eigen::Vector3d& p, Stratum stratum, std::uint32_t hint) {
+  sizes_.push_back(sizing_.at(p));
+  hints_.push_back(hint);
+  return mesh_.add_vertex(p, stratum);
+}
+
+void ComplexEditor::drop_last_vertex() {
+  sizes_.pop_back();
+  hints_.pop_back();
+  mesh_.drop_last_vertex();
+}
+
+bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t hint) {
+  ++attempt_;
+  change_ = &change;
+  removed_in_.resize(mesh_.slot_count(), 0);
+  old_corners_.clear();
+  old_normals_.clear();
+  for (const std::uint32_t t : change.removed) {
+    removed_in_[t] = attempt_;
+    old_corners_.push_back(mesh_.corners(mesh_.triangle(t)));
+    old_normals_.push_back(normals_[t]);
+  }
+  const bool moves = change.moved != kNone;
+  const Eigen::Vector3d before = moves ? mesh_.point(change.moved) : Eigen::Vector3d::Zero();
+  if (moves) mesh_.set_point(change.moved, change.position);
+  const Reason reason = check(change, demand);
+  if (reason != Reason::kNo) {
+    if (moves) mesh_.set_point(change.moved, before);
+    return refuse(reason);
+  }
+  if (moves) {
+    sizes_[change.moved] = sizing_.at(change.position);
+    if (hint != kNone) hints_[change.moved] = hint;
+  }
+  commit(change);
+  if (limits.verify) verify_from_scratch();
+  return true;
+}
+
+Reason ComplexEditor::check(const Change& change, Demand demand) {
+  Reason reason = check_shapes(change, demand);
+  if (reason == Reason::kNo) reason = samples_.try_curves(mesh_, change, limits.reach_mm);
+  if (reason == Reason::kNo)
+    reason = samples_.try_surface(mesh_, change, limits.reach_mm, old_normals_, new_normals_);
+  if (reason == Reason::kNo) reason = check_envelope(change);
+  if (reason == Reason::kNo) reason = check_contacts(change);
+  return reason;
+}
+
+Reason ComplexEditor::check_shapes(const Change& change, Demand demand) {
+  new_corners_.clear();
+  new_normals_.clear();
+  double old_cosine = -1, new_cosine = -1;
+  for (const Corners& p : old_corners_) old_cosine = std::max(old_cosine, sharpest_cosine(p));
+  const double limit =
+      demand == Demand::kBetterAngle ? old_cosine - kCosineStep : std::max(limits.angle_cosine, old_cosine);
+  for (const Facet& facet : change.added) {
+    const Corners p = mesh_.corners(facet.corners);
+    new_cosine = std::max(new_cosine, sharpest_cosine(p));
+    if (new_cosine > limit) return Reason::kAngle;
+    const Eigen::Vector3d cross = triangle_cross(p[0], p[1], p[2]);
+    const double size = cross.norm();
+    if (!(size > 0)) return Reason::kAngle;
+    new_corners_.push_back(p);
+    new_normals_.push_back(cross / size);
+    const std::size_t i = new_corners_.size() - 1;
+    if (i < old_normals_.size() && new_normals_[i].dot(old_normals_[i]) < kLeastTurnCosine)
+      return Reason::kNormal;
+  }
+  return Reason::kNo;
+}
+
+Reason ComplexEditor::check_envelope(const Change& change) const {
+  for (std::size_t i = 0; i < change.added.size(); ++i)
+    if (!near_reference(change.added[i], new_corners_[i], change.moved)) return Reason::kEnvelope;
+  return Reason::kNo;
+}
+
+/// Looks at lattice points of the facet. Its corners were looked at when they came to their places, and each
+/// edge inside the change is left to one of its two facets.
+bool ComplexEditor::near_reference(const Facet& facet, const Corners& p, std::uint32_t moved) const {
+  const double reach2 = limits.reach_mm * limits.reach_mm;
+  const double longest2 =
+      std::max({(p[0] - p[1]).squaredNorm(), (p[1] - p[2]).squaredNorm(), (p[2] - p[0]).squaredNorm()});
+  const int n = static_cast<int>(std::ceil(std::sqrt(longest2) / limits.lattice_mm));
+  std::uint32_t hint = hints_[facet.corners[0]];
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n - i; ++j) {
+      const std::array<int, 3> w{n - i - j, j, i};
+      const int zeros = (w[0] == 0) + (w[1] == 0) + (w[2] == 0);
+      if (zeros == 2) {
+        const std::uint32_t corner = facet.corners[w[0] ? 0 : w[1] ? 1 : 2];
+        if (corner != moved) continue;
+      } else if (zeros == 1) {
+        const int from = w[0] == 0 ? 1 : w[1] == 0 ? 2 : 0;
+        if (facet.corners[from] > facet.corners[(from + 1) % 3]) continue;
+      }
+      const Eigen::Vector3d at = (w[0] * p[0] + w[1] * p[1] + w[2] * p[2]) / n;
+      if ((reference_.walk(at, facet.pair, hint) - at).squaredNorm() > reach2) return false;
+    }
+  return true;
+}
+
+Reason ComplexEditor::check_contacts(const Change& change) {
+  gap_mm_ = 0;
+  if (limits.gap_share > 0) {
+    gap_mm_ = 1e300;
+    for (const Facet& facet : change.added)
+      for (const std::uint32_t v : facet.corners) gap_mm_ = std::min(gap_mm_, limits.gap_share * size(v));
+  }
+  new_boxes_.clear();
+  for (const Corners& p : new_corners_) new_boxes_.push_back(box_of(p, gap_mm_));
+  FloatBox all = new_boxes_.front();
+  for (const FloatBox& box : new_boxes_) all.extend(box);
+  for (std::size_t i = 0; i < change.added.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Reason reason = check_pair(change.added[i], i, change.added[j].corners, new_corners_[j],
+                                       new_normals_[j], change.added[j].pair);
+      if (reason != Reason::kNo) return reason;
+    }
+  hash_->find(all, near_);
+  for (const std::uint32_t t : near_) {
+    if (is_removed(t)) continue;
+    const FloatBox& box = hash_->box(t);
+    const Triangle& other = mesh_.triangle(t);
+    for (std::size_t i = 0; i < change.added.size(); ++i) {
+      if (!new_boxes_[i].meets(box)) continue;
+      const Reason reason =
+          check_pair(change.added[i], i, other, mesh_.corners(other), normals_[t], mesh_.pair(t));
+      if (reason != Reason::kNo) return reason;
+    }
+  }
+  return Reason::kNo;
+}
+
+Reason ComplexEditor::check_pair(const Facet& facet, std::size_t i, const Triangle& other,
+                                 const Corners& corners, const Eigen::Vector3d& normal, PairId pair) {
+  std::array<int, 3> mine{}, its{};
+  int shared = 0;
+  for (int k = 0; k < 3; ++k)
+    for (int l = 0; l < 3; ++l)
+      if (facet.corners[k] == other[l]) {
+        mine[shared] = k;
+        its[shared] = l;
+        ++shared;
+      }
+  const Corners& p = new_corners_[i];
+  if (shared == 0) {
+    if (triangles_meet(p, corners)) return Reason::kIntersection;
+    return gap_mm_ > 0 && !gap_allowed(i, corners, normal, facet.pair == pair) ? Reason::kGap : Reason::kNo;
+  }
+  if (shared == 1) {
+    const int k = mine[0], l = its[0];
+    const bool meet = triangles_meet_beyond_corner({p[k], p[(k + 1) % 3], p[(k + 2) % 3]},
+                                                   {corners[l], corners[(l + 1) % 3], corners[(l + 2) % 3]});
+    return meet ? Reason::kIntersection : Reason::kNo;
+  }
+  if (shared == 3) return Reason::kIntersection;
+  const int k = 3 - mine[0] - mine[1], l = 3 - its[0] - its[1];
+  const double cosine = fold_cosine(p[mine[0]], p[mine[1]], p[k], corners[l]);
+  return fold_allowed(facet.corners[mine[0]], facet.corners[mine[1]], cosine) ? Reason::kNo
+                                                                              : Reason::kDihedral;
+}
+
+bool ComplexEditor::fold_allowed(std::uint32_t u, std::uint32_t w, double cosine) {
+  constexpr double kAlmostFolded = 0.9998;  // 1 degree
+  const bool junction = mesh_.stratum(u) != Stratum::kSurface && mesh_.stratum(w) != Stratum::kSurface;
+  if (cosine <= (junction ? limits.junction_cosine : limits.crease_cosine)) return true;
+  return cosine < kAlmostFolded && cosine <= old_fold(junction);
+}
+
+/// The sharpest fold at the edges of the triangles to be removed, as they were.
+double ComplexEditor::old_fold(bool junction) const {
+  double sharpest = -1;
+  const auto old_point = [&](std::uint32_t v) -> Eigen::Vector3d {
+    for (std::size_t i = 0; i < change_->removed.size(); ++i)
+      for (int k = 0; k < 3; ++k)
+        if (mesh_.triangle(change_->removed[i])[k] == v) return old_corners_[i][k];
+    return mesh_.point(v);
+  };
+  for (std::size_t i = 0; i < change_->removed.size(); ++i) {
+    const Triangle& t = mesh_.triangle(change_->removed[i]);
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t u = t[k], w = t[(k + 1) % 3];
+      if (junction != (mesh_.stratum(u) != Stratum::kSurface && mesh_.stratum(w) != Stratum::kSurface))
+        continue;
+      for (const std::uint32_t other : mesh_.star(u)) {
+        if (other == change_->removed[i] || !has_corner(mesh_.triangle(other), w)) continue;
+        const Eigen::Vector3d q = old_point(third_corner(mesh_.triangle(other), u, w));
+        sharpest = std::max(sharpest, fold_cosine(old_corners_[i][k], old_corners_[i][(k + 1) % 3],
+                                                  old_corners_[i][(k + 2) % 3], q));
+      }
+    }
+  }
+  return sharpest;
+}
+
+/// Only sheets that face each other count: of one pair of labels only those that look opposite ways, and only
+/// where the way across is along both normals.
+bool ComplexEditor::gap_allowed(std::size_t i, const Corners& corners, const Eigen::Vector3d& normal,
+                                bool same_pair) {
+  constexpr double kFacing = 0.5;
+  const double turn = new_normals_[i].dot(normal);
+  if (same_pair ? turn > -kFacing : std::abs(turn) < kFacing) return true;
+  const Corners& p = new_corners_[i];
+  const Eigen::Vector3d across = (corners[0] + corners[1] + corners[2] - p[0] - p[1] - p[2]) / 3;
+  const double along = std::abs(across.dot(normal));
+  if (along * along < kFacing * kFacing * across.squaredNorm()) return true;
+  const double now = corner_distance2(p, corners);
+  if (now >= gap_mm_ * gap_mm_) return true;
+  double before = 1e300;
+  for (const Corners& old : old_corners_) before = std::min(before, corner_distance2(old, corners));
+  return now >= before;
+}
+
+void ComplexEditor::commit(const Change& change) {
+  slots_.clear();
+  for (std::size_t i = 0; i < std::max(change.added.size(), change.removed.size()); ++i) {
+    if (i >= change.added.size()) {
+      hash_->erase(change.removed[i]);
+      mesh_.remove(change.removed[i]);
+      continue;
+    }
+    if (i < change.removed.size()) {
+      slots_.push_back(change.removed[i]);
+      mesh_.replace(slots_[i], change.added[i]);
+      hash_->move(slots_[i], new_corners_[i]);
+    } else {
+      slots_.push_back(mesh_.add(change.added[i]));
+      hash_->insert(slots_[i], new_corners_[i]);
+    }
+    if (slots_[i] >= normals_.size()) normals_.resize(slots_[i] + 1);
+    normals_[slots_[i]] = new_normals_[i];
+  }
+  samples_.commit(change, slots_);
+}
+
+/// Another path than the checks take: everything around, CGAL's own intersections.
+void ComplexEditor::verify_from_scratch() {
+  FloatBox all = hash_->box(slots_.front());
+  for (const std::uint32_t t : slots_) all.extend(hash_->box(t));
+  hash_->find(all, near_);
+  SurfaceMesh around;
+  std::vector<std::uint32_t> vertices;
+  for (const std::uint32_t t : near_)
+    for (const std::uint32_t v : mesh_.triangle(t)) vertices.push_back(v);
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (const std::uint32_t v : vertices) around.points.push_back(mesh_.point(v));
+  for (const std::uint32_t t : near_) {
+    Triangle corners = mesh_.triangle(t);
+    for (std::uint32_t& v : corners)
+      v = static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
+                                     vertices.begin());
+    around.triangles.push_back(corners);
+    around.sides.push_back(mesh_.sides()[mesh_.pair(t)]);
+  }
+  violations_ += find_self_intersections(around).size();
+}
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,210 @@
+#include "remesh/local_operations.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr std::size_t kLargestStar =
+    48;  ///< triangles around a collapsed vertex; more would be slow to check
+constexpr double kFlipTurnCosine = 0.866;  ///< the two triangles of a flip are within 30 degrees
+
+}  // namespace
+
+const std::vector<std::uint32_t>& LocalOperations::neighbours(std::uint32_t v) {
+  const ComplexMesh& mesh = editor_.mesh();
+  marks_.resize(mesh.vertex_count(), 0);
+  round_ += 2;  // the odd ones tell counted neighbours in link_allows
+  around_.clear();
+  for (const std::uint32_t t : mesh.star(v))
+    for (const std::uint32_t other : mesh.triangle(t))
+      if (other != v && mark(other)) around_.push_back(other);
+  return around_;
+}
+
+/// Dey et al. 1999: the links of a and b meet in the link of ab and nowhere else, in the complex and in its
+/// curves, where the curves' cone counts as one more vertex of the complex.
+bool LocalOperations::link_allows(std::uint32_t a, std::uint32_t b) {
+  const ComplexMesh& mesh = editor_.mesh();
+  if (mesh.stratum(a) > mesh.stratum(b) || mesh.stratum(a) == Stratum::kCorner) return false;
+  const bool curve = mesh.stratum(a) == Stratum::kCurve;
+  const std::uint32_t degree = mesh.edge_degree(a, b);
+  if (curve && degree == 2) return false;
+  if (!curve && degree != 2) return false;
+  neighbours(a);
+  std::uint32_t common = 0;
+  for (const std::uint32_t t : mesh.star(b))
+    for (const std::uint32_t v : mesh.triangle(t)) {
+      if (v == b || v == a || marks_[v] != round_) continue;
+      marks_[v] = round_ - 1;  // counted
+      ++common;
+      if (curve && mesh.is_curve(a, v) && mesh.is_curve(b, v)) return false;
+    }
+  return common == degree && link_edges_apart(a, b);
+}
+
+/// No triangle of a and triangle of b lie over the same edge.
+bool LocalOperations::link_edges_apart(std::uint32_t a, std::uint32_t b) const {
+  const ComplexMesh& mesh = editor_.mesh();
+  for (const std::uint32_t t : mesh.star(b)) {
+    if (has_corner(mesh.triangle(t), a)) continue;
+    std::array<std::uint32_t, 2> rim{kNone, kNone};
+    int met = 0;
+    for (const std::uint32_t v : mesh.triangle(t))
+      if (v != b && marks_[v] == round_ - 1) rim[static_cast<std::size_t>(met++)] = v;
+    if (met < 2) continue;
+    for (const std::uint32_t s : mesh.star(a))
+      if (has_corner(mesh.triangle(s), rim[0]) && has_corner(mesh.triangle(s), rim[1])) return false;
+  }
+  return true;
+}
+
+std::uint32_t LocalOperations::other_curve_end(std::uint32_t v, std::uint32_t not_this) const {
+  const ComplexMesh& mesh = editor_.mesh();
+  for (const std::uint32_t t : mesh.star(v))
+    for (const std::uint32_t other : mesh.triangle(t))
+      if (other != v && other != not_this && mesh.is_curve(v, other)) return other;
+  return kNone;
+}
+
+bool LocalOperations::collapse(std::uint32_t a, std::uint32_t b, double longest, Demand demand) {
+  const ComplexMesh& mesh = editor_.mesh();
+  if (!link_allows(a, b) || mesh.star(a).size() > kLargestStar) return editor_.refuse(Reason::kLink);
+  for (const std::uint32_t v : neighbours(a)) {
+    if (v == b) continue;
+    const double length = editor_.metric_length(b, v);
+    if (length > longest && length > editor_.metric_length(a, v)) return editor_.refuse(Reason::kLength);
+  }
+  change_.clear();
+  for (const std::uint32_t t : mesh.star(a)) {
+    Facet facet{mesh.triangle(t), mesh.pair(t)};
+    if (has_corner(facet.corners, b)) continue;
+    std::replace(facet.corners.begin(), facet.corners.end(), a, b);
+    change_.removed.push_back(t);
+    change_.added.push_back(facet);
+  }
+  for (const std::uint32_t t : mesh.star(a))
+    if (has_corner(mesh.triangle(t), b)) change_.removed.push_back(t);
+  if (mesh.stratum(a) == Stratum::kCurve) {
+    const std::uint32_t p = other_curve_end(a, b);
+    change_.curves_removed = {{p, a}, {a, b}};
+    change_.curves_added = {{p, b}};
+  }
+  if (!editor_.attempt(change_, demand)) return false;
+  ++accepted[1];
+  return true;
+}
+
+bool LocalOperations::split(std::uint32_t a, std::uint32_t b) {
+  const ComplexMesh& mesh = editor_.mesh();
+  const bool curve = mesh.is_curve(a, b);
+  const Eigen::Vector3d middle = 0.5 * (mesh.point(a) + mesh.point(b));
+  const std::uint32_t from = mesh.stratum(a) <= mesh.stratum(b) ? a : b;
+  std::uint32_t hint = editor_.hint(from);
+  Eigen::Vector3d on = middle;
+  if (!curve)
+    for (const std::uint32_t t : mesh.star(a)) {
+      if (!has_corner(mesh.triangle(t), b)) continue;
+      on = editor_.reference().walk(middle, mesh.pair(t), hint);
+      break;
+    }
+  else if (mesh.stratum(from) == Stratum::kCurve)
+    on = editor_.reference().walk_curve(middle, hint);
+  return split_at(a, b, on, hint, curve) || split_at(a, b, middle, hint, curve);
+}
+
+bool LocalOperations::split_at(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& p, std::uint32_t hint,
+                               bool curve) {
+  const ComplexMesh& mesh = editor_.mesh();
+  const std::uint32_t middle = editor_.add_vertex(p, curve ? Stratum::kCurve : Stratum::kSurface, hint);
+  change_.clear();
+  change_.moved = middle;
+  change_.position = p;
+  for (const std::uint32_t end : {b, a})
+    for (const std::uint32_t t : mesh.star(a)) {
+      Facet facet{mesh.triangle(t), mesh.pair(t)};
+      if (!has_corner(facet.corners, b)) continue;
+      std::replace(facet.corners.begin(), facet.corners.end(), end, middle);
+      if (end == b) change_.removed.push_back(t);
+      change_.added.push_back(facet);
+    }
+  if (curve) {
+    change_.curves_removed = {{a, b}};
+    change_.curves_added = {{a, middle}, {middle, b}};
+  }
+  if (!editor_.attempt(change_, Demand::kAllowed, hint)) {
+    editor_.drop_last_vertex();
+    return false;
+  }
+  ++accepted[0];
+  return true;
+}
+
+/// How much nearer the four valences come to their ideal: 6, and 4 a sheet pair on curves, which are left
+/// out.
+int LocalOperations::valence_gain(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+  const ComplexMesh& mesh = editor_.mesh();
+  const auto change = [&](std::uint32_t v, int step) {
+    if (mesh.stratum(v) != Stratum::kSurface) return 0;
+    const int defect = static_cast<int>(mesh.star(v).size()) - 6;
+    return defect * defect - (defect + step) * (defect + step);
+  };
+  return change(a, -1) + change(b, -1) + change(c, 1) + change(d, 1);
+}
+
+bool LocalOperations::flip(std::uint32_t a, std::uint32_t b, FlipGoal goal) {
+  const ComplexMesh& mesh = editor_.mesh();
+  std::uint32_t first = kNone, second = kNone;
+  int degree = 0;
+  for (const std::uint32_t t : mesh.star(a))
+    if (has_corner(mesh.triangle(t), b)) {
+      (degree == 0 ? first : second) = t;
+      ++degree;
+    }
+  if (degree != 2) return false;
+  if (editor_.normal(first).dot(editor_.normal(second)) < kFlipTurnCosine) return false;
+  // In the first triangle a comes before b.
+  const Triangle& corners = mesh.triangle(first);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (corners[i] == b && corners[(i + 1) % 3] == a) std::swap(first, second);
+  const std::uint32_t c = third_corner(mesh.triangle(first), a, b);
+  const std::uint32_t d = third_corner(mesh.triangle(second), a, b);
+  Demand demand = Demand::kBetterAngle;
+  if (goal == FlipGoal::kValence) {
+    if (valence_gain(a, b, c, d) <= 0) return false;
+    demand = Demand::kAllowed;
+  }
+  if (mesh.star(a).size() <= 3 || mesh.star(b).size() <= 3 || mesh.edge_degree(c, d) != 0)
+    return editor_.refuse(Reason::kLink);
+  change_.clear();
+  change_.removed = {first, second};
+  change_.added = {{{c, a, d}, mesh.pair(first)}, {{d, b, c}, mesh.pair(first)}};
+  if (!editor_.attempt(change_, demand)) return false;
+  ++accepted[2];
+  return true;
+}
+
+bool LocalOperations::relocate(std::uint32_t v, Demand demand) {
+  const ComplexMesh& mesh = editor_.mesh();
+  if (mesh.stratum(v) == Stratum::kCorner) return false;
+  std::uint32_t hint = editor_.hint(v);
+  change_.clear();
+  change_.moved = v;
+  if (mesh.stratum(v) == Stratum::kCurve) {
+    const std::uint32_t p = other_curve_end(v, kNone), q = other_curve_end(v, p);
+    change_.position = curve_target(v, p, q, hint);
+    change_.curves_removed = change_.curves_added = {{p, v}, {v, q}};
+  } else {
+    change_.position = surface_target(v, hint);
+  }
+  for (const std::uint32_t t : mesh.star(v)) {
+    change_.removed.push_back(t);
+    change_.added.push_back({mesh.triangle(t), mesh.pair(t)});
+  }
+  if (!editor_.attempt(change_, demand, hint)) return false;
+  ++accepted[3];
+  return true;
+}
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,54 @@
+// Split, collapse, flip and relocate: each describes a Change and lets the editor decide.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "remesh/complex_editor.h"
+
+namespace voxtet::remesh {
+
+enum class FlipGoal : std::uint8_t {
+  kValence,  ///< six edges a vertex
+  kAngle,    ///< the smallest planar angle
+};
+
+/// Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004, on a non-manifold complex.
+class LocalOperations {
+ public:
+  explicit LocalOperations(ComplexEditor& editor) : editor_(editor) {}
+
+  double shape_weight = 0.6;
+  std::array<std::uint64_t, 4> accepted{};  ///< splits, collapses, flips, relocations
+
+  /// A new vertex in the middle, on the reference.
+  bool split(std::uint32_t a, std::uint32_t b);
+  /// a goes to b. No edge becomes longer than `longest` wished lengths, or than it was before.
+  bool collapse(std::uint32_t a, std::uint32_t b, double longest, Demand demand = Demand::kAllowed);
+  bool flip(std::uint32_t a, std::uint32_t b, FlipGoal goal);
+  bool relocate(std::uint32_t v, Demand demand = Demand::kAllowed);
+
+  /// Neighbours of v, each once.
+  const std::vector<std::uint32_t>& neighbours(std::uint32_t v);
+
+ private:
+  bool link_allows(std::uint32_t a, std::uint32_t b);
+  bool link_edges_apart(std::uint32_t a, std::uint32_t b) const;
+  bool split_at(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& p, std::uint32_t hint, bool curve);
+  int valence_gain(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
+  std::uint32_t other_curve_end(std::uint32_t v, std::uint32_t not_this) const;
+  Eigen::Vector3d surface_target(std::uint32_t v, std::uint32_t& hint) const;
+  Eigen::Vector3d curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, std::uint32_t& hint) const;
+  Eigen::Vector3d fit_height(std::uint32_t v, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
+                             std::uint32_t& hint) const;
+  bool mark(std::uint32_t v) { return marks_[v] != round_ ? (marks_[v] = round_, true) : false; }
+
+  ComplexEditor& editor_;
+  Change change_;
+  std::vector<std::uint32_t> marks_;
+  std::uint32_t round_ = 0;
+  std::vector<std::uint32_t> around_;
+};
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,112 @@
+#include "remesh/reference_complex.h"
+
+#include <algorithm>
+
+#include "geometry/closest_point.h"
+#include "geometry/surface_measures.h"
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr int kLongestWalk = 256;  ///< downhill walks end by themselves; this bounds one check's time
+
+}  // namespace
+
+Eigen::Vector3d closest_on_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                                   const Eigen::Vector3d& b) {
+  const Eigen::Vector3d e = b - a;
+  const double size = e.squaredNorm();
+  return a + (size > 0 ? std::clamp((p - a).dot(e) / size, 0.0, 1.0) : 0.0) * e;
+}
+
+ReferenceComplex::ReferenceComplex(const ComplexMesh& mesh) {
+  const std::size_t n = mesh.vertex_count();
+  normals_.assign(n, Eigen::Vector3d::Zero());
+  areas_.assign(n, 0);
+  curve_.assign(n, {kNone, kNone});
+  first_.assign(1, 0);
+  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
+    triangles_.push_back(mesh.triangle(t));
+    pairs_.push_back(mesh.pair(t));
+    const Corners p = mesh.corners(mesh.triangle(t));
+    const Eigen::Vector3d cross = triangle_cross(p[0], p[1], p[2]);
+    for (const std::uint32_t v : mesh.triangle(t)) {
+      normals_[v] += cross;
+      areas_[v] += cross.norm() / 6;
+    }
+  }
+  for (std::uint32_t v = 0; v < n; ++v) {
+    points_.push_back(mesh.point(v));
+    strata_.push_back(mesh.stratum(v));
+    stars_.insert(stars_.end(), mesh.star(v).begin(), mesh.star(v).end());
+    first_.push_back(static_cast<std::uint32_t>(stars_.size()));
+    const double size = normals_[v].norm();
+    if (size > 0) normals_[v] /= size;
+    if (strata_[v] != Stratum::kCurve) continue;
+    for (const std::uint32_t t : mesh.star(v))
+      for (const std::uint32_t other : mesh.triangle(t)) {
+        if (other == v || other == curve_[v][0] || other == curve_[v][1] || !mesh.is_curve(v, other))
+          continue;
+        (curve_[v][0] == kNone ? curve_[v][0] : curve_[v][1]) = other;
+      }
+  }
+}
+
+Eigen::Vector3d ReferenceComplex::walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint) const {
+  double least = (points_[hint] - p).squaredNorm();
+  for (int step = 0; step < kLongestWalk; ++step) {
+    std::uint32_t next = hint;
+    for (const std::uint32_t t : star(hint)) {
+      if (pairs_[t] != pair) continue;
+      for (const std::uint32_t v : triangles_[t]) {
+        const double distance = (points_[v] - p).squaredNorm();
+        if (distance < least) {
+          least = distance;
+          next = v;
+        }
+      }
+    }
+    if (next == hint) break;
+    hint = next;
+  }
+  Eigen::Vector3d best = points_[hint];
+  for (const std::uint32_t t : star(hint)) {
+    if (pairs_[t] != pair) continue;
+    const auto& [a, b, c] = triangles_[t];
+    const Eigen::Vector3d on = closest_on_triangle(p, points_[a], points_[b], points_[c]);
+    const double distance = (on - p).squaredNorm();
+    if (distance < least) {
+      least = distance;
+      best = on;
+    }
+  }
+  return best;
+}
+
+Eigen::Vector3d ReferenceComplex::walk_curve(const Eigen::Vector3d& p, std::uint32_t& hint) const {
+  double least = (points_[hint] - p).squaredNorm();
+  for (int step = 0; step < kLongestWalk; ++step) {
+    std::uint32_t next = hint;
+    for (const std::uint32_t v : curve_[hint]) {
+      if (strata_[v] != Stratum::kCurve) continue;
+      const double distance = (points_[v] - p).squaredNorm();
+      if (distance < least) {
+        least = distance;
+        next = v;
+      }
+    }
+    if (next == hint) break;
+    hint = next;
+  }
+  Eigen::Vector3d best = points_[hint];
+  for (const std::uint32_t v : curve_[hint]) {
+    const Eigen::Vector3d on = closest_on_segment(p, points_[hint], points_[v]);
+    if ((on - p).squaredNorm() < least) {
+      least = (on - p).squaredNorm();
+      best = on;
+    }
+  }
+  return best;
+}
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,53 @@
+// The surface that the adapted one has to stay near: closest points by walking, without a search tree.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "remesh/complex_mesh.h"
+
+namespace voxtet::remesh {
+
+/// A copy of the complex before the first edit; vertices and triangles keep their indices. Its vertices are
+/// the samples by which distances are judged: those on a surface have a normal and a share of its area.
+class ReferenceComplex {
+ public:
+  explicit ReferenceComplex(const ComplexMesh& mesh);
+
+  std::size_t size() const { return points_.size(); }
+  const Eigen::Vector3d& point(std::uint32_t r) const { return points_[r]; }
+  const Eigen::Vector3d& normal(std::uint32_t r) const { return normals_[r]; }
+  double area(std::uint32_t r) const { return areas_[r]; }
+  Stratum stratum(std::uint32_t r) const { return strata_[r]; }
+  /// The two neighbours along the curve of a vertex on one.
+  const std::array<std::uint32_t, 2>& along_curve(std::uint32_t r) const { return curve_[r]; }
+
+  /// A near point on the sheets of `pair`, found by walking downhill from vertex `hint`, which must have a
+  /// triangle of the pair; `hint` becomes the vertex reached. It stays on the sheet where it starts, so it
+  /// never jumps across a thin wall; its distance bounds the true one from above.
+  Eigen::Vector3d walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint) const;
+  /// The same along the curve of `hint`.
+  Eigen::Vector3d walk_curve(const Eigen::Vector3d& p, std::uint32_t& hint) const;
+
+ private:
+  std::span<const std::uint32_t> star(std::uint32_t r) const {
+    return {stars_.data() + first_[r], first_[r + 1] - first_[r]};
+  }
+
+  std::vector<Eigen::Vector3d> points_, normals_;
+  std::vector<double> areas_;
+  std::vector<Stratum> strata_;
+  std::vector<Triangle> triangles_;
+  std::vector<PairId> pairs_;
+  std::vector<std::uint32_t> first_, stars_;
+  std::vector<std::array<std::uint32_t, 2>> curve_;
+};
+
+/// Closest point of a segment.
+Eigen::Vector3d closest_on_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
+                                   const Eigen::Vector3d& b);
+
+}  // namespace voxtet::remesh

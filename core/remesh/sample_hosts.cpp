@@ -1,0 +1,163 @@
+#include "remesh/sample_hosts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closest_point.h"
+#include "geometry/surface_measures.h"
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr double kLeastNormalCosine = 0.5;
+/// Distance in units of the samples' spacing below which a host is as good as any.
+constexpr double kNearSpacing = 0.25;
+
+bool holds(const CurveEdge& e, std::uint32_t a, std::uint32_t b) {
+  return (e[0] == a && e[1] == b) || (e[0] == b && e[1] == a);
+}
+
+}  // namespace
+
+SampleHosts::SampleHosts(const ComplexMesh& mesh, const ReferenceComplex& reference)
+    : reference_(reference),
+      heads_(mesh.slot_count(), kNone),
+      next_(reference.size(), kNone),
+      curve_heads_(mesh.vertex_count(), kNone),
+      curve_other_(reference.size(), kNone) {
+  double area = 0;
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (mesh.star(v).empty()) continue;
+    if (mesh.stratum(v) == Stratum::kSurface) {
+      const std::uint32_t host = mesh.star(v).front();
+      next_[v] = heads_[host];
+      heads_[host] = v;
+      area += reference.area(v);
+      ++count;
+    } else if (mesh.stratum(v) == Stratum::kCurve) {
+      curve_heads_[v] = v;
+      curve_other_[v] = reference.along_curve(v)[0];
+    }
+  }
+  if (count > 0) near_mm_ = kNearSpacing * std::sqrt(area / static_cast<double>(count));
+}
+
+SampleHosts::Found SampleHosts::best_added(const ComplexMesh& mesh, const Change& change, PairId pair,
+                                           const Eigen::Vector3d& p) const {
+  Found best{1e300, kNone};
+  for (std::uint32_t i = 0; i < change.added.size(); ++i) {
+    if (change.added[i].pair != pair) continue;
+    const auto& [a, b, c] = change.added[i].corners;
+    const double distance2 =
+        (closest_on_triangle(p, mesh.point(a), mesh.point(b), mesh.point(c)) - p).squaredNorm();
+    if (distance2 < best.distance2) best = {distance2, i};
+  }
+  return best;
+}
+
+SampleHosts::Found SampleHosts::best_beside(const ComplexMesh& mesh, const Change& change, PairId pair,
+                                            const Eigen::Vector3d& p, Found best) const {
+  const Triangle around = change.added[best.host].corners;
+  for (const std::uint32_t v : around)
+    for (const std::uint32_t t : mesh.star(v)) {
+      if (mesh.pair(t) != pair ||
+          std::find(change.removed.begin(), change.removed.end(), t) != change.removed.end())
+        continue;
+      const auto& [a, b, c] = mesh.triangle(t);
+      const double distance2 =
+          (closest_on_triangle(p, mesh.point(a), mesh.point(b), mesh.point(c)) - p).squaredNorm();
+      if (distance2 < best.distance2) best = {distance2, kBeside + t};
+    }
+  return best;
+}
+
+Reason SampleHosts::try_surface(const ComplexMesh& mesh, const Change& change, double reach_mm,
+                                const std::vector<Eigen::Vector3d>& old_normals,
+                                const std::vector<Eigen::Vector3d>& new_normals) {
+  moves_.clear();
+  const double reach2 = reach_mm * reach_mm;
+  for (std::size_t i = 0; i < change.removed.size(); ++i) {
+    const std::uint32_t t = change.removed[i];
+    if (t >= heads_.size()) continue;
+    const PairId pair = mesh.pair(t);
+    for (std::uint32_t s = heads_[t]; s != kNone; s = next_[s]) {
+      const Eigen::Vector3d& p = reference_.point(s);
+      Found found{1e300, kNone};
+      if (i < change.added.size() && change.added[i].pair == pair) {
+        const auto& [a, b, c] = change.added[i].corners;
+        const Eigen::Vector3d off = closest_on_triangle(p, mesh.point(a), mesh.point(b), mesh.point(c)) - p;
+        const double along = off.dot(new_normals[i]);
+        const double distance2 = off.squaredNorm();
+        // The foot is inside the facet: no other is much closer.
+        if (distance2 <= reach2 && along * along >= 0.999 * distance2)
+          found = {distance2, static_cast<std::uint32_t>(i)};
+      }
+      if (found.host == kNone) {
+        found = best_added(mesh, change, pair, p);
+        if (found.host == kNone) return Reason::kReverse;
+        if (found.distance2 > near_mm_ * near_mm_) found = best_beside(mesh, change, pair, p, found);
+      }
+      if (found.distance2 > reach2) return Reason::kReverse;
+      if (found.host < kBeside) {
+        const double cosine = new_normals[found.host].dot(reference_.normal(s));
+        if (cosine < kLeastNormalCosine && cosine < old_normals[i].dot(reference_.normal(s)))
+          return Reason::kNormal;
+      }
+      moves_.push_back({s, found.host});
+    }
+  }
+  return Reason::kNo;
+}
+
+Reason SampleHosts::try_curves(const ComplexMesh& mesh, const Change& change, double reach_mm) {
+  curve_moves_.clear();
+  const double reach2 = reach_mm * reach_mm;
+  for (const CurveEdge& old : change.curves_removed)
+    for (const std::uint32_t end : old) {
+      if (end >= curve_heads_.size()) continue;
+      for (std::uint32_t s = curve_heads_[end]; s != kNone; s = next_[s]) {
+        if (!holds(old, end, curve_other_[s])) continue;
+        const Eigen::Vector3d& p = reference_.point(s);
+        Found found{1e300, kNone};
+        for (std::uint32_t i = 0; i < change.curves_added.size(); ++i) {
+          const auto& [a, b] = change.curves_added[i];
+          const double distance2 = (closest_on_segment(p, mesh.point(a), mesh.point(b)) - p).squaredNorm();
+          if (distance2 < found.distance2) found = {distance2, i};
+        }
+        if (found.distance2 > reach2) return Reason::kCurve;
+        curve_moves_.push_back({s, found.host});
+      }
+    }
+  return Reason::kNo;
+}
+
+void SampleHosts::commit(const Change& change, const std::vector<std::uint32_t>& slots) {
+  for (const std::uint32_t t : change.removed)
+    if (t < heads_.size()) heads_[t] = kNone;
+  for (const Move& move : moves_) {
+    const std::uint32_t host = move.host < kBeside ? slots[move.host] : move.host - kBeside;
+    if (host >= heads_.size()) heads_.resize(host + 1, kNone);
+    next_[move.sample] = heads_[host];
+    heads_[host] = move.sample;
+  }
+  for (const CurveEdge& old : change.curves_removed)
+    for (const std::uint32_t end : old) {
+      if (end >= curve_heads_.size()) continue;
+      std::uint32_t* link = &curve_heads_[end];
+      while (*link != kNone)
+        if (holds(old, end, curve_other_[*link]))
+          *link = next_[*link];
+        else
+          link = &next_[*link];
+    }
+  for (const Move& move : curve_moves_) {
+    const auto& [a, b] = change.curves_added[move.host];
+    if (a >= curve_heads_.size()) curve_heads_.resize(a + 1, kNone);
+    next_[move.sample] = curve_heads_[a];
+    curve_heads_[a] = move.sample;
+    curve_other_[move.sample] = b;
+  }
+}
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,60 @@
+// The reverse envelope: every vertex of the reference has a triangle of the adapted surface near it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "remesh/change.h"
+#include "remesh/complex_mesh.h"
+#include "remesh/reference_complex.h"
+
+namespace voxtet::remesh {
+
+/// Samples on surfaces are hosted by triangles, samples on curves by curve edges, corners by nothing (they
+/// stay). A change moves the samples of what it removes to what it adds, or to triangles beside it.
+class SampleHosts {
+ public:
+  SampleHosts(const ComplexMesh& mesh, const ReferenceComplex& reference);
+
+  /// Finds new hosts for the samples of the change's triangles, within `reach_mm`, and facets that face the
+  /// way the samples do. kNo, kReverse or kNormal. `mesh` has the new positions, `old_normals` belong to
+  /// change.removed and `new_normals` to change.added; `gone` tells the removed triangles.
+  Reason try_surface(const ComplexMesh& mesh, const Change& change, double reach_mm,
+                     const std::vector<Eigen::Vector3d>& old_normals,
+                     const std::vector<Eigen::Vector3d>& new_normals);
+  /// The same for the samples of the change's curve edges. kNo or kCurve.
+  Reason try_curves(const ComplexMesh& mesh, const Change& change, double reach_mm);
+  /// Does what the last two tries found. `slots`: the triangle that each added facet became.
+  void commit(const Change& change, const std::vector<std::uint32_t>& slots);
+
+  template <class Visit>
+  void for_samples(std::uint32_t t, Visit&& visit) const {
+    if (t >= heads_.size()) return;
+    for (std::uint32_t s = heads_[t]; s != kNone; s = next_[s]) visit(s);
+  }
+
+ private:
+  struct Move {
+    std::uint32_t sample;
+    std::uint32_t host;  ///< index into change.added, or kBeside + triangle
+  };
+  static constexpr std::uint32_t kBeside = 0x80000000U;
+  struct Found {
+    double distance2;
+    std::uint32_t host;
+  };
+  Found best_added(const ComplexMesh& mesh, const Change& change, PairId pair,
+                   const Eigen::Vector3d& p) const;
+  Found best_beside(const ComplexMesh& mesh, const Change& change, PairId pair, const Eigen::Vector3d& p,
+                    Found best) const;
+
+  const ReferenceComplex& reference_;
+  double near_mm_ = 0;                      ///< mean spacing of the samples
+  std::vector<std::uint32_t> heads_;        ///< by triangle
+  std::vector<std::uint32_t> next_;         ///< by sample
+  std::vector<std::uint32_t> curve_heads_;  ///< by vertex: samples of curve edges that have it as first end
+  std::vector<std::uint32_t> curve_other_;  ///< by sample: the second end
+  std::vector<Move> moves_, curve_moves_;
+};
+
+}  // namespace voxtet::remesh

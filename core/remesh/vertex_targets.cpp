@@ -1,0 +1,93 @@
+// Where relocation would like a vertex to be.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/surface_measures.h"
+#include "remesh/local_operations.h"
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr double kStep = 0.8;  ///< share of the way along the surface
+constexpr double kHalfSqrt3 = 0.8660254037844386;
+constexpr double kOwnWeight = 0.1;     ///< of the vertex itself among the samples, where there are few
+constexpr double kLongestLift = 0.25;  ///< of the envelope, in one step
+
+}  // namespace
+
+/// Along the surface: between the centroid of the triangles, weighted by how much too large they are, and the
+/// mean of the apexes that would make each triangle equilateral. Across it: the height that fits the samples.
+Eigen::Vector3d LocalOperations::surface_target(std::uint32_t v, std::uint32_t& hint) const {
+  const ComplexMesh& mesh = editor_.mesh();
+  const Eigen::Vector3d x = mesh.point(v);
+  Eigen::Vector3d by_size = Eigen::Vector3d::Zero(), by_shape = by_size, normal = by_size;
+  double weights = 0;
+  for (const std::uint32_t t : mesh.star(v)) {
+    const Triangle& c = mesh.triangle(t);
+    const std::size_t at = c[0] == v ? 0 : c[1] == v ? 1 : 2;
+    const std::uint32_t u = c[(at + 1) % 3], w = c[(at + 2) % 3];
+    const Eigen::Vector3d &p = mesh.point(u), &q = mesh.point(w);
+    const Eigen::Vector3d cross = triangle_cross(x, p, q);
+    const double wish = (editor_.size(u) + editor_.size(w) + editor_.size(v)) / 3;
+    const double weight = cross.norm() / (wish * wish);
+    by_size += weight / 3 * (x + p + q);
+    weights += weight;
+    by_shape += 0.5 * (p + q) + kHalfSqrt3 * editor_.normal(t).cross(q - p);
+    normal += cross;
+  }
+  normal.normalize();
+  by_size /= weights;
+  by_shape /= static_cast<double>(mesh.star(v).size());
+  Eigen::Vector3d step = (1 - shape_weight) * by_size + shape_weight * by_shape - x;
+  step -= step.dot(normal) * normal;
+  return fit_height(v, x + kStep * step, normal, hint);
+}
+
+/// Moves `at` along the normal so that the facets from it to the link pass between the samples in the sense
+/// of least squares, each sample weighted by its share of the reference's area: volumes and mean distance are
+/// kept, which facets with all their corners on a convex reference would not.
+Eigen::Vector3d LocalOperations::fit_height(std::uint32_t v, const Eigen::Vector3d& at,
+                                            const Eigen::Vector3d& normal, std::uint32_t& hint) const {
+  const ComplexMesh& mesh = editor_.mesh();
+  const ReferenceComplex& reference = editor_.reference();
+  const PairId pair = mesh.pair(mesh.star(v).front());
+  const Eigen::Vector3d on = reference.walk(at, pair, hint);
+  double area = 0, above = 0, weight = 0;
+  for (const std::uint32_t t : mesh.star(v)) {
+    const Triangle& c = mesh.triangle(t);
+    const std::size_t k = c[0] == v ? 0 : c[1] == v ? 1 : 2;
+    const Eigen::Vector3d &p = mesh.point(c[(k + 1) % 3]), &q = mesh.point(c[(k + 2) % 3]);
+    const Eigen::Vector3d cross = triangle_cross(at, p, q);
+    const double size2 = cross.squaredNorm(), facing = cross.dot(normal);
+    area += 0.5 * std::sqrt(size2);
+    if (!(facing > 0.3 * std::sqrt(size2))) continue;
+    editor_.samples().for_samples(t, [&](std::uint32_t s) {
+      const Eigen::Vector3d off = reference.point(s) - p;
+      // The share of the apex in the point of the facet below the sample.
+      const double share = (q - p).cross(off).dot(cross) / size2;
+      if (share <= 0 || share > 1) return;
+      const double height = off.dot(cross) / facing;
+      above += reference.area(s) * share * height;
+      weight += reference.area(s) * share * share;
+    });
+  }
+  const double own = kOwnWeight * area / 3;
+  above += own * (on - at).dot(normal);
+  weight += own;
+  const double lift = (on - at).dot(normal), most = kLongestLift * editor_.limits.reach_mm;
+  return at + std::clamp(above / weight, lift - most, lift + most) * normal;
+}
+
+/// Between the two neighbours, equally far in wished lengths, on the reference's curve.
+Eigen::Vector3d LocalOperations::curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q,
+                                              std::uint32_t& hint) const {
+  const ComplexMesh& mesh = editor_.mesh();
+  const Eigen::Vector3d x = mesh.point(v);
+  const double to_p = editor_.metric_length(v, p), to_q = editor_.metric_length(v, q);
+  const Eigen::Vector3d toward = to_p > to_q ? mesh.point(p) : mesh.point(q);
+  const double share = 0.5 * std::abs(to_p - to_q) / std::max(to_p, to_q);
+  return editor_.reference().walk_curve(x + kStep * share * (toward - x), hint);
+}
+
+}  // namespace voxtet::remesh
