@@ -88,8 +88,8 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       return cancelled_error("remesh");
     CellComplex cells = refiner.cells();
     drop_fragments(cells, field);
-    relabel_cells(cells);
     mend_pinches(cells, field);
+    relabel_cells(cells);
     drop_fragments(cells, field);
     SurfaceMesh surface = extract_interface(cells);
     const std::vector<Eigen::Vector3d> unmoved = surface.points;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "remesh/cell_stars.h"
 #include "remesh/interface_edges.h"
 
 namespace voxtet::remesh {
@@ -39,7 +40,7 @@ struct Sector {
 
 class Relabeller {
  public:
-  explicit Relabeller(CellComplex& cells) : cells_(cells), population_(65536, 0) {
+  explicit Relabeller(CellComplex& cells) : cells_(cells), stars_(cells), population_(65536, 0) {
     for (const Label label : cells.labels) ++population_[label];
   }
 
@@ -205,11 +206,14 @@ class Relabeller {
                   std::vector<std::uint32_t>& best_run, Label& best_label) {
     const Label old = cells_.labels[run.front()];
     if (old == label || population_[old] <= run.size()) return;
+    const std::vector<std::uint32_t> points = stars_.points_of(run);
     const double before = local_cost(run);
+    const std::size_t defects = stars_.defects(points);
     for (const std::uint32_t c : run) cells_.labels[c] = label;
     const double gain = before - local_cost(run);
+    const bool manifold = gain > best_gain + 1e-9 && stars_.defects(points) <= defects;
     for (const std::uint32_t c : run) cells_.labels[c] = old;
-    if (gain > best_gain + 1e-9) {
+    if (manifold) {
       best_gain = gain;
       best_run = run;
       best_label = label;
@@ -240,6 +244,7 @@ class Relabeller {
   }
 
   CellComplex& cells_;
+  const CellStars stars_;
   std::vector<std::uint64_t> population_;
   std::vector<std::uint32_t> changed_;
   std::vector<RingCell> ring_, cost_ring_;

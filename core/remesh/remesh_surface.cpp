@@ -48,6 +48,27 @@ Status check_volume(const LabelVolume& volume) {
   return std::monostate{};
 }
 
+Status check_parameters(const SizingField& sizing, const RemeshParams& params) {
+  const std::size_t count = static_cast<std::size_t>(std::max(0, sizing.size[0])) *
+                            static_cast<std::size_t>(std::max(0, sizing.size[1])) *
+                            static_cast<std::size_t>(std::max(0, sizing.size[2]));
+  if (count == 0 || sizing.h_mm.size() != count)
+    return bad_input("sizing.h_mm holds " + std::to_string(sizing.h_mm.size()) + " values; expected " +
+                     std::to_string(count) + ", at least 1");
+  for (const float h : sizing.h_mm)
+    if (!(h > 0) || !std::isfinite(h))
+      return bad_input("sizing.h_mm holds " + number(h) + "; expected h > 0");
+  if (!(params.facet_angle_deg >= 0 && params.facet_angle_deg <= 30))
+    return bad_input("facet_angle_deg is " + number(params.facet_angle_deg) +
+                     "; expected 0 to 30, beyond which refinement need not end");
+  if (!(params.max_distance_voxels >= 0.01))
+    return bad_input("max_distance_voxels is " + number(params.max_distance_voxels) +
+                     "; expected at least 0.01");
+  if (!(params.shape_weight >= 0 && params.shape_weight <= 1))
+    return bad_input("shape_weight is " + number(params.shape_weight) + "; expected 0 to 1");
+  return std::monostate{};
+}
+
 void warn_about_sizes(const SurfaceMesh& surface, const SizingField& sizing, RunContext& ctx) {
   constexpr double kMuchSmaller = 0.5, kWorthSaying = 0.1;
   std::size_t smaller = 0;
@@ -108,8 +129,8 @@ Result<SurfaceMesh> adapt(const LabelVolume& volume, const SurfaceMesh& referenc
   return adapt_complex(reference, sizing, adapt, ctx);
 }
 
-Result<SurfaceMesh> remesh(const LabelVolume& volume, const SurfaceMesh& reference, const SizingField& sizing,
-                           const RemeshParams& params, RunContext& ctx) {
+Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,
+                              const SizingField& sizing, const RemeshParams& params, RunContext& ctx) {
   ctx.progress(kStage, 0);
   if (params.method == RemeshMethod::kRemesh) return adapt(volume, reference, sizing, params, ctx);
   const LabelField field(volume, reference);
@@ -136,7 +157,7 @@ Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh&
   if (Status status = check_parameters(sizing, params); !status) return status.error();
   try {
     RunContext rising = with_rising_progress(ctx);
-    Result<SurfaceMesh> surface = remesh(volume, reference, sizing, params, rising);
+    Result<SurfaceMesh> surface = by_method(volume, reference, sizing, params, rising);
     if (surface) {
       warn_about_sizes(*surface, sizing, ctx);
       ctx.progress(kStage, 1);
