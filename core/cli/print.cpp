@@ -25,8 +25,9 @@ bool on_terminal() {
 
 }  // namespace
 
-RunContext printing_context(double time_limit_s) {
+RunContext printing_context(double time_limit_s, int threads) {
   RunContext ctx;
+  ctx.threads = threads;
   struct Running {
     std::string stage;
     Clock::time_point start;
