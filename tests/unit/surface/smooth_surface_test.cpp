@@ -77,18 +77,28 @@ SphereErrors sphere_errors(const SurfaceMesh& surface, double centre, double rad
   return errors;
 }
 
-// The figures measured for clamped bi-Laplacian smoothing of this sphere, with little room.
+// A little above the figures measured; those of marching cubes are the table of the literature's methods.
 TEST(SmoothSurface, ReachesTheMeasuredAccuracyOnASphere) {
-  const LabelVolume ball = test::ball_volume(31, 15, 12.3);
-  const double voxels = test::label_counts(ball)[1];
-  SmoothParams params;
-  for (const auto& [iterations, mean, largest] : {std::tuple{50, 0.06, 0.33}, std::tuple{200, 0.045, 0.26}}) {
-    params.iterations = iterations;
-    const SurfaceMesh surface = smooth(extract(ball, ExtractMethod::kMarchingTets), ball, params);
-    const SphereErrors errors = sphere_errors(surface, 15, 12.3);
-    EXPECT_LE(errors.mean, mean) << iterations;
-    EXPECT_LE(errors.largest, largest) << iterations;
-    EXPECT_NEAR(enclosed_volume_mm3(surface, 1), voxels, 0.001 * voxels);
+  struct Bound {
+    ExtractMethod method;
+    int iterations;
+    double mean, largest;
+  };
+  for (const double centre : {15.0, 15.5, 15.37}) {
+    const LabelVolume ball = test::ball_volume(32, centre, 12.3);
+    const double voxels = test::label_counts(ball)[1];
+    for (const Bound& bound : {Bound{ExtractMethod::kMarchingCubes, 50, 0.054, 0.31},
+                               Bound{ExtractMethod::kMarchingCubes, 200, 0.04, 0.21},
+                               Bound{ExtractMethod::kMarchingTets, 50, 0.095, 0.45},
+                               Bound{ExtractMethod::kMarchingTets, 200, 0.066, 0.4}}) {
+      SmoothParams params;
+      params.iterations = bound.iterations;
+      const SurfaceMesh surface = smooth(extract(ball, bound.method), ball, params);
+      const SphereErrors errors = sphere_errors(surface, centre, 12.3);
+      EXPECT_LE(errors.mean, bound.mean) << centre << " " << bound.iterations;
+      EXPECT_LE(errors.largest, bound.largest) << centre << " " << bound.iterations;
+      EXPECT_NEAR(enclosed_volume_mm3(surface, 1), voxels, 0.001 * voxels);
+    }
   }
 }
 
@@ -142,7 +152,7 @@ TEST(SmoothSurface, KeepsTheFacesOfNestedBoxesFlat) {
     ++inner;
     const double off =
         std::min({std::abs(sorted[0] - 1.5), std::abs(sorted[0] - 5.5), std::abs(sorted[0] - 8.5)});
-    flat += off < 0.05 ? 1 : 0;
+    flat += off < 0.08 ? 1 : 0;
   }
   EXPECT_GT(inner, 100U);
   EXPECT_EQ(flat, inner);
@@ -315,7 +325,7 @@ TEST(SmoothSurface, GivesTheSameBytesOnEveryPlatform) {
   const SurfaceMesh raw = extract(noise);
   EXPECT_EQ(digest_of(raw), "d37b8592e9cfb41a8f6b1c17ef3b857513e20cfac8a796c0600aef98f2a093df");
   EXPECT_EQ(digest_of(smooth(raw, noise)),
-            "add07bfe95b86d108f0c68bc8e5e9589d00f5d33d1cbedf69f32f291c761e055");
+            "5876f98d486eec71375b1b97abbef74ca381892ab4d894f66ee24e734e88b088");
 }
 
 TEST(SmoothSurface, KeepsNoisyVolumesClosedAndOutward) {
