@@ -8,6 +8,7 @@
 #include "cli/print.h"
 #include "geometry/adjacency.h"
 #include "geometry/digest.h"
+#include "geometry/parallel.h"
 #include "io/files.h"
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
@@ -24,6 +25,7 @@ using nlohmann::json;
 struct Output {
   bool as_json = false;
   double time_limit_s = 0;
+  int threads = hardware_threads();
   std::string lps_or_ras = "ras";
   PatientSpace space() const { return lps_or_ras == "lps" ? PatientSpace::kLps : PatientSpace::kRas; }
 };
@@ -48,7 +50,7 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
     if (Result<MeshFormat> format = mesh_format_of(out); !format) return fail(format.error());
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
-  RunContext ctx = printing_context(output.time_limit_s);
+  RunContext ctx = printing_context(output.time_limit_s, output.threads);
   const Status done = session.run(Stage::kQuality, ctx);
   if (!done) {
     json failed = report_json(session);
@@ -169,7 +171,7 @@ int run_verify(const CaseOptions& options, const Output& output) {
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
   Result<Expected> expected = expected_of(session.recipe(), options.input);
   if (!expected) return fail(expected.error());
-  RunContext ctx = printing_context(output.time_limit_s);
+  RunContext ctx = printing_context(output.time_limit_s, output.threads);
   if (Status done = session.run(Stage::kTetra, ctx); !done) return fail(done.error());
   const std::string digest = digest_of(*session.mesh());
   const bool same = digest == expected->digest;
@@ -202,6 +204,7 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
   command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");
   command.add_flag("--json", output.as_json, "print the report as JSON");
   command.add_option("--time-limit", output.time_limit_s, "give up after so many seconds");
+  command.add_option("--threads", output.threads, "threads to use; the result is the same for any number");
 }
 
 }  // namespace

@@ -62,8 +62,9 @@ void print_fidelity(const nlohmann::json& fidelity, std::FILE* out) {
 
 }  // namespace
 
-RunContext printing_context(double time_limit_s) {
+RunContext printing_context(double time_limit_s, int threads) {
   RunContext ctx;
+  ctx.threads = threads;
   struct Running {
     std::string stage;
     Clock::time_point start;

@@ -10,8 +10,8 @@
 namespace voxtet {
 
 /// A context that prints a line for each stage (and percentages on a terminal) to standard error.
-/// `time_limit_s` > 0 cancels when it is over.
-RunContext printing_context(double time_limit_s);
+/// `time_limit_s` > 0 cancels when it is over. `threads` as in RunContext.
+RunContext printing_context(double time_limit_s, int threads);
 
 /// Prints the error and gives its exit code.
 int fail(const Error& error);

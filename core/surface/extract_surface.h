@@ -21,8 +21,8 @@ struct ExtractParams {
 /// The boundary complex of all labels, vertices at lattice-edge midpoints (marching tetrahedra: also centres
 /// of tetrahedron faces and tetrahedra), in mm, RAS. The volume is padded by background, so that every
 /// label's boundary is a closed 2-manifold, also where a label touches the border of the image. Ambiguous
-/// faces of marching cubes separate the foreground (6-connectivity). Linear time; deterministic. Errors:
-/// kBadInput when no voxel has a label.
+/// faces of marching cubes separate the foreground (6-connectivity). Linear time; identical for any
+/// ctx.threads. Errors: kBadInput when no voxel has a label.
 Result<SurfaceMesh> extract_surface(const LabelVolume& volume, const ExtractParams& params, RunContext& ctx);
 
 }  // namespace voxtet

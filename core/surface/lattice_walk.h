@@ -1,4 +1,4 @@
-// One pass over the cells of a label volume padded by background, slab by slab, skipping uniform cells.
+// One pass over the cells of a label volume padded by background, layer by layer, skipping uniform cells.
 // Padded coordinates: voxel (i, j, k) is lattice point (i+1, j+1, k+1); cell (x, y, z) has corners x..x+1
 // etc.
 #pragma once
@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "types/label_volume.h"
-#include "types/run_context.h"
 
 namespace voxtet {
 
@@ -54,45 +53,35 @@ class LabelSlab {
   std::array<std::vector<Label>, 2> planes_;
 };
 
-/// Calls visit(x, y, z, corner labels) for every cell with more than one label, z slowest. `visit` must only
-/// rely on cells with smaller (z, y, x) having been visited. Returns false when cancelled.
+/// Calls visit(x, y, z, corner labels) for every cell of layer z with more than one label; planes z and z + 1
+/// must be loaded. `visit` must only rely on cells with smaller (z, y, x) having been visited.
 template <class Visit>
-bool walk_mixed_cells(const LabelVolume& volume, bool binary, const char* stage, const RunContext& ctx,
-                      Visit&& visit) {
-  LabelSlab slab(volume, binary);
-  slab.load(0);
-  const int cells_x = volume.size[0] + 1, cells_y = volume.size[1] + 1, cells_z = volume.size[2] + 1;
+void walk_mixed_cells(const LabelVolume& volume, const LabelSlab& slab, int z, Visit&& visit) {
+  const int cells_x = volume.size[0] + 1, cells_y = volume.size[1] + 1;
   const auto four = [](const Label* at) {
     std::uint64_t word = 0;
     std::memcpy(&word, at, sizeof word);
     return word;
   };
-  for (int z = 0; z < cells_z; ++z) {
-    if (ctx.cancelled()) return false;
-    ctx.progress(stage, static_cast<double>(z) / cells_z);
-    slab.load(z + 1);
-    for (int y = 0; y < cells_y; ++y) {
-      const std::array<const Label*, 4> rows{slab.row(z, y), slab.row(z, y + 1), slab.row(z + 1, y),
-                                             slab.row(z + 1, y + 1)};
-      for (int x = 0; x < cells_x; x += 4) {
-        const std::uint64_t a = four(rows[0] + x);
-        std::uint64_t differs = a ^ four(rows[0] + x + 1);
-        for (std::size_t r = 1; r < 4; ++r) differs |= (a ^ four(rows[r] + x)) | (a ^ four(rows[r] + x + 1));
-        if (differs == 0) continue;
-        for (int lane = 0; lane < 4 && x + lane < cells_x; ++lane) {
-          if ((differs >> (16 * lane) & 0xFFFF) == 0) continue;
-          std::array<Label, 8> corners{};
-          for (std::size_t r = 0; r < 4; ++r) {
-            corners[2 * r] = rows[r][x + lane];
-            corners[2 * r + 1] = rows[r][x + lane + 1];
-          }
-          visit(x + lane, y, z, corners);
+  for (int y = 0; y < cells_y; ++y) {
+    const std::array<const Label*, 4> rows{slab.row(z, y), slab.row(z, y + 1), slab.row(z + 1, y),
+                                           slab.row(z + 1, y + 1)};
+    for (int x = 0; x < cells_x; x += 4) {
+      const std::uint64_t a = four(rows[0] + x);
+      std::uint64_t differs = a ^ four(rows[0] + x + 1);
+      for (std::size_t r = 1; r < 4; ++r) differs |= (a ^ four(rows[r] + x)) | (a ^ four(rows[r] + x + 1));
+      if (differs == 0) continue;
+      for (int lane = 0; lane < 4 && x + lane < cells_x; ++lane) {
+        if ((differs >> (16 * lane) & 0xFFFF) == 0) continue;
+        std::array<Label, 8> corners{};
+        for (std::size_t r = 0; r < 4; ++r) {
+          corners[2 * r] = rows[r][x + lane];
+          corners[2 * r + 1] = rows[r][x + lane + 1];
         }
+        visit(x + lane, y, z, corners);
       }
     }
   }
-  ctx.progress(stage, 1.0);
-  return true;
 }
 
 /// Vertex ids that belong to lattice points, `slots` of them a point, for the two planes of the current slab.

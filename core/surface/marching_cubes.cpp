@@ -5,7 +5,7 @@
 
 #include "surface/cell_tables.h"
 #include "surface/extract_methods.h"
-#include "surface/lattice_walk.h"
+#include "surface/march_slabs.h"
 
 namespace voxtet {
 namespace {
@@ -62,10 +62,7 @@ class CubeMarcher {
 }  // namespace
 
 Result<SurfaceMesh> extract_marching_cubes(const LabelVolume& volume, Label label, RunContext& ctx) {
-  SurfaceMesh out;
-  CubeMarcher marcher(volume, label, out);
-  if (!walk_mixed_cells(volume, true, "surface", ctx, marcher)) return cancelled_error("surface");
-  return out;
+  return march_slabs(volume, true, ctx, [&](SurfaceMesh& out) { return CubeMarcher(volume, label, out); });
 }
 
 }  // namespace voxtet

@@ -6,7 +6,7 @@
 
 #include "surface/cell_tables.h"
 #include "surface/extract_methods.h"
-#include "surface/lattice_walk.h"
+#include "surface/march_slabs.h"
 
 namespace voxtet {
 namespace {
@@ -126,10 +126,7 @@ class TetMarcher {
 }  // namespace
 
 Result<SurfaceMesh> extract_marching_tets(const LabelVolume& volume, RunContext& ctx) {
-  SurfaceMesh out;
-  TetMarcher marcher(volume, out);
-  if (!walk_mixed_cells(volume, false, "surface", ctx, marcher)) return cancelled_error("surface");
-  return out;
+  return march_slabs(volume, false, ctx, [&](SurfaceMesh& out) { return TetMarcher(volume, out); });
 }
 
 }  // namespace voxtet

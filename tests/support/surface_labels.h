@@ -16,6 +16,7 @@ namespace voxtet::test {
 struct ChangedVoxels {
   std::size_t all = 0;    ///< voxel centres that the surface gives another label
   std::size_t inner = 0;  ///< those whose 6 neighbours have the voxel's own label: deeper than half a voxel
+  std::size_t thin = 0;   ///< those with other labels on both sides along some axis
 };
 
 /// Casts a ray along x through every row of voxel centres (moved aside by a hundred-thousandth of a voxel, so
@@ -74,12 +75,19 @@ inline ChangedVoxels changed_voxels(const SurfaceMesh& surface, const LabelVolum
         const Label label = volume.at(i, j, k);
         if (depth[label] == 1) continue;
         ++out.all;
-        bool inner = true;
-        for (const int step : {-1, 1})
-          inner = inner && volume.at_or_background(i + step, j, k) == label &&
-                  volume.at_or_background(i, j + step, k) == label &&
-                  volume.at_or_background(i, j, k + step) == label;
-        out.inner += inner ? 1 : 0;
+        int others = 0;
+        bool thin = false;
+        for (const std::array<int, 3>& axis :
+             {std::array{1, 0, 0}, std::array{0, 1, 0}, std::array{0, 0, 1}}) {
+          int along = 0;
+          for (const int step : {-1, 1})
+            along +=
+                volume.at_or_background(i + step * axis[0], j + step * axis[1], k + step * axis[2]) != label;
+          others += along;
+          thin = thin || along == 2;
+        }
+        out.inner += others == 0 ? 1 : 0;
+        out.thin += thin ? 1 : 0;
       }
     }
   return out;

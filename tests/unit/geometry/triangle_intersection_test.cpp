@@ -118,5 +118,15 @@ TEST(InOpenHalfSpace, FindsTheSideOfAWideFan) {
   EXPECT_TRUE(in_open_half_space(v));
 }
 
+TEST(InOpenHalfSpace, HoldsTheDistanceOfTheHull) {
+  Vectors<3> v;
+  const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  v.set(0, Eigen::Vector3d(1, 0, 0.25), origin);
+  v.set(1, Eigen::Vector3d(-1, 1, 0.25), origin);
+  v.set(2, Eigen::Vector3d(-1, -1, 0.25), origin);
+  EXPECT_TRUE(in_open_half_space(v, 0.2));
+  EXPECT_FALSE(in_open_half_space(v, 0.26));
+}
+
 }  // namespace
 }  // namespace voxtet

@@ -41,7 +41,7 @@ TEST(ExtractSurface, GivesClosedManifoldsForAllSmallBinaryBlocks) {
 }
 
 TEST(ExtractSurface, GivesClosedManifoldsForRandomLabels) {
-  for (int seed = 0; seed < 200; ++seed) {
+  for (int seed = 0; seed < 60; ++seed) {
     const LabelVolume volume = test::random_volume(12, 2 + seed % 4, static_cast<std::uint64_t>(seed));
     ASSERT_TRUE(is_valid_surface(extract(volume))) << seed;
   }

@@ -1,6 +1,7 @@
 // Extraction and smoothing of the real volumes, where they are present.
 #include <gtest/gtest.h>
 
+#include "geometry/self_intersections.h"
 #include "geometry/surface_measures.h"
 #include "io/read_volume.h"
 #include "support/check_surface.h"
@@ -35,11 +36,13 @@ TEST_P(RealSurfaces, AreClosedAndKeepTheirVolumes) {
     const double error = std::abs(voxels / counts[label] - 1);
     worst = std::max(worst, error);
     if (counts[label] < 1000) continue;
-    EXPECT_LE(error, 0.005) << label << " of " << counts[label] << " voxels";
+    EXPECT_LE(error, 0.001) << label << " of " << counts[label] << " voxels";
   }
   const double before = staircase_energy_mm(*raw), after = staircase_energy_mm(*smooth);
   const test::ChangedVoxels changed = test::changed_voxels(*smooth, *volume);
   EXPECT_EQ(changed.inner, 0U);
+  EXPECT_EQ(changed.thin, 0U);
+  EXPECT_TRUE(find_self_intersections(*smooth, 1).empty());
   RecordProperty("triangles", static_cast<int>(raw->triangles.size()));
   RecordProperty("worst_volume_error", std::to_string(worst));
   RecordProperty("energy_ratio", std::to_string(before / after));

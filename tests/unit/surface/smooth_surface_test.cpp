@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "geometry/digest.h"
 #include "geometry/surface_measures.h"
@@ -59,6 +62,149 @@ TEST(SmoothSurface, BringsABallBackToItsSphereAndVolume) {
   }
 }
 
+struct SphereErrors {
+  double mean = 0, largest = 0;
+};
+
+/// Distances (voxels) of the points to a sphere.
+SphereErrors sphere_errors(const SurfaceMesh& surface, double centre, double radius) {
+  SphereErrors errors;
+  for (const Eigen::Vector3d& p : surface.points) {
+    const double distance = std::abs((p - Eigen::Vector3d::Constant(centre)).norm() - radius);
+    errors.mean += distance / static_cast<double>(surface.points.size());
+    errors.largest = std::max(errors.largest, distance);
+  }
+  return errors;
+}
+
+// A little above the figures measured; those of marching cubes are the table of the literature's methods.
+TEST(SmoothSurface, ReachesTheMeasuredAccuracyOnASphere) {
+  struct Bound {
+    ExtractMethod method;
+    int iterations;
+    double mean, largest;
+  };
+  for (const double centre : {15.0, 15.5, 15.37}) {
+    const LabelVolume ball = test::ball_volume(32, centre, 12.3);
+    const double voxels = test::label_counts(ball)[1];
+    for (const Bound& bound : {Bound{ExtractMethod::kMarchingCubes, 50, 0.054, 0.31},
+                               Bound{ExtractMethod::kMarchingCubes, 200, 0.04, 0.21},
+                               Bound{ExtractMethod::kMarchingTets, 50, 0.095, 0.45},
+                               Bound{ExtractMethod::kMarchingTets, 200, 0.066, 0.4}}) {
+      SmoothParams params;
+      params.iterations = bound.iterations;
+      const SurfaceMesh surface = smooth(extract(ball, bound.method), ball, params);
+      const SphereErrors errors = sphere_errors(surface, centre, 12.3);
+      EXPECT_LE(errors.mean, bound.mean) << centre << " " << bound.iterations;
+      EXPECT_LE(errors.largest, bound.largest) << centre << " " << bound.iterations;
+      EXPECT_NEAR(enclosed_volume_mm3(surface, 1), voxels, 0.001 * voxels);
+    }
+  }
+}
+
+TEST(SmoothSurface, FollowsATorusAndBothWallsOfAShell) {
+  const LabelVolume torus = test::make_volume(
+      40, 40, 16, [](int i, int j, int k) { return test::in_torus(i - 19.5, j - 19.5, k - 7.5, 12, 5); });
+  const LabelVolume shell = test::make_volume(30, 30, 30, [](int i, int j, int k) {
+    const double r2 = (i - 14.5) * (i - 14.5) + (j - 14.5) * (j - 14.5) + (k - 14.5) * (k - 14.5);
+    return r2 <= 169 && r2 >= 64;
+  });
+  for (const ExtractMethod method : kBothMethods) {
+    double mean = 0, largest = 0;
+    const SurfaceMesh ring = smooth(extract(torus, method), torus);
+    for (const Eigen::Vector3d& p : ring.points) {
+      const double x = p.x() - 19.5, y = p.y() - 19.5, z = p.z() - 7.5, out = std::sqrt(x * x + y * y) - 12;
+      const double distance = std::abs(std::sqrt(out * out + z * z) - 5);
+      mean += distance / static_cast<double>(ring.points.size());
+      largest = std::max(largest, distance);
+    }
+    EXPECT_LE(mean, 0.12);
+    EXPECT_LE(largest, 0.5);
+    const SurfaceMesh walls = smooth(extract(shell, method), shell);
+    mean = largest = 0;
+    for (const Eigen::Vector3d& p : walls.points) {
+      const double r = (p - Eigen::Vector3d::Constant(14.5)).norm();
+      const double distance = std::min(std::abs(r - 8), std::abs(r - 13));
+      mean += distance / static_cast<double>(walls.points.size());
+      largest = std::max(largest, distance);
+    }
+    EXPECT_LE(mean, 0.12);
+    EXPECT_LE(largest, 0.5);
+  }
+}
+
+TEST(SmoothSurface, KeepsTheFacesOfNestedBoxesFlat) {
+  const LabelVolume boxes = test::make_volume(24, 24, 24, [](int i, int j, int k) {
+    const int depth = std::min({i, j, k, 23 - i, 23 - j, 23 - k});
+    return depth < 2 ? 0 : depth < 6 ? 1 : depth < 9 ? 2 : 3;
+  });
+  const SurfaceMesh surface = smooth(extract(boxes), boxes);
+  EXPECT_TRUE(is_valid_surface(surface));
+  const std::vector<double> counts = test::label_counts(boxes);
+  for (const Label label : {1, 2, 3})
+    EXPECT_NEAR(enclosed_volume_mm3(surface, label), counts[label], 0.001 * counts[label]) << label;
+  std::size_t flat = 0, inner = 0;
+  for (const Eigen::Vector3d& p : surface.points) {
+    const Eigen::Vector3d depth = p.cwiseMin(Eigen::Vector3d::Constant(23) - p);
+    std::array<double, 3> sorted{depth.x(), depth.y(), depth.z()};
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted[1] < sorted[0] + 3) continue;  // near an edge of the boxes
+    ++inner;
+    const double off =
+        std::min({std::abs(sorted[0] - 1.5), std::abs(sorted[0] - 5.5), std::abs(sorted[0] - 8.5)});
+    flat += off < 0.08 ? 1 : 0;
+  }
+  EXPECT_GT(inner, 100U);
+  EXPECT_EQ(flat, inner);
+}
+
+TEST(SmoothSurface, KeepsTheVolumeOfSpecksWiresAndSheets) {
+  const auto stick_out = [](int a, int b, int c) { return std::abs(a) + std::abs(b) + std::abs(c); };
+  const std::vector<std::pair<const char*, LabelVolume>> bodies{
+      {"one voxel",
+       test::make_volume(7, 7, 7, [&](int i, int j, int k) { return stick_out(i - 3, j - 3, k - 3) == 0; })},
+      {"two voxels",
+       test::make_volume(7, 7, 7, [](int i, int j, int k) { return i / 2 == 1 && j == 3 && k == 3; })},
+      {"two across a corner",
+       test::make_volume(7, 7, 7, [](int i, int j, int k) { return i / 2 == 1 && j == i && k == i; })},
+      {"four voxels",
+       test::make_volume(7, 7, 7, [](int i, int j, int k) { return i / 2 == 1 && j / 2 == 1 && k == 3; })},
+      {"seven voxels",
+       test::make_volume(7, 7, 7, [&](int i, int j, int k) { return stick_out(i - 3, j - 3, k - 3) <= 1; })},
+      {"wire",
+       test::make_volume(20, 7, 7, [](int i, int j, int k) { return i > 2 && i < 17 && j == 3 && k == 3; })},
+      {"staircase wire", test::make_volume(20, 21, 7,
+                                           [](int i, int j, int k) {
+                                             return i > 2 && i < 17 && (j == i || j == i + 1) && k == 3;
+                                           })},
+      {"sheet", test::make_volume(16, 16, 7, [](int i, int j, int k) {
+         return i > 2 && i < 13 && j > 2 && j < 13 && k == 3;
+       })}};
+  for (const auto& [name, volume] : bodies)
+    for (const ExtractMethod method : kBothMethods) {
+      const double voxels = test::label_counts(volume)[1];
+      const SurfaceMesh surface = smooth(extract(volume, method), volume);
+      EXPECT_NEAR(enclosed_volume_mm3(surface, 1) / voxels, 1, 0.02) << name;
+      EXPECT_TRUE(is_valid_surface(surface)) << name;
+      EXPECT_EQ(test::changed_voxels(surface, volume).all, 0U) << name;
+    }
+}
+
+TEST(SmoothSurface, KeepsHalfOfAWireThatGrowsOutOfABody) {
+  const LabelVolume body = test::make_volume(
+      12, 14, 14, [](int i, int j, int k) { return i < 10 && j > 1 && j < 12 && k > 1 && k < 12 ? 1 : 0; });
+  const LabelVolume wired = test::make_volume(30, 14, 14, [](int i, int j, int k) {
+    return (i < 10 && j > 1 && j < 12 && k > 1 && k < 12) || (i < 28 && j == 7 && k == 7) ? 1 : 0;
+  });
+  SmoothParams params;
+  params.keep_volume = false;  // a body's volume would make up for the wire's
+  for (const ExtractMethod method : kBothMethods) {
+    const double wire = enclosed_volume_mm3(smooth(extract(wired, method), wired, params), 1) -
+                        enclosed_volume_mm3(smooth(extract(body, method), body, params), 1);
+    EXPECT_GE(wire, 0.45 * 18);
+  }
+}
+
 TEST(SmoothSurface, KeepsTheVolumeOfEveryLabel) {
   const LabelVolume heart = test::heart_volume(60, 44, 52);
   const SurfaceMesh raw = extract(heart);
@@ -85,6 +231,7 @@ TEST(SmoothSurface, KeepsLabelsOfVoxelCentresDeeperThanHalfAVoxel) {
   const LabelVolume heart = test::heart_volume(60, 44, 52);
   const test::ChangedVoxels changed = test::changed_voxels(smooth(extract(heart), heart), heart);
   EXPECT_EQ(changed.inner, 0U);
+  EXPECT_EQ(changed.thin, 0U);
   EXPECT_LE(static_cast<double>(changed.all), 0.002 * static_cast<double>(heart.voxel_count()));
 }
 
@@ -178,11 +325,11 @@ TEST(SmoothSurface, GivesTheSameBytesOnEveryPlatform) {
   const SurfaceMesh raw = extract(noise);
   EXPECT_EQ(digest_of(raw), "d37b8592e9cfb41a8f6b1c17ef3b857513e20cfac8a796c0600aef98f2a093df");
   EXPECT_EQ(digest_of(smooth(raw, noise)),
-            "add07bfe95b86d108f0c68bc8e5e9589d00f5d33d1cbedf69f32f291c761e055");
+            "5876f98d486eec71375b1b97abbef74ca381892ab4d894f66ee24e734e88b088");
 }
 
 TEST(SmoothSurface, KeepsNoisyVolumesClosedAndOutward) {
-  for (int seed = 0; seed < 40; ++seed) {
+  for (int seed = 0; seed < 15; ++seed) {
     const LabelVolume noise = test::random_volume(12, 1 + seed % 5, static_cast<std::uint64_t>(500 + seed));
     ASSERT_TRUE(is_valid_surface(smooth(extract(noise), noise))) << seed;
   }
@@ -211,6 +358,9 @@ TEST(SmoothSurface, RejectsParametersOutOfRange) {
   EXPECT_EQ(code_of(SurfaceMesh{}, 50, 0.4, 0.5), ErrorCode::kBadInput);
   SurfaceMesh broken = raw;
   broken.triangles[3][1] = static_cast<std::uint32_t>(raw.points.size());
+  EXPECT_EQ(code_of(broken, 50, 0.4, 0.5), ErrorCode::kBadInput);
+  broken = raw;
+  broken.sides.assign(raw.sides.size(), {2, 1});
   EXPECT_EQ(code_of(broken, 50, 0.4, 0.5), ErrorCode::kBadInput);
 }
 
