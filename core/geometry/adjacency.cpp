@@ -46,11 +46,15 @@ std::vector<Edge> tet_edges(std::span<const Tet> tets, std::size_t point_count) 
   buckets.allocate();
   for_edges(tets, [&](const Edge& e) { buckets.add(e[0], e[1]); });
   std::vector<Edge> edges;
+  // The low end at which each point was last met: most ends come several times, and only one is sorted.
+  constexpr std::uint32_t kNever = 0xffffffffU;
+  std::vector<std::uint32_t> met_at(point_count, kNever), ends;
   for (std::uint32_t low = 0; low < buckets.size(); ++low) {
-    const std::span<std::uint32_t> ends = buckets.at(low);
+    ends.clear();
+    for (const std::uint32_t end : buckets.at(low))
+      if (std::exchange(met_at[end], low) != low) ends.push_back(end);
     std::sort(ends.begin(), ends.end());
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      if (i == 0 || ends[i] != ends[i - 1]) edges.push_back({low, ends[i]});
+    for (const std::uint32_t end : ends) edges.push_back({low, end});
   }
   return edges;
 }

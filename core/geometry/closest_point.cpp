@@ -8,16 +8,13 @@ namespace voxtet {
 namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
-/// A box is passed over only when clearly farther: rounding must not hide an equally close triangle.
-constexpr double kCaution = 1 + 1e-12;
+/// A box is passed over only when clearly farther: the rounding of single precision, in which boxes are
+/// compared, must not hide an equally close triangle.
+constexpr float kCaution = 1.00001F, kRounding = 1e-6F;
 
 float at_most(double value) {
   const auto nearest = static_cast<float>(value);
   return nearest <= value ? nearest : std::nextafter(nearest, std::numeric_limits<float>::lowest());
-}
-
-float at_least(double value) {
-  return -at_most(-value);
 }
 
 }  // namespace
@@ -52,7 +49,8 @@ ClosestPointTree::ClosestPointTree(const std::vector<Eigen::Vector3d>& points,
     for (std::size_t d = 0; d < 3; ++d) {
       const auto i = static_cast<Eigen::Index>(d);
       item.low[d] = at_most(std::min({points[a][i], points[b][i], points[c][i]}));
-      item.high[d] = at_least(std::max({points[a][i], points[b][i], points[c][i]}));
+      item.high[d] = -at_most(-std::max({points[a][i], points[b][i], points[c][i]}));
+      margin_ = std::max({margin_, -item.low[d] * kRounding, item.high[d] * kRounding});
     }
     items.push_back(item);
   }
@@ -115,19 +113,16 @@ ClosestPointTree::Child ClosestPointTree::build(std::span<Item> items, std::uint
   std::array<Item, 2> bounds;
   const Child left = build(items.first(half), first, bounds[0]);
   const Child right = build(items.subspan(half), first + half, bounds[1]);
-  nodes_[id] = {{box_of(bounds[0]), box_of(bounds[1])}, {left, right}};
+  Node node{{}, {}, {left, right}};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const float from = bounds[i / 3].low[i % 3], to = bounds[i / 3].high[i % 3];
+    node.centre[i] = 0.5F * (from + to);
+    node.half[i] = std::max(to - node.centre[i], node.centre[i] - from) + margin_;
+  }
+  nodes_[id] = node;
   whole = bounds[0];
   extend(whole, bounds[1]);
   return {id, 0};
-}
-
-ClosestPointTree::Box ClosestPointTree::box_of(const Item& bounds) {
-  Box box{};
-  for (std::size_t d = 0; d < 3; ++d) {
-    const double centre = box.centre[d] = 0.5F * (bounds.low[d] + bounds.high[d]);
-    box.half[d] = at_least(std::max(bounds.high[d] - centre, centre - bounds.low[d]));
-  }
-  return box;
 }
 
 ClosestPointTree::Hit ClosestPointTree::closest(const Eigen::Vector3d& point, std::uint32_t hint) const {
@@ -141,31 +136,33 @@ ClosestPointTree::Hit ClosestPointTree::closest(const Eigen::Vector3d& point, st
       best = {on, order_[slot], 0};
     }
   };
-  const auto distance2_to = [&](const Box& box) {
-    double sum = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
-      const double outside =
-          std::max(std::abs(point[static_cast<Eigen::Index>(d)] - box.centre[d]) - box.half[d], 0.0);
-      sum += outside * outside;
-    }
-    return sum;
-  };
   try_slot(slot_[hint < slot_.size() ? hint : 0]);
+  std::array<float, 6> twice, outside;
+  for (std::size_t i = 0; i < 6; ++i) twice[i] = static_cast<float>(point[static_cast<Eigen::Index>(i % 3)]);
   // Nearer child first; the farther one waits on the stack with its distance. Depth is at most 32.
-  std::array<std::pair<Child, double>, 64> stack;
+  struct Waiting {
+    Child child;
+    float bound2;
+  };
+  std::array<Waiting, 64> stack;
   std::size_t depth = 0;
-  stack[depth++] = {root_, 0.0};
+  stack[depth++] = {root_, 0};
   while (depth > 0) {
-    const auto [child, bound] = stack[--depth];
-    if (bound > best2 * kCaution) continue;
+    const auto [child, bound2] = stack[--depth];
+    const float enough = static_cast<float>(best2) * kCaution;
+    if (bound2 > enough) continue;
     if (child.count > 0) {
       for (std::uint32_t i = child.first; i < child.first + child.count; ++i) try_slot(i);
       continue;
     }
     const Node& node = nodes_[child.first];
-    const double left = distance2_to(node.boxes[0]), right = distance2_to(node.boxes[1]);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const float d = std::abs(twice[i] - node.centre[i]) - node.half[i];
+      outside[i] = d > 0 ? d * d : 0;
+    }
+    const float left = outside[0] + outside[1] + outside[2], right = outside[3] + outside[4] + outside[5];
     const std::size_t near = left <= right ? 0 : 1;
-    if (const double farther = std::max(left, right); farther <= best2 * kCaution)
+    if (const float farther = std::max(left, right); farther <= enough)
       stack[depth++] = {node.children[1 - near], farther};
     stack[depth++] = {node.children[near], std::min(left, right)};
   }

@@ -43,17 +43,14 @@ class ClosestPointTree {
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
 
  private:
-  /// Centre and half extents, the latter never too small.
-  struct Box {
-    std::array<float, 3> centre, half;
-  };
   /// A leaf (count > 0, first in triangles_) or an inner node (count 0, first in nodes_).
   struct Child {
-    std::uint32_t first = 0, count = 0;
+    std::uint32_t first, count;
   };
-  /// Bounds of both children together: one look at the memory decides between them.
+  /// The boxes of both children together, x, y, z of the one and then of the other: one look at the memory
+  /// decides between them.
   struct Node {
-    std::array<Box, 2> boxes;
+    std::array<float, 6> centre, half;  ///< half extents, a little more than it takes
     std::array<Child, 2> children;
   };
   struct Item {
@@ -62,7 +59,6 @@ class ClosestPointTree {
   };
   /// `whole` receives the bounds of all items.
   Child build(std::span<Item> items, std::uint32_t first, Item& whole);
-  static Box box_of(const Item& bounds);
   Eigen::Vector3d closest_in_slot(std::uint32_t slot, const Eigen::Vector3d& point) const {
     const auto& [a, b, c] = triangles_[slot];
     return closest_on_triangle(point, points_[a], points_[b], points_[c]);
@@ -73,7 +69,8 @@ class ClosestPointTree {
   std::vector<std::uint32_t> order_;  ///< the triangle given in each slot
   std::vector<std::uint32_t> slot_;   ///< of each triangle given
   std::vector<Node> nodes_;
-  Child root_;
+  Child root_{};
+  float margin_ = 0;  ///< mm, what half extents have on top for the rounding of queries
 };
 
 }  // namespace voxtet

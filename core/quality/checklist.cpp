@@ -164,7 +164,9 @@ std::vector<ChecklistItem> check_mesh_alone(const TetMesh& mesh, std::span<const
     edges += t.pinched_edges;
     points += t.pinched_points;
   }
-  const std::string pinched = std::to_string(edges) + " edges, " + std::to_string(points) + " points";
+  const std::string pinched = edges + points == 0 ? "pinched nowhere"
+                                                  : "pinched at " + std::to_string(edges) + " edges, " +
+                                                        std::to_string(points) + " points";
   return {none_of("finite_coordinates", static_cast<std::size_t>(infinite), mesh.points.size()),
           none_of("no_inverted_tets", count_inverted(mesh), mesh.tets.size()),
           none_of("no_duplicate_points", count_duplicate_points(mesh), mesh.points.size()),
@@ -172,7 +174,7 @@ std::vector<ChecklistItem> check_mesh_alone(const TetMesh& mesh, std::span<const
           none_of("no_unused_points", count_unused_points(mesh), mesh.points.size()),
           none_of("faces_on_at_most_two_tets", static_cast<std::size_t>(crowded), faces.size()),
           {"label_boundaries_closed", open == 0, true, std::to_string(open) + " open edges", "0"},
-          {"label_boundaries_manifold", edges + points == 0, false, "pinched at " + pinched, "nowhere"},
+          {"label_boundaries_manifold", edges + points == 0, false, pinched, "pinched nowhere"},
           {"min_dihedral", min_dihedral_deg >= 10, false, shown(min_dihedral_deg) + " deg", ">= 10 deg"}};
 }
 

@@ -34,6 +34,14 @@ TEST(Session, TakesAVolumeToAMeasuredMesh) {
   EXPECT_EQ(report["tets"], session.mesh()->tets.size());
   EXPECT_EQ(report["stages"].size(), static_cast<std::size_t>(kStageCount));
   EXPECT_EQ(report["fidelity"]["labels"].size(), 3U);
+  const nlohmann::json& topology = report["fidelity"]["topology"];
+  ASSERT_EQ(topology["labels"].size(), 3U);
+  for (const nlohmann::json& label : topology["labels"]) {
+    EXPECT_EQ(label["components"], nlohmann::json({1, 1})) << label;
+    EXPECT_EQ(label["euler"][1], 2 * (1 + label["cavities"][1].get<int>() - label["handles"][1].get<int>()));
+  }
+  EXPECT_FALSE(topology["contacts"]["after"].empty());
+  EXPECT_EQ(topology["differences"].empty(), topology["contacts"]["before"] == topology["contacts"]["after"]);
 }
 
 TEST(Session, ReusesWhatDidNotChange) {

@@ -41,6 +41,8 @@ export interface StageSummary {
   cached: boolean;
   peak_mb: number;
   digest: string;
+  /** What a reader should know though nothing is wrong. */
+  notes: string[];
   counts: Record<string, unknown>;
 }
 
@@ -89,6 +91,24 @@ export interface LabelFidelity {
   wished_edge_mm: number;
 }
 
+/** Pairs are of the label surface and of the mesh. */
+export interface LabelTopology {
+  label: number;
+  components: [number, number];
+  cavities: [number, number];
+  handles: [number, number];
+  euler: [number, number];
+  pinched_edges: number;
+  pinched_points: number;
+}
+
+export interface TopologyComparison {
+  labels: LabelTopology[];
+  /** Pairs of labels that touch, 0 being background. */
+  contacts: { before: [number, number][]; after: [number, number][] };
+  differences: string[];
+}
+
 export interface DistanceSummary {
   samples: number;
   mean_mm: number;
@@ -110,6 +130,7 @@ export interface Report {
     labels: LabelFidelity[];
     mesh_to_surface: DistanceSummary;
     surface_to_mesh: DistanceSummary;
+    topology: TopologyComparison;
   };
   recipe: Recipe;
   warnings: string[];

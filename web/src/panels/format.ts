@@ -26,3 +26,8 @@ const unitSigns: Record<string, string> = { deg: '°', '1': '', log2: 'log₂' }
 export function unitSign(unit: string): string {
   return unitSigns[unit] ?? unit;
 }
+
+/** A field's name as words: `min_dihedral_deg` becomes "Min dihedral". */
+export function sentence(name: string): string {
+  return (name.charAt(0).toUpperCase() + name.slice(1)).replace(/_(deg|mm)$/, '').replaceAll('_', ' ');
+}

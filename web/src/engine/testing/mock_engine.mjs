@@ -225,6 +225,7 @@ class Session {
         cached,
         peak_mb: 1,
         digest: hash(name + JSON.stringify(this.recipe)),
+        notes: [],
         counts: this.counts(name),
       });
     }
@@ -312,6 +313,21 @@ class Session {
         ],
         mesh_to_surface: distance,
         surface_to_mesh: distance,
+        topology: {
+          labels: [
+            {
+              label: 1,
+              components: [1, 1],
+              cavities: [0, 0],
+              handles: [1, 0],
+              euler: [0, 2],
+              pinched_edges: 0,
+              pinched_points: 0,
+            },
+          ],
+          contacts: { before: [[0, 1]], after: [[0, 1]] },
+          differences: ['label 1: handles 1 -> 0'],
+        },
       },
       recipe: this.recipe,
       warnings: [],

@@ -1,0 +1,123 @@
+import type { LabelFidelity, Report } from '../engine/contract';
+import { volume } from '../store/input';
+import { colourOf } from '../store/view';
+import { distanceText, topologyRow, type TopologyCell } from './fidelity_text';
+import { short } from './format';
+
+function LabelName({ label }: { label: number }) {
+  const name = volume.value?.labels.find((entry) => entry.label === label)?.name || `Label ${label}`;
+  return (
+    <th scope="row">
+      <svg class="dot" viewBox="0 0 8 8" aria-hidden="true">
+        <circle cx="4" cy="4" r="4" fill={colourOf.value(label)} />
+      </svg>
+      {name}
+    </th>
+  );
+}
+
+function Heads({ numbers }: { numbers: string[] }) {
+  return (
+    <thead>
+      <tr>
+        <th scope="col">Label</th>
+        {numbers.map((name) => (
+          <th key={name} scope="col" class="num">
+            {name}
+          </th>
+        ))}
+      </tr>
+    </thead>
+  );
+}
+
+function LabelTable({ labels }: { labels: LabelFidelity[] }) {
+  return (
+    <div class="table-scroll" tabIndex={0} role="region" aria-label="Fidelity to the labels">
+      <table class="measures">
+        <Heads numbers={['Volume', 'Dice', 'Edge mm']} />
+        <tbody>
+          {labels.map((row) => (
+            <tr key={row.label}>
+              <LabelName label={row.label} />
+              <td
+                class="num"
+                title={`${short(row.mesh_mm3 / 1000)} ml meshed, ${short(row.voxel_mm3 / 1000)} ml in voxels`}
+              >
+                {row.volume_error_percent >= 0 ? '+' : ''}
+                {row.volume_error_percent.toFixed(2)} %
+              </td>
+              <td class="num" title="the mesh sampled at voxel centres against the voxels">
+                {row.dice.toFixed(3)}
+              </td>
+              <td class="num" title="median achieved / prescribed">
+                {short(row.median_edge_mm)} / {short(row.wished_edge_mm)}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+function Cell({ cell }: { cell: TopologyCell }) {
+  return <td class={cell.changed ? 'num changed' : 'num'}>{cell.text}</td>;
+}
+
+function TopologyTable({ found }: { found: Report['fidelity']['topology'] }) {
+  const count = found.differences.length;
+  const kept = count === 0;
+  return (
+    <>
+      <h3>
+        Topology{' '}
+        <span class={kept ? 'tag pass' : 'tag caution'}>
+          {kept ? 'kept' : `${count} ${count === 1 ? 'difference' : 'differences'}`}
+        </span>
+      </h3>
+      <div class="table-scroll" tabIndex={0} role="region" aria-label="Topology of the labels">
+        <table class="measures" data-testid="topology">
+          <Heads numbers={['Pieces', 'Cavities', 'Tunnels', 'Pinched']} />
+          <tbody>
+            {found.labels.map(topologyRow).map((row) => (
+              <tr key={row.label}>
+                <LabelName label={row.label} />
+                <Cell cell={row.components} />
+                <Cell cell={row.cavities} />
+                <Cell cell={row.handles} />
+                <Cell cell={row.pinched} />
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      {!kept && (
+        <ul class="warnings">
+          {found.differences.map((difference) => (
+            <li key={difference}>{difference}</li>
+          ))}
+        </ul>
+      )}
+      <p class="facts">
+        Label surface → mesh. The label surface joins voxels over 14 neighbours (marching tetrahedra), or over
+        6 (marching cubes, a single label).
+      </p>
+    </>
+  );
+}
+
+export function FidelitySection({ found }: { found: Report }) {
+  const { labels, topology, mesh_to_surface: there, surface_to_mesh: back } = found.fidelity;
+  return (
+    <section class="section">
+      <h2>Fidelity to the labels</h2>
+      <LabelTable labels={labels} />
+      <p class="facts">
+        Distance of each label's boundary to the label surface: {distanceText(there)}; back:{' '}
+        {distanceText(back)}.
+      </p>
+      <TopologyTable found={topology} />
+    </section>
+  );
+}

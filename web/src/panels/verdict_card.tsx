@@ -1,0 +1,56 @@
+import { expectation, report, verdict } from '../store/run';
+import { whole } from './format';
+import { Icon } from './icons';
+
+export function VerdictCard() {
+  const found = verdict.value;
+  const promise = expectation.value;
+  if (!promise) return null;
+  if (!found) {
+    return (
+      <section class="verdict pending" role="status">
+        <h2>This link promises a mesh</h2>
+        <p>
+          {whole(promise.expected.tets)} tetrahedra, made with voxtet {promise.expected.engine}.{' '}
+          {report.value
+            ? 'The settings were changed since; undo to compare.'
+            : 'Run to see whether it is reproduced.'}
+        </p>
+      </section>
+    );
+  }
+  const titles = {
+    reproduced: 'Reproduced, byte for byte',
+    differs: 'Differs from what the link promises',
+    other_engine: 'Made with another engine',
+  };
+  return (
+    <section class={`verdict ${found.kind}`} role="status" data-testid="verdict">
+      <h2>
+        <Icon name={found.kind === 'reproduced' ? 'check' : 'warn'} /> {titles[found.kind]}
+      </h2>
+      <table>
+        <thead>
+          <tr>
+            <th scope="col">
+              <span class="sr">What</span>
+            </th>
+            <th scope="col">Link</th>
+            <th scope="col">This run</th>
+          </tr>
+        </thead>
+        <tbody>
+          {found.rows.map((row) => (
+            <tr key={row.name} class={row.same ? '' : 'other'}>
+              <th scope="row">{row.name}</th>
+              <td title={row.expected}>
+                {row.expected.length > 20 ? `${row.expected.slice(0, 10)}…` : row.expected}
+              </td>
+              <td title={row.found}>{row.found.length > 20 ? `${row.found.slice(0, 10)}…` : row.found}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </section>
+  );
+}
