@@ -104,8 +104,13 @@ Reason ComplexEditor::check_shapes(const Change& change, Demand demand) {
 }
 
 Reason ComplexEditor::check_envelope(const Change& change) const {
-  for (std::size_t i = 0; i < change.added.size(); ++i)
-    if (!near_reference(change.added[i], new_corners_[i], change.moved)) return Reason::kEnvelope;
+  PairId met = kNone;
+  for (std::size_t i = 0; i < change.added.size(); ++i) {
+    // The moved vertex itself needs to be looked at once for a pair.
+    const std::uint32_t moved = change.added[i].pair == met ? kNone : change.moved;
+    met = change.added[i].pair;
+    if (!near_reference(change.added[i], new_corners_[i], moved)) return Reason::kEnvelope;
+  }
   return Reason::kNo;
 }
 
@@ -135,20 +140,17 @@ bool ComplexEditor::near_reference(const Facet& facet, const Corners& p, std::ui
 }
 
 Reason ComplexEditor::check_contacts(const Change& change) {
-  gap_mm_ = 0;
-  if (limits.gap_share > 0) {
-    gap_mm_ = 1e300;
-    for (const Facet& facet : change.added)
-      for (const std::uint32_t v : facet.corners) gap_mm_ = std::min(gap_mm_, limits.gap_share * size(v));
-  }
   new_boxes_.clear();
-  for (const Corners& p : new_corners_) new_boxes_.push_back(box_of(p, gap_mm_));
-  FloatBox all = new_boxes_.front();
-  for (const FloatBox& box : new_boxes_) all.extend(box);
+  for (const Corners& p : new_corners_) new_boxes_.push_back(box_of(p));
+  gap_mm_ = limits.gap_share > 0 ? limits.gap_share * local_size(change) : 0;
+  wide_boxes_.clear();
+  for (const FloatBox& box : new_boxes_) wide_boxes_.push_back(box.grown(gap_mm_));
+  FloatBox all = wide_boxes_.front();
+  for (const FloatBox& box : wide_boxes_) all.extend(box);
   for (std::size_t i = 0; i < change.added.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Reason reason = check_pair(change.added[i], i, change.added[j].corners, new_corners_[j],
-                                       new_normals_[j], change.added[j].pair);
+                                       new_normals_[j], change.added[j].pair, true);
       if (reason != Reason::kNo) return reason;
     }
   hash_->find(all, near_);
@@ -157,17 +159,29 @@ Reason ComplexEditor::check_contacts(const Change& change) {
     const FloatBox& box = hash_->box(t);
     const Triangle& other = mesh_.triangle(t);
     for (std::size_t i = 0; i < change.added.size(); ++i) {
-      if (!new_boxes_[i].meets(box)) continue;
-      const Reason reason =
-          check_pair(change.added[i], i, other, mesh_.corners(other), normals_[t], mesh_.pair(t));
+      if (!wide_boxes_[i].meets(box)) continue;
+      const Reason reason = check_pair(change.added[i], i, other, mesh_.corners(other), normals_[t],
+                                       mesh_.pair(t), new_boxes_[i].meets(box));
       if (reason != Reason::kNo) return reason;
     }
   }
   return Reason::kNo;
 }
 
+/// The wish where edges reach it, else the longest edge.
+double ComplexEditor::local_size(const Change& change) const {
+  double wish = 1e300, longest2 = 0;
+  for (std::size_t i = 0; i < change.added.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      wish = std::min(wish, size(change.added[i].corners[k]));
+      longest2 = std::max(longest2, (new_corners_[i][k] - new_corners_[i][(k + 1) % 3]).squaredNorm());
+    }
+  return std::min(wish, std::sqrt(longest2));
+}
+
 Reason ComplexEditor::check_pair(const Facet& facet, std::size_t i, const Triangle& other,
-                                 const Corners& corners, const Eigen::Vector3d& normal, PairId pair) {
+                                 const Corners& corners, const Eigen::Vector3d& normal, PairId pair,
+                                 bool boxes_meet) {
   std::array<int, 3> mine{}, its{};
   int shared = 0;
   for (int k = 0; k < 3; ++k)
@@ -179,7 +193,7 @@ Reason ComplexEditor::check_pair(const Facet& facet, std::size_t i, const Triang
       }
   const Corners& p = new_corners_[i];
   if (shared == 0) {
-    if (triangles_meet(p, corners)) return Reason::kIntersection;
+    if (boxes_meet && triangles_meet(p, corners)) return Reason::kIntersection;
     return gap_mm_ > 0 && !gap_allowed(i, corners, normal, facet.pair == pair) ? Reason::kGap : Reason::kNo;
   }
   if (shared == 1) {

@@ -75,8 +75,9 @@ class ComplexEditor {
   Reason check_envelope(const Change& change) const;
   bool near_reference(const Facet& facet, const Corners& p, std::uint32_t moved) const;
   Reason check_contacts(const Change& change);
+  double local_size(const Change& change) const;
   Reason check_pair(const Facet& facet, std::size_t i, const Triangle& other, const Corners& corners,
-                    const Eigen::Vector3d& normal, PairId pair);
+                    const Eigen::Vector3d& normal, PairId pair, bool boxes_meet);
   bool fold_allowed(std::uint32_t u, std::uint32_t w, double cosine);
   double old_fold(bool junction) const;
   bool gap_allowed(std::size_t i, const Corners& corners, const Eigen::Vector3d& normal, bool same_pair);
@@ -102,7 +103,7 @@ class ComplexEditor {
   std::vector<std::uint32_t> removed_in_;  ///< by triangle: the attempt that would remove it
   std::vector<Corners> old_corners_, new_corners_;
   std::vector<Eigen::Vector3d> old_normals_, new_normals_;
-  std::vector<FloatBox> new_boxes_;
+  std::vector<FloatBox> new_boxes_, wide_boxes_;
   double gap_mm_ = 0;
   std::vector<std::uint32_t> near_, slots_;
 };
