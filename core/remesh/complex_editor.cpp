@@ -10,8 +10,10 @@
 namespace voxtet::remesh {
 namespace {
 
-/// A facet may turn by 60 degrees in one step.
+/// A facet may turn by 60 degrees in one step; slivers, whose normals say little, by any angle.
 constexpr double kLeastTurnCosine = 0.5;
+/// Least cosine between facets and the reference's normals.
+constexpr double kNormalCosine = 0.5, kNormalCosineOfSlivers = 0.1;
 /// Improvements of an angle's cosine below this are not worth a change.
 constexpr double kCosineStep = 1e-3;
 
@@ -45,6 +47,7 @@ void ComplexEditor::drop_last_vertex() {
 bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t hint) {
   ++attempt_;
   change_ = &change;
+  demand_ = demand;
   removed_in_.resize(mesh_.slot_count(), 0);
   old_corners_.clear();
   old_normals_.clear();
@@ -56,7 +59,7 @@ bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t h
   const bool moves = change.moved != kNone;
   const Eigen::Vector3d before = moves ? mesh_.point(change.moved) : Eigen::Vector3d::Zero();
   if (moves) mesh_.set_point(change.moved, change.position);
-  const Reason reason = check(change, demand);
+  const Reason reason = check(change);
   if (reason != Reason::kNo) {
     if (moves) mesh_.set_point(change.moved, before);
     return refuse(reason);
@@ -70,23 +73,25 @@ bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t h
   return true;
 }
 
-Reason ComplexEditor::check(const Change& change, Demand demand) {
-  Reason reason = check_shapes(change, demand);
+Reason ComplexEditor::check(const Change& change) {
+  Reason reason = check_shapes(change);
   if (reason == Reason::kNo) reason = samples_.try_curves(mesh_, change, limits.reach_mm);
   if (reason == Reason::kNo)
-    reason = samples_.try_surface(mesh_, change, limits.reach_mm, old_normals_, new_normals_);
+    reason = samples_.try_surface(mesh_, change, limits.reach_mm,
+                                  demand_ == Demand::kAllowed ? kNormalCosine : kNormalCosineOfSlivers,
+                                  old_normals_, new_normals_);
   if (reason == Reason::kNo) reason = check_envelope(change);
   if (reason == Reason::kNo) reason = check_contacts(change);
   return reason;
 }
 
-Reason ComplexEditor::check_shapes(const Change& change, Demand demand) {
+Reason ComplexEditor::check_shapes(const Change& change) {
   new_corners_.clear();
   new_normals_.clear();
   double old_cosine = -1, new_cosine = -1;
   for (const Corners& p : old_corners_) old_cosine = std::max(old_cosine, sharpest_cosine(p));
   const double limit =
-      demand == Demand::kBetterAngle ? old_cosine - kCosineStep : std::max(limits.angle_cosine, old_cosine);
+      demand_ == Demand::kBetterAngle ? old_cosine - kCosineStep : std::max(limits.angle_cosine, old_cosine);
   for (const Facet& facet : change.added) {
     const Corners p = mesh_.corners(facet.corners);
     new_cosine = std::max(new_cosine, sharpest_cosine(p));
@@ -97,7 +102,8 @@ Reason ComplexEditor::check_shapes(const Change& change, Demand demand) {
     new_corners_.push_back(p);
     new_normals_.push_back(cross / size);
     const std::size_t i = new_corners_.size() - 1;
-    if (i < old_normals_.size() && new_normals_[i].dot(old_normals_[i]) < kLeastTurnCosine)
+    if (demand_ == Demand::kAllowed && i < old_normals_.size() &&
+        new_normals_[i].dot(old_normals_[i]) < kLeastTurnCosine)
       return Reason::kNormal;
   }
   return Reason::kNo;
@@ -211,9 +217,9 @@ Reason ComplexEditor::check_pair(const Facet& facet, std::size_t i, const Triang
 
 bool ComplexEditor::fold_allowed(std::uint32_t u, std::uint32_t w, double cosine) {
   constexpr double kAlmostFolded = 0.9998;  // 1 degree
-  const bool junction = mesh_.stratum(u) != Stratum::kSurface && mesh_.stratum(w) != Stratum::kSurface;
-  if (cosine <= (junction ? limits.junction_cosine : limits.crease_cosine)) return true;
-  return cosine < kAlmostFolded && cosine <= old_fold(junction);
+  if (cosine <= fold_limit(u, w)) return true;
+  const double step = demand_ == Demand::kBetterFold ? kCosineStep : 0;
+  return cosine < kAlmostFolded && cosine <= old_fold(on_curves(u, w)) - step;
 }
 
 /// The sharpest fold at the edges of the triangles to be removed, as they were.
@@ -229,8 +235,7 @@ double ComplexEditor::old_fold(bool junction) const {
     const Triangle& t = mesh_.triangle(change_->removed[i]);
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t u = t[k], w = t[(k + 1) % 3];
-      if (junction != (mesh_.stratum(u) != Stratum::kSurface && mesh_.stratum(w) != Stratum::kSurface))
-        continue;
+      if (junction != on_curves(u, w)) continue;
       for (const std::uint32_t other : mesh_.star(u)) {
         if (other == change_->removed[i] || !has_corner(mesh_.triangle(other), w)) continue;
         const Eigen::Vector3d q = old_point(third_corner(mesh_.triangle(other), u, w));

@@ -16,10 +16,11 @@ class SampleHosts {
  public:
   SampleHosts(const ComplexMesh& mesh, const ReferenceComplex& reference);
 
-  /// Finds new hosts for the samples of the change's triangles, within `reach_mm`, and facets that face the
-  /// way the samples do. kNo, kReverse or kNormal. `mesh` has the new positions, `old_normals` belong to
-  /// change.removed and `new_normals` to change.added; `gone` tells the removed triangles.
-  Reason try_surface(const ComplexMesh& mesh, const Change& change, double reach_mm,
+  /// Finds new hosts for the samples of the change's triangles, within `reach_mm`, and facets whose normals
+  /// have at least `least_cosine` with the samples', or more than before. kNo, kReverse or kNormal. `mesh`
+  /// has the new positions, `old_normals` belong to change.removed and `new_normals` to change.added; `gone`
+  /// tells the removed triangles.
+  Reason try_surface(const ComplexMesh& mesh, const Change& change, double reach_mm, double least_cosine,
                      const std::vector<Eigen::Vector3d>& old_normals,
                      const std::vector<Eigen::Vector3d>& new_normals);
   /// The same for the samples of the change's curve edges. kNo or kCurve.
