@@ -1,6 +1,7 @@
 // The reverse envelope: every vertex of the reference has a triangle of the adapted surface near it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +33,15 @@ class SampleHosts {
   void for_samples(std::uint32_t t, Visit&& visit) const {
     if (t >= heads_.size()) return;
     for (std::uint32_t s = heads_[t]; s != kNone; s = next_[s]) visit(s);
+  }
+
+  template <class Visit>
+  void for_curve_samples(std::uint32_t a, std::uint32_t b, Visit&& visit) const {
+    for (const auto& [end, other] : {std::array{a, b}, std::array{b, a}}) {
+      if (end >= curve_heads_.size()) continue;
+      for (std::uint32_t s = curve_heads_[end]; s != kNone; s = next_[s])
+        if (curve_other_[s] == other) visit(s);
+    }
   }
 
  private:

@@ -87,15 +87,34 @@ Eigen::Vector3d LocalOperations::fit_height(std::uint32_t v, const Eigen::Vector
   return at + std::clamp(above / weight, lift - most, lift + most) * normal;
 }
 
-/// Between the two neighbours, equally far in wished lengths, on the reference's curve.
+/// Between the two neighbours, equally far in wished lengths; then aside, so that the two edges pass between
+/// the samples of the curve in the sense of least squares.
 Eigen::Vector3d LocalOperations::curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, double step,
                                               std::uint32_t& hint) const {
   const ComplexMesh& mesh = editor_.mesh();
+  const ReferenceComplex& reference = editor_.reference();
   const Eigen::Vector3d x = mesh.point(v);
   const double to_p = editor_.metric_length(v, p), to_q = editor_.metric_length(v, q);
   const Eigen::Vector3d toward = to_p > to_q ? mesh.point(p) : mesh.point(q);
-  const double share = 0.5 * std::abs(to_p - to_q) / std::max(to_p, to_q);
-  return editor_.reference().walk_curve(x + step * share * (toward - x), hint);
+  const double along = 0.5 * std::abs(to_p - to_q) / std::max(to_p, to_q);
+  const Eigen::Vector3d on = reference.walk_curve(x + step * along * (toward - x), hint);
+  Eigen::Vector3d aside = Eigen::Vector3d::Zero();
+  double weight = kOwnWeight;
+  for (const std::uint32_t end : {p, q}) {
+    const Eigen::Vector3d edge = on - mesh.point(end);
+    const double size2 = edge.squaredNorm();
+    if (!(size2 > 0)) continue;
+    editor_.samples().for_curve_samples(v, end, [&](std::uint32_t s) {
+      const Eigen::Vector3d off = reference.point(s) - mesh.point(end);
+      const double share = off.dot(edge) / size2;
+      if (share <= 0 || share > 1) return;
+      aside += share * (off - share * edge);
+      weight += share * share;
+    });
+  }
+  aside /= weight;
+  const double most = kLongestLift * editor_.limits.reach_mm, length = aside.norm();
+  return on + (length > most ? most / length : 1) * aside;
 }
 
 }  // namespace voxtet::remesh
