@@ -12,7 +12,10 @@ namespace voxtet::remesh {
 namespace {
 
 constexpr double kLongest = 4.0 / 3, kShortest = 4.0 / 5;  ///< wished lengths
-constexpr double kCreaseCosine = 0.5;                      ///< 60 degrees
+constexpr double kLongestPolished = 1.7;                   ///< the same, where shape is at stake
+/// Asked for instead of 1, since triangles between these two bounds come out finer (measured).
+constexpr double kScale = 1.08;
+constexpr double kCreaseCosine = 0.5;  ///< 60 degrees
 constexpr double kGapShare = 0.25;
 constexpr double kPoorCosine = 0.9;  ///< 26 degrees: planar angles below this are polished
 constexpr const char* kStage = "remesh";
@@ -31,6 +34,7 @@ class Adapter {
  public:
   Adapter(const SurfaceMesh& reference, const SizingField& sizing, const AdaptParams& params, RunContext& ctx)
       : params_(params), ctx_(ctx), editor_(reference, sizing), operations_(editor_) {
+    editor_.set_scale(kScale);
     operations_.shape_weight = params.shape_weight;
     EditLimits& limits = editor_.limits;
     limits.reach_mm = params.envelope_voxels * params.voxel_mm;
@@ -57,10 +61,15 @@ class Adapter {
   bool run_paper();
   bool coarsen(double shortest);
   bool refine();
-  bool flip_all(FlipGoal goal);
+  bool coarsen_in_steps();
+  bool quarter();
+  bool flip_all();
   bool relocate_all();
   bool polish();
-  void polish_triangle(std::uint32_t t);
+  bool open_angles();
+  void open_angle(std::uint32_t t);
+  bool open_folds();
+  void open_fold(const Edge& e, const std::vector<std::uint32_t>& around);
   void fit_cells();
   std::vector<Edge> edges() const;
   bool alive(std::uint32_t v) const { return !editor_.mesh().star(v).empty(); }
@@ -136,9 +145,10 @@ bool Adapter::refine() {
   return !ctx_.cancelled();
 }
 
-bool Adapter::flip_all(FlipGoal goal) {
+bool Adapter::flip_all() {
   for (const Edge& e : edges())
-    if (editor_.mesh().edge_degree(e.a, e.b) > 0) operations_.flip(e.a, e.b, goal);
+    if (editor_.mesh().edge_degree(e.a, e.b) > 0 && operations_.valence_gain(e.a, e.b) > 0)
+      operations_.flip(e.a, e.b, Demand::kAllowed);
   return !ctx_.cancelled();
 }
 
@@ -150,53 +160,144 @@ bool Adapter::relocate_all() {
   return true;
 }
 
-bool Adapter::polish() {
+bool Adapter::open_angles() {
   const ComplexMesh& mesh = editor_.mesh();
   for (std::uint32_t t = 0; t < mesh.slot_count(); ++t)
-    if (mesh.alive(t) && sharpest_cosine(mesh.corners(mesh.triangle(t))) > kPoorCosine) polish_triangle(t);
+    if (mesh.alive(t) && sharpest_cosine(mesh.corners(mesh.triangle(t))) > kPoorCosine) open_angle(t);
   return !ctx_.cancelled();
 }
 
-void Adapter::polish_triangle(std::uint32_t t) {
+/// Flips away the longest edges, moves corners, or closes the triangle.
+void Adapter::open_angle(std::uint32_t t) {
   const ComplexMesh& mesh = editor_.mesh();
   const Triangle corners = mesh.triangle(t);
-  std::array<std::pair<double, std::size_t>, 3> sides;  // by length; entry i is opposite corner i
+  std::array<std::pair<double, std::size_t>, 3> sides;  // by length; the second is the opposite corner
   for (std::size_t i = 0; i < 3; ++i)
     sides[i] = {(mesh.point(corners[(i + 1) % 3]) - mesh.point(corners[(i + 2) % 3])).squaredNorm(), i};
   std::sort(sides.begin(), sides.end());
   const auto end = [&](std::size_t side, std::size_t which) {
     return corners[(sides[side].second + which) % 3];
   };
-  if (operations_.flip(end(2, 1), end(2, 2), FlipGoal::kAngle)) return;
-  if (operations_.flip(end(1, 1), end(1, 2), FlipGoal::kAngle)) return;
+  for (const std::size_t side : {2, 1})
+    if (operations_.flip(end(side, 1), end(side, 2), Demand::kBetterAngle)) return;
   for (const std::uint32_t v : corners)
-    if (operations_.relocate(v, Demand::kBetterAngle)) return;
-  constexpr double kLongestPolished = 1.7;
-  if (operations_.collapse(end(0, 1), end(0, 2), kLongestPolished, Demand::kBetterAngle)) return;
-  operations_.collapse(end(0, 2), end(0, 1), kLongestPolished, Demand::kBetterAngle);
+    if (operations_.open(v, Demand::kBetterAngle)) return;
+  for (const std::size_t side : {0, 1, 2})
+    if (operations_.collapse(end(side, 1), end(side, 2), kLongestPolished, Demand::kBetterAngle) ||
+        operations_.collapse(end(side, 2), end(side, 1), kLongestPolished, Demand::kBetterAngle))
+      return;
 }
 
-bool Adapter::run_adaptive() {
-  editor_.set_scale(1.08);
+/// Edges folded more sharply than the limits: whatever opens them.
+bool Adapter::open_folds() {
+  const ComplexMesh& mesh = editor_.mesh();
+  for (const Edge& e : edges()) {
+    std::vector<std::uint32_t> around;
+    for (const std::uint32_t t : mesh.star(e.a))
+      if (has_corner(mesh.triangle(t), e.b)) around.push_back(third_corner(mesh.triangle(t), e.a, e.b));
+    double sharpest = -1;
+    for (std::size_t i = 0; i < around.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        sharpest = std::max(sharpest, fold_cosine(mesh.point(e.a), mesh.point(e.b), mesh.point(around[i]),
+                                                  mesh.point(around[j])));
+    if (sharpest > editor_.fold_limit(e.a, e.b)) open_fold(e, around);
+  }
+  return !ctx_.cancelled();
+}
+
+void Adapter::open_fold(const Edge& e, const std::vector<std::uint32_t>& around) {
+  if (operations_.flip(e.a, e.b, Demand::kBetterFold)) return;
+  for (const std::uint32_t v : {e.a, e.b})
+    if (operations_.open(v, Demand::kBetterFold)) return;
+  for (const std::uint32_t v : around)
+    if (operations_.open(v, Demand::kBetterFold)) return;
+  for (const std::uint32_t v : around)
+    for (const std::uint32_t end : {e.a, e.b})
+      if (operations_.collapse(v, end, kLongestPolished, Demand::kBetterFold) ||
+          operations_.collapse(end, v, kLongestPolished, Demand::kBetterFold))
+        return;
+}
+
+bool Adapter::polish() {
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    if (!open_angles() || !open_folds()) return false;
+    if (round == 0 && !relocate_all()) return false;
+  }
+  return true;
+}
+
+/// First at the scale of the input's own triangles, where the search needs small cells.
+bool Adapter::coarsen_in_steps() {
   for (const double shortest : {0.3, 0.45, 0.6}) {
     fit_cells();
     if (!coarsen(shortest)) return false;
   }
   fit_cells();
   editor_.limits.gap_share = kGapShare;
+  return true;
+}
+
+bool Adapter::run_adaptive() {
+  if (!coarsen_in_steps()) return false;
   for (int pass = 0; pass < params_.passes; ++pass) {
     if (!step(0.3 + 0.6 * pass / params_.passes)) return false;
-    if (!coarsen(kShortest) || !refine() || !flip_all(FlipGoal::kValence) || !relocate_all() ||
-        !flip_all(FlipGoal::kAngle) || !relocate_all())
+    if (!coarsen(kShortest) || !refine() || !flip_all() || !relocate_all() || !open_angles() ||
+        !relocate_all())
       return false;
   }
-  for (int round = 0; round < 2; ++round)
-    if (!polish() || !relocate_all()) return false;
   return polish();
 }
 
+/// Zilske, Lamecker and Zachow 2008: sizes first, the shapes after.
 bool Adapter::run_paper() {
-  return run_adaptive();
+  editor_.set_coarsest(true);
+  if (!coarsen_in_steps() || !coarsen(kShortest)) return false;
+  editor_.set_coarsest(false);
+  if (!step(0.4)) return false;
+  constexpr int kMostLevels = 12;
+  for (int level = 0; level < kMostLevels; ++level) {
+    fit_cells();
+    const std::uint64_t before = operations_.accepted[0];
+    if (!quarter()) return false;
+    if (operations_.accepted[0] == before) break;
+  }
+  for (int pass = 0; pass < params_.passes; ++pass) {
+    if (!step(0.6 + 0.3 * pass / params_.passes)) return false;
+    if (!flip_all() || !relocate_all() || !relocate_all()) return false;
+  }
+  return polish();
+}
+
+/// Cuts triangles with too long an edge in four: their edges are split in any order, then each new edge from
+/// a new vertex to an old one is flipped if it lies between two new ones. Neighbours are closed by two or
+/// three triangles.
+bool Adapter::quarter() {
+  const ComplexMesh& mesh = editor_.mesh();
+  std::vector<CurveEdge> marked;
+  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
+    if (!mesh.alive(t)) continue;
+    const auto& [a, b, c] = mesh.triangle(t);
+    if (std::max({editor_.metric_length(a, b), editor_.metric_length(b, c), editor_.metric_length(c, a)}) <=
+        kLongest)
+      continue;
+    for (const auto& [u, w] : {CurveEdge{a, b}, CurveEdge{b, c}, CurveEdge{c, a}})
+      marked.push_back({std::min(u, w), std::max(u, w)});
+  }
+  std::sort(marked.begin(), marked.end());
+  marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
+  const auto old_count = static_cast<std::uint32_t>(mesh.vertex_count());
+  for (const auto& [a, b] : marked) operations_.split(a, b);
+  for (std::uint32_t v = old_count; v < mesh.vertex_count(); ++v)
+    for (const std::uint32_t other : std::vector<std::uint32_t>(operations_.neighbours(v))) {
+      if (other >= old_count || mesh.is_curve(v, other)) continue;
+      std::uint32_t opposite_new = 0;
+      for (const std::uint32_t t : mesh.star(v))
+        if (has_corner(mesh.triangle(t), other))
+          opposite_new += third_corner(mesh.triangle(t), v, other) >= old_count ? 1 : 0;
+      if (opposite_new == 2) operations_.flip(v, other, Demand::kAllowed);
+    }
+  return !ctx_.cancelled();
 }
 
 }  // namespace

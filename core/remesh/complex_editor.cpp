@@ -10,8 +10,10 @@
 namespace voxtet::remesh {
 namespace {
 
-/// A facet may turn by 60 degrees in one step.
+/// A facet may turn by 60 degrees in one step; slivers, whose normals say little, by any angle.
 constexpr double kLeastTurnCosine = 0.5;
+/// Least cosine between facets and the reference's normals.
+constexpr double kNormalCosine = 0.5, kNormalCosineOfSlivers = 0.1;
 /// Improvements of an angle's cosine below this are not worth a change.
 constexpr double kCosineStep = 1e-3;
 
@@ -45,6 +47,7 @@ void ComplexEditor::drop_last_vertex() {
 bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t hint) {
   ++attempt_;
   change_ = &change;
+  demand_ = demand;
   removed_in_.resize(mesh_.slot_count(), 0);
   old_corners_.clear();
   old_normals_.clear();
@@ -56,7 +59,7 @@ bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t h
   const bool moves = change.moved != kNone;
   const Eigen::Vector3d before = moves ? mesh_.point(change.moved) : Eigen::Vector3d::Zero();
   if (moves) mesh_.set_point(change.moved, change.position);
-  const Reason reason = check(change, demand);
+  const Reason reason = check(change);
   if (reason != Reason::kNo) {
     if (moves) mesh_.set_point(change.moved, before);
     return refuse(reason);
@@ -70,23 +73,25 @@ bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t h
   return true;
 }
 
-Reason ComplexEditor::check(const Change& change, Demand demand) {
-  Reason reason = check_shapes(change, demand);
+Reason ComplexEditor::check(const Change& change) {
+  Reason reason = check_shapes(change);
   if (reason == Reason::kNo) reason = samples_.try_curves(mesh_, change, limits.reach_mm);
   if (reason == Reason::kNo)
-    reason = samples_.try_surface(mesh_, change, limits.reach_mm, old_normals_, new_normals_);
+    reason = samples_.try_surface(mesh_, change, limits.reach_mm,
+                                  demand_ == Demand::kAllowed ? kNormalCosine : kNormalCosineOfSlivers,
+                                  old_normals_, new_normals_);
   if (reason == Reason::kNo) reason = check_envelope(change);
   if (reason == Reason::kNo) reason = check_contacts(change);
   return reason;
 }
 
-Reason ComplexEditor::check_shapes(const Change& change, Demand demand) {
+Reason ComplexEditor::check_shapes(const Change& change) {
   new_corners_.clear();
   new_normals_.clear();
   double old_cosine = -1, new_cosine = -1;
   for (const Corners& p : old_corners_) old_cosine = std::max(old_cosine, sharpest_cosine(p));
   const double limit =
-      demand == Demand::kBetterAngle ? old_cosine - kCosineStep : std::max(limits.angle_cosine, old_cosine);
+      demand_ == Demand::kBetterAngle ? old_cosine - kCosineStep : std::max(limits.angle_cosine, old_cosine);
   for (const Facet& facet : change.added) {
     const Corners p = mesh_.corners(facet.corners);
     new_cosine = std::max(new_cosine, sharpest_cosine(p));
@@ -97,15 +102,21 @@ Reason ComplexEditor::check_shapes(const Change& change, Demand demand) {
     new_corners_.push_back(p);
     new_normals_.push_back(cross / size);
     const std::size_t i = new_corners_.size() - 1;
-    if (i < old_normals_.size() && new_normals_[i].dot(old_normals_[i]) < kLeastTurnCosine)
+    if (demand_ == Demand::kAllowed && i < old_normals_.size() &&
+        new_normals_[i].dot(old_normals_[i]) < kLeastTurnCosine)
       return Reason::kNormal;
   }
   return Reason::kNo;
 }
 
 Reason ComplexEditor::check_envelope(const Change& change) const {
-  for (std::size_t i = 0; i < change.added.size(); ++i)
-    if (!near_reference(change.added[i], new_corners_[i], change.moved)) return Reason::kEnvelope;
+  PairId met = kNone;
+  for (std::size_t i = 0; i < change.added.size(); ++i) {
+    // The moved vertex itself needs to be looked at once for a pair.
+    const std::uint32_t moved = change.added[i].pair == met ? kNone : change.moved;
+    met = change.added[i].pair;
+    if (!near_reference(change.added[i], new_corners_[i], moved)) return Reason::kEnvelope;
+  }
   return Reason::kNo;
 }
 
@@ -135,20 +146,17 @@ bool ComplexEditor::near_reference(const Facet& facet, const Corners& p, std::ui
 }
 
 Reason ComplexEditor::check_contacts(const Change& change) {
-  gap_mm_ = 0;
-  if (limits.gap_share > 0) {
-    gap_mm_ = 1e300;
-    for (const Facet& facet : change.added)
-      for (const std::uint32_t v : facet.corners) gap_mm_ = std::min(gap_mm_, limits.gap_share * size(v));
-  }
   new_boxes_.clear();
-  for (const Corners& p : new_corners_) new_boxes_.push_back(box_of(p, gap_mm_));
-  FloatBox all = new_boxes_.front();
-  for (const FloatBox& box : new_boxes_) all.extend(box);
+  for (const Corners& p : new_corners_) new_boxes_.push_back(box_of(p));
+  gap_mm_ = limits.gap_share > 0 ? limits.gap_share * local_size(change) : 0;
+  wide_boxes_.clear();
+  for (const FloatBox& box : new_boxes_) wide_boxes_.push_back(box.grown(gap_mm_));
+  FloatBox all = wide_boxes_.front();
+  for (const FloatBox& box : wide_boxes_) all.extend(box);
   for (std::size_t i = 0; i < change.added.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Reason reason = check_pair(change.added[i], i, change.added[j].corners, new_corners_[j],
-                                       new_normals_[j], change.added[j].pair);
+                                       new_normals_[j], change.added[j].pair, true);
       if (reason != Reason::kNo) return reason;
     }
   hash_->find(all, near_);
@@ -157,17 +165,29 @@ Reason ComplexEditor::check_contacts(const Change& change) {
     const FloatBox& box = hash_->box(t);
     const Triangle& other = mesh_.triangle(t);
     for (std::size_t i = 0; i < change.added.size(); ++i) {
-      if (!new_boxes_[i].meets(box)) continue;
-      const Reason reason =
-          check_pair(change.added[i], i, other, mesh_.corners(other), normals_[t], mesh_.pair(t));
+      if (!wide_boxes_[i].meets(box)) continue;
+      const Reason reason = check_pair(change.added[i], i, other, mesh_.corners(other), normals_[t],
+                                       mesh_.pair(t), new_boxes_[i].meets(box));
       if (reason != Reason::kNo) return reason;
     }
   }
   return Reason::kNo;
 }
 
+/// The wish where edges reach it, else the longest edge.
+double ComplexEditor::local_size(const Change& change) const {
+  double wish = 1e300, longest2 = 0;
+  for (std::size_t i = 0; i < change.added.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      wish = std::min(wish, size(change.added[i].corners[k]));
+      longest2 = std::max(longest2, (new_corners_[i][k] - new_corners_[i][(k + 1) % 3]).squaredNorm());
+    }
+  return std::min(wish, std::sqrt(longest2));
+}
+
 Reason ComplexEditor::check_pair(const Facet& facet, std::size_t i, const Triangle& other,
-                                 const Corners& corners, const Eigen::Vector3d& normal, PairId pair) {
+                                 const Corners& corners, const Eigen::Vector3d& normal, PairId pair,
+                                 bool boxes_meet) {
   std::array<int, 3> mine{}, its{};
   int shared = 0;
   for (int k = 0; k < 3; ++k)
@@ -179,7 +199,7 @@ Reason ComplexEditor::check_pair(const Facet& facet, std::size_t i, const Triang
       }
   const Corners& p = new_corners_[i];
   if (shared == 0) {
-    if (triangles_meet(p, corners)) return Reason::kIntersection;
+    if (boxes_meet && triangles_meet(p, corners)) return Reason::kIntersection;
     return gap_mm_ > 0 && !gap_allowed(i, corners, normal, facet.pair == pair) ? Reason::kGap : Reason::kNo;
   }
   if (shared == 1) {
@@ -197,9 +217,9 @@ Reason ComplexEditor::check_pair(const Facet& facet, std::size_t i, const Triang
 
 bool ComplexEditor::fold_allowed(std::uint32_t u, std::uint32_t w, double cosine) {
   constexpr double kAlmostFolded = 0.9998;  // 1 degree
-  const bool junction = mesh_.stratum(u) != Stratum::kSurface && mesh_.stratum(w) != Stratum::kSurface;
-  if (cosine <= (junction ? limits.junction_cosine : limits.crease_cosine)) return true;
-  return cosine < kAlmostFolded && cosine <= old_fold(junction);
+  if (cosine <= fold_limit(u, w)) return true;
+  const double step = demand_ == Demand::kBetterFold ? kCosineStep : 0;
+  return cosine < kAlmostFolded && cosine <= old_fold(on_curves(u, w)) - step;
 }
 
 /// The sharpest fold at the edges of the triangles to be removed, as they were.
@@ -215,8 +235,7 @@ double ComplexEditor::old_fold(bool junction) const {
     const Triangle& t = mesh_.triangle(change_->removed[i]);
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t u = t[k], w = t[(k + 1) % 3];
-      if (junction != (mesh_.stratum(u) != Stratum::kSurface && mesh_.stratum(w) != Stratum::kSurface))
-        continue;
+      if (junction != on_curves(u, w)) continue;
       for (const std::uint32_t other : mesh_.star(u)) {
         if (other == change_->removed[i] || !has_corner(mesh_.triangle(other), w)) continue;
         const Eigen::Vector3d q = old_point(third_corner(mesh_.triangle(other), u, w));

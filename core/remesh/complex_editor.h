@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -29,7 +30,8 @@ struct EditLimits {
 
 enum class Demand : std::uint8_t {
   kAllowed,      ///< every limit holds, or what breaks it is no worse than before
-  kBetterAngle,  ///< and the smallest planar angle grows
+  kBetterAngle,  ///< and the smallest planar angle grows; normals count for less
+  kBetterFold,   ///< and the sharpest angle between facets grows; normals count for less
 };
 
 /// Holds the complex, what it is compared with, and where its triangles are. The complex stays free of
@@ -45,9 +47,14 @@ class ComplexEditor {
   const SampleHosts& samples() const { return samples_; }
   const Eigen::Vector3d& normal(std::uint32_t t) const { return normals_[t]; }
   /// Wished edge length at a vertex, times the scale.
-  double size(std::uint32_t v) const { return scale_ * sizes_[v]; }
-  double scale() const { return scale_; }
+  double size(std::uint32_t v) const { return scale_ * std::max(floor_, sizes_[v]); }
   void set_scale(double scale) { scale_ = scale; }
+  /// Every wish as large as the largest.
+  void set_coarsest(bool on) { floor_ = on ? *std::max_element(sizes_.begin(), sizes_.end()) : 0; }
+  /// Cosine of the sharpest fold allowed at an edge.
+  double fold_limit(std::uint32_t u, std::uint32_t w) const {
+    return on_curves(u, w) ? limits.junction_cosine : limits.crease_cosine;
+  }
   /// Length of an edge in wished lengths.
   double metric_length(std::uint32_t a, std::uint32_t b) const {
     return (mesh_.point(a) - mesh_.point(b)).norm() * 0.5 * (1 / size(a) + 1 / size(b));
@@ -70,13 +77,17 @@ class ComplexEditor {
   std::uint64_t violations() const { return violations_; }
 
  private:
-  Reason check(const Change& change, Demand demand);
-  Reason check_shapes(const Change& change, Demand demand);
+  Reason check(const Change& change);
+  Reason check_shapes(const Change& change);
   Reason check_envelope(const Change& change) const;
   bool near_reference(const Facet& facet, const Corners& p, std::uint32_t moved) const;
   Reason check_contacts(const Change& change);
+  double local_size(const Change& change) const;
   Reason check_pair(const Facet& facet, std::size_t i, const Triangle& other, const Corners& corners,
-                    const Eigen::Vector3d& normal, PairId pair);
+                    const Eigen::Vector3d& normal, PairId pair, bool boxes_meet);
+  bool on_curves(std::uint32_t u, std::uint32_t w) const {
+    return mesh_.stratum(u) != Stratum::kSurface && mesh_.stratum(w) != Stratum::kSurface;
+  }
   bool fold_allowed(std::uint32_t u, std::uint32_t w, double cosine);
   double old_fold(bool junction) const;
   bool gap_allowed(std::size_t i, const Corners& corners, const Eigen::Vector3d& normal, bool same_pair);
@@ -89,7 +100,7 @@ class ComplexEditor {
   SampleHosts samples_;
   std::optional<TriangleHash> hash_;
   const SizingField& sizing_;
-  double scale_ = 1;
+  double scale_ = 1, floor_ = 0;
   std::vector<double> sizes_;
   std::vector<std::uint32_t> hints_;
   std::vector<Eigen::Vector3d> normals_;
@@ -98,11 +109,12 @@ class ComplexEditor {
 
   // Of the change under way.
   const Change* change_ = nullptr;
+  Demand demand_ = Demand::kAllowed;
   std::uint32_t attempt_ = 0;
   std::vector<std::uint32_t> removed_in_;  ///< by triangle: the attempt that would remove it
   std::vector<Corners> old_corners_, new_corners_;
   std::vector<Eigen::Vector3d> old_normals_, new_normals_;
-  std::vector<FloatBox> new_boxes_;
+  std::vector<FloatBox> new_boxes_, wide_boxes_;
   double gap_mm_ = 0;
   std::vector<std::uint32_t> near_, slots_;
 };

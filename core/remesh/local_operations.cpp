@@ -141,19 +141,20 @@ bool LocalOperations::split_at(std::uint32_t a, std::uint32_t b, const Eigen::Ve
   return true;
 }
 
-/// How much nearer the four valences come to their ideal: 6, and 4 a sheet pair on curves, which are left
-/// out.
-int LocalOperations::valence_gain(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+int LocalOperations::valence_gain(std::uint32_t a, std::uint32_t b) const {
   const ComplexMesh& mesh = editor_.mesh();
   const auto change = [&](std::uint32_t v, int step) {
     if (mesh.stratum(v) != Stratum::kSurface) return 0;
     const int defect = static_cast<int>(mesh.star(v).size()) - 6;
     return defect * defect - (defect + step) * (defect + step);
   };
-  return change(a, -1) + change(b, -1) + change(c, 1) + change(d, 1);
+  int gain = change(a, -1) + change(b, -1);
+  for (const std::uint32_t t : mesh.star(a))
+    if (has_corner(mesh.triangle(t), b)) gain += change(third_corner(mesh.triangle(t), a, b), 1);
+  return gain;
 }
 
-bool LocalOperations::flip(std::uint32_t a, std::uint32_t b, FlipGoal goal) {
+bool LocalOperations::flip(std::uint32_t a, std::uint32_t b, Demand demand) {
   const ComplexMesh& mesh = editor_.mesh();
   std::uint32_t first = kNone, second = kNone;
   int degree = 0;
@@ -163,18 +164,14 @@ bool LocalOperations::flip(std::uint32_t a, std::uint32_t b, FlipGoal goal) {
       ++degree;
     }
   if (degree != 2) return false;
-  if (editor_.normal(first).dot(editor_.normal(second)) < kFlipTurnCosine) return false;
+  const double turn = editor_.normal(first).dot(editor_.normal(second));
+  if (demand == Demand::kAllowed && turn < kFlipTurnCosine) return false;
   // In the first triangle a comes before b.
   const Triangle& corners = mesh.triangle(first);
   for (std::size_t i = 0; i < 3; ++i)
     if (corners[i] == b && corners[(i + 1) % 3] == a) std::swap(first, second);
   const std::uint32_t c = third_corner(mesh.triangle(first), a, b);
   const std::uint32_t d = third_corner(mesh.triangle(second), a, b);
-  Demand demand = Demand::kBetterAngle;
-  if (goal == FlipGoal::kValence) {
-    if (valence_gain(a, b, c, d) <= 0) return false;
-    demand = Demand::kAllowed;
-  }
   if (mesh.star(a).size() <= 3 || mesh.star(b).size() <= 3 || mesh.edge_degree(c, d) != 0)
     return editor_.refuse(Reason::kLink);
   change_.clear();
@@ -185,7 +182,19 @@ bool LocalOperations::flip(std::uint32_t a, std::uint32_t b, FlipGoal goal) {
   return true;
 }
 
-bool LocalOperations::relocate(std::uint32_t v, Demand demand) {
+bool LocalOperations::relocate(std::uint32_t v) {
+  constexpr double kStep = 0.8;
+  return move(v, Demand::kAllowed, kStep);
+}
+
+bool LocalOperations::open(std::uint32_t v, Demand demand) {
+  for (const double step : {0.8, 0.35, 0.15})
+    if (move(v, demand, step)) return true;
+  return false;
+}
+
+/// `step`: share of the way to the target.
+bool LocalOperations::move(std::uint32_t v, Demand demand, double step) {
   const ComplexMesh& mesh = editor_.mesh();
   if (mesh.stratum(v) == Stratum::kCorner) return false;
   std::uint32_t hint = editor_.hint(v);
@@ -193,10 +202,10 @@ bool LocalOperations::relocate(std::uint32_t v, Demand demand) {
   change_.moved = v;
   if (mesh.stratum(v) == Stratum::kCurve) {
     const std::uint32_t p = other_curve_end(v, kNone), q = other_curve_end(v, p);
-    change_.position = curve_target(v, p, q, hint);
+    change_.position = curve_target(v, p, q, step, hint);
     change_.curves_removed = change_.curves_added = {{p, v}, {v, q}};
   } else {
-    change_.position = surface_target(v, hint);
+    change_.position = surface_target(v, demand, step, hint);
   }
   for (const std::uint32_t t : mesh.star(v)) {
     change_.removed.push_back(t);

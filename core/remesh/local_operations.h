@@ -9,11 +9,6 @@
 
 namespace voxtet::remesh {
 
-enum class FlipGoal : std::uint8_t {
-  kValence,  ///< six edges a vertex
-  kAngle,    ///< the smallest planar angle
-};
-
 /// Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004, on a non-manifold complex.
 class LocalOperations {
  public:
@@ -26,9 +21,13 @@ class LocalOperations {
   bool split(std::uint32_t a, std::uint32_t b);
   /// a goes to b. No edge becomes longer than `longest` wished lengths, or than it was before.
   bool collapse(std::uint32_t a, std::uint32_t b, double longest, Demand demand = Demand::kAllowed);
-  bool flip(std::uint32_t a, std::uint32_t b, FlipGoal goal);
-  bool relocate(std::uint32_t v, Demand demand = Demand::kAllowed);
+  bool flip(std::uint32_t a, std::uint32_t b, Demand demand);
+  bool relocate(std::uint32_t v);
+  /// The same with the poorest triangles first, in smaller and smaller steps until the demand is met.
+  bool open(std::uint32_t v, Demand demand);
 
+  /// How much a flip of the edge would bring the valences nearer to six; vertices on curves do not count.
+  int valence_gain(std::uint32_t a, std::uint32_t b) const;
   /// Neighbours of v, each once.
   const std::vector<std::uint32_t>& neighbours(std::uint32_t v);
 
@@ -36,10 +35,11 @@ class LocalOperations {
   bool link_allows(std::uint32_t a, std::uint32_t b);
   bool link_edges_apart(std::uint32_t a, std::uint32_t b) const;
   bool split_at(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& p, std::uint32_t hint, bool curve);
-  int valence_gain(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
   std::uint32_t other_curve_end(std::uint32_t v, std::uint32_t not_this) const;
-  Eigen::Vector3d surface_target(std::uint32_t v, std::uint32_t& hint) const;
-  Eigen::Vector3d curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, std::uint32_t& hint) const;
+  bool move(std::uint32_t v, Demand demand, double step);
+  Eigen::Vector3d surface_target(std::uint32_t v, Demand demand, double step, std::uint32_t& hint) const;
+  Eigen::Vector3d curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, double step,
+                               std::uint32_t& hint) const;
   Eigen::Vector3d fit_height(std::uint32_t v, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
                              std::uint32_t& hint) const;
   bool mark(std::uint32_t v) { return marks_[v] != round_ ? (marks_[v] = round_, true) : false; }

@@ -9,7 +9,6 @@
 namespace voxtet::remesh {
 namespace {
 
-constexpr double kLeastNormalCosine = 0.5;
 /// Distance in units of the samples' spacing below which a host is as good as any.
 constexpr double kNearSpacing = 0.25;
 
@@ -73,7 +72,7 @@ SampleHosts::Found SampleHosts::best_beside(const ComplexMesh& mesh, const Chang
 }
 
 Reason SampleHosts::try_surface(const ComplexMesh& mesh, const Change& change, double reach_mm,
-                                const std::vector<Eigen::Vector3d>& old_normals,
+                                double least_cosine, const std::vector<Eigen::Vector3d>& old_normals,
                                 const std::vector<Eigen::Vector3d>& new_normals) {
   moves_.clear();
   const double reach2 = reach_mm * reach_mm;
@@ -101,7 +100,7 @@ Reason SampleHosts::try_surface(const ComplexMesh& mesh, const Change& change, d
       if (found.distance2 > reach2) return Reason::kReverse;
       if (found.host < kBeside) {
         const double cosine = new_normals[found.host].dot(reference_.normal(s));
-        if (cosine < kLeastNormalCosine && cosine < old_normals[i].dot(reference_.normal(s)))
+        if (cosine < least_cosine && cosine < old_normals[i].dot(reference_.normal(s)))
           return Reason::kNormal;
       }
       moves_.push_back({s, found.host});

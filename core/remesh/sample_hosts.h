@@ -1,6 +1,7 @@
 // The reverse envelope: every vertex of the reference has a triangle of the adapted surface near it.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,10 +17,11 @@ class SampleHosts {
  public:
   SampleHosts(const ComplexMesh& mesh, const ReferenceComplex& reference);
 
-  /// Finds new hosts for the samples of the change's triangles, within `reach_mm`, and facets that face the
-  /// way the samples do. kNo, kReverse or kNormal. `mesh` has the new positions, `old_normals` belong to
-  /// change.removed and `new_normals` to change.added; `gone` tells the removed triangles.
-  Reason try_surface(const ComplexMesh& mesh, const Change& change, double reach_mm,
+  /// Finds new hosts for the samples of the change's triangles, within `reach_mm`, and facets whose normals
+  /// have at least `least_cosine` with the samples', or more than before. kNo, kReverse or kNormal. `mesh`
+  /// has the new positions, `old_normals` belong to change.removed and `new_normals` to change.added; `gone`
+  /// tells the removed triangles.
+  Reason try_surface(const ComplexMesh& mesh, const Change& change, double reach_mm, double least_cosine,
                      const std::vector<Eigen::Vector3d>& old_normals,
                      const std::vector<Eigen::Vector3d>& new_normals);
   /// The same for the samples of the change's curve edges. kNo or kCurve.
@@ -31,6 +33,15 @@ class SampleHosts {
   void for_samples(std::uint32_t t, Visit&& visit) const {
     if (t >= heads_.size()) return;
     for (std::uint32_t s = heads_[t]; s != kNone; s = next_[s]) visit(s);
+  }
+
+  template <class Visit>
+  void for_curve_samples(std::uint32_t a, std::uint32_t b, Visit&& visit) const {
+    for (const auto& [end, other] : {std::array{a, b}, std::array{b, a}}) {
+      if (end >= curve_heads_.size()) continue;
+      for (std::uint32_t s = curve_heads_[end]; s != kNone; s = next_[s])
+        if (curve_other_[s] == other) visit(s);
+    }
   }
 
  private:

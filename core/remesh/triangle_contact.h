@@ -8,7 +8,7 @@
 namespace voxtet::remesh {
 
 /// Sign of the volume of the tetrahedron a, b, c, d: 1 when d sees a, b, c turn clockwise. Exact: a filter
-/// (Shewchuk, "Adaptive precision floating-point arithmetic", 1997) in front of CGAL's predicate.
+/// in front of expansions (Shewchuk, "Adaptive precision floating-point arithmetic", 1997).
 int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                 const Eigen::Vector3d& d);
 

@@ -9,7 +9,6 @@
 namespace voxtet::remesh {
 namespace {
 
-constexpr double kStep = 0.8;  ///< share of the way along the surface
 constexpr double kHalfSqrt3 = 0.8660254037844386;
 constexpr double kOwnWeight = 0.1;     ///< of the vertex itself among the samples, where there are few
 constexpr double kLongestLift = 0.25;  ///< of the envelope, in one step
@@ -17,12 +16,14 @@ constexpr double kLongestLift = 0.25;  ///< of the envelope, in one step
 }  // namespace
 
 /// Along the surface: between the centroid of the triangles, weighted by how much too large they are, and the
-/// mean of the apexes that would make each triangle equilateral. Across it: the height that fits the samples.
-Eigen::Vector3d LocalOperations::surface_target(std::uint32_t v, std::uint32_t& hint) const {
+/// mean of the apexes that would make each triangle equilateral; where angles or folds shall open, apexes
+/// alone, weighted by how poor their triangles are. Across it: the height that fits the samples.
+Eigen::Vector3d LocalOperations::surface_target(std::uint32_t v, Demand demand, double step,
+                                                std::uint32_t& hint) const {
   const ComplexMesh& mesh = editor_.mesh();
   const Eigen::Vector3d x = mesh.point(v);
   Eigen::Vector3d by_size = Eigen::Vector3d::Zero(), by_shape = by_size, normal = by_size;
-  double weights = 0;
+  double weights = 0, shape_weights = 0;
   for (const std::uint32_t t : mesh.star(v)) {
     const Triangle& c = mesh.triangle(t);
     const std::size_t at = c[0] == v ? 0 : c[1] == v ? 1 : 2;
@@ -33,15 +34,22 @@ Eigen::Vector3d LocalOperations::surface_target(std::uint32_t v, std::uint32_t& 
     const double weight = cross.norm() / (wish * wish);
     by_size += weight / 3 * (x + p + q);
     weights += weight;
-    by_shape += 0.5 * (p + q) + kHalfSqrt3 * editor_.normal(t).cross(q - p);
+    double need = 1;
+    if (demand != Demand::kAllowed) {
+      const double open = 1.001 - sharpest_cosine({x, p, q});
+      need = 1 / (open * open);
+    }
+    by_shape += need * (0.5 * (p + q) + kHalfSqrt3 * editor_.normal(t).cross(q - p));
+    shape_weights += need;
     normal += cross;
   }
   normal.normalize();
   by_size /= weights;
-  by_shape /= static_cast<double>(mesh.star(v).size());
-  Eigen::Vector3d step = (1 - shape_weight) * by_size + shape_weight * by_shape - x;
-  step -= step.dot(normal) * normal;
-  return fit_height(v, x + kStep * step, normal, hint);
+  by_shape /= shape_weights;
+  const double weight = demand != Demand::kAllowed ? 1 : shape_weight;
+  Eigen::Vector3d way = (1 - weight) * by_size + weight * by_shape - x;
+  way -= way.dot(normal) * normal;
+  return fit_height(v, x + step * way, normal, hint);
 }
 
 /// Moves `at` along the normal so that the facets from it to the link pass between the samples in the sense
@@ -79,15 +87,34 @@ Eigen::Vector3d LocalOperations::fit_height(std::uint32_t v, const Eigen::Vector
   return at + std::clamp(above / weight, lift - most, lift + most) * normal;
 }
 
-/// Between the two neighbours, equally far in wished lengths, on the reference's curve.
-Eigen::Vector3d LocalOperations::curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q,
+/// Between the two neighbours, equally far in wished lengths; then aside, so that the two edges pass between
+/// the samples of the curve in the sense of least squares.
+Eigen::Vector3d LocalOperations::curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, double step,
                                               std::uint32_t& hint) const {
   const ComplexMesh& mesh = editor_.mesh();
+  const ReferenceComplex& reference = editor_.reference();
   const Eigen::Vector3d x = mesh.point(v);
   const double to_p = editor_.metric_length(v, p), to_q = editor_.metric_length(v, q);
   const Eigen::Vector3d toward = to_p > to_q ? mesh.point(p) : mesh.point(q);
-  const double share = 0.5 * std::abs(to_p - to_q) / std::max(to_p, to_q);
-  return editor_.reference().walk_curve(x + kStep * share * (toward - x), hint);
+  const double along = 0.5 * std::abs(to_p - to_q) / std::max(to_p, to_q);
+  const Eigen::Vector3d on = reference.walk_curve(x + step * along * (toward - x), hint);
+  Eigen::Vector3d aside = Eigen::Vector3d::Zero();
+  double weight = kOwnWeight;
+  for (const std::uint32_t end : {p, q}) {
+    const Eigen::Vector3d edge = on - mesh.point(end);
+    const double size2 = edge.squaredNorm();
+    if (!(size2 > 0)) continue;
+    editor_.samples().for_curve_samples(v, end, [&](std::uint32_t s) {
+      const Eigen::Vector3d off = reference.point(s) - mesh.point(end);
+      const double share = off.dot(edge) / size2;
+      if (share <= 0 || share > 1) return;
+      aside += share * (off - share * edge);
+      weight += share * share;
+    });
+  }
+  aside /= weight;
+  const double most = kLongestLift * editor_.limits.reach_mm, length = aside.norm();
+  return on + (length > most ? most / length : 1) * aside;
 }
 
 }  // namespace voxtet::remesh
