@@ -137,7 +137,7 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
   if (auto error = check_cell_data(options.cell_data, mesh.tets.size())) return *std::move(error);
   switch (format) {
     case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(mesh, options)}};
-    case MeshFormat::kMsh: return std::vector<OutputFile>{{".msh", write_msh(mesh, options)}};
+    case MeshFormat::kMsh: return write_msh(mesh, options);
     case MeshFormat::kMedit: return write_medit(mesh, options);
     case MeshFormat::kCarp: return write_carp(mesh, options);
     case MeshFormat::kStl:

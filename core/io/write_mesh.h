@@ -20,14 +20,13 @@ enum class PatientSpace { kRas, kLps };
 struct WriteMeshOptions {
   PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
   std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
-  std::vector<CellData> cell_data;          ///< written with the tetrahedra; not with surfaces
+  std::vector<CellData> cell_data{};        ///< written with the tetrahedra; not with surfaces
 };
 
 /// A file of an export: openCARP makes three, every other format one; cell data may add more. `suffix` is
 /// appended to the base name.
 struct OutputFile {
-  std::string
-      suffix;  ///< ".vtu", ".msh", ".mesh", ".sol", ".pts", ".elem", ".lon", ".NAME.dat", ".stl", ".ply"
+  std::string suffix;  ///< ".vtu", ".msh", "_data.msh", ".pts", ".fraction_5.dat", ...
   Bytes bytes;
 };
 
@@ -41,7 +40,7 @@ std::string_view mesh_ending_of(std::string_view path);
 /// VTU: binary appended raw, zlib-free, cell array `label`, mm. MSH 4.1: binary, physical groups per label
 /// (volumes, named) and per pair of sides (surfaces). MEDIT: ASCII, mm. openCARP: .pts (um), .elem (Tt,
 /// label), .lon (one axis, unit x direction as placeholder for fibres). STL (binary) and PLY (binary):
-/// boundary faces. Cell data: arrays in VTU, $ElementData in MSH, a .sol beside MEDIT, one .NAME.dat each
+/// boundary faces. Cell data: arrays in VTU, a _data.msh beside MSH, a .sol beside MEDIT, one .NAME.dat each
 /// beside openCARP. The header of each format (write_vtu.h, write_msh.h, ...) says the details, and where a
 /// file says that it is LPS. The flip to LPS is a rotation: orientation stays. Equal meshes give equal bytes.
 /// Errors: kUsage for a mesh without tetrahedra, or without faces where only these are written; kInternal

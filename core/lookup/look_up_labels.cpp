@@ -69,6 +69,17 @@ class NearestVoxel {
 class Tally {
  public:
   void clear() { counts_.clear(); }
+  /// Drops all labels but those that count, unless none does.
+  void keep(const std::vector<bool>& counted) {
+    const auto kept = std::stable_partition(counts_.begin(), counts_.end(),
+                                            [&](const auto& entry) { return counted[entry.first]; });
+    if (kept != counts_.begin()) counts_.erase(kept, counts_.end());
+  }
+  int total() const {
+    int sum = 0;
+    for (const auto& [label, count] : counts_) sum += count;
+    return sum;
+  }
   void add(Label label) {
     for (auto& [seen, count] : counts_)
       if (seen == label) {
@@ -82,6 +93,7 @@ class Tally {
       if (seen == label) return count;
     return 0;
   }
+  /// The most frequent label; `preferred` where that is one of them, else the lowest of them.
   Label majority(Label preferred) const {
     std::pair<Label, int> best{preferred, count(preferred)};
     for (const auto& [label, count] : counts_)
@@ -149,6 +161,19 @@ const std::vector<Barycentric>& enough_samples(const std::vector<std::vector<Bar
   return sets.back();
 }
 
+/// Whether each label counts: it was asked for, or most of its voxels' centres are in the mesh.
+std::vector<bool> counted_labels(const TetMesh& mesh, const LabelVolume& volume,
+                                 const std::vector<LookedUpLabel>& asked) {
+  const std::vector<Label> raster = rasterise(mesh, mesh.labels, volume);
+  std::vector<std::int64_t> balance(65536, 0);
+  for (std::size_t i = 0; i < raster.size(); ++i)
+    balance[volume.labels[i]] += raster[i] == kBackground ? -1 : 1;
+  std::vector<bool> counts(balance.size());
+  for (std::size_t label = 1; label < balance.size(); ++label) counts[label] = balance[label] > 0;
+  for (const LookedUpLabel& label : asked) counts[label.label] = true;
+  return counts;
+}
+
 /// Overlap of the voxels of a label with the tets that carry it.
 double dice_of(Label label, const std::vector<Label>& voxels, const std::vector<Label>& raster) {
   std::uint64_t both = 0, either = 0;
@@ -171,6 +196,7 @@ Status look_up_tets(const TetMesh& mesh, const LabelVolume& volume, const LookUp
                     const RunContext& ctx, LabelLookUp& found) {
   const NearestVoxel voxels(volume);
   const std::vector<std::vector<Barycentric>> sets = sample_sets(params.samples_max);
+  const std::vector<bool> counted = counted_labels(mesh, volume, found.labels);
   Tally tally;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     if (t % kTetsPerPoll == 0) {
@@ -188,11 +214,12 @@ Status look_up_tets(const TetMesh& mesh, const LabelVolume& volume, const LookUp
     tally.clear();
     for (const Barycentric& w : samples)
       tally.add(voxels.at(w[0] * index[0] + w[1] * index[1] + w[2] * index[2] + w[3] * index[3]));
+    tally.keep(counted);
     found.centroid[t] = voxels.at((index[0] + index[1] + index[2] + index[3]) / 4);
     found.majority[t] = tally.majority(found.centroid[t]);
     for (LookedUpLabel& asked : found.labels)
       add_tet(asked, found, t, mm3,
-              static_cast<float>(tally.count(asked.label)) / static_cast<float>(samples.size()));
+              static_cast<float>(tally.count(asked.label)) / static_cast<float>(tally.total()));
   }
   return std::monostate{};
 }

@@ -24,10 +24,12 @@ struct LookUpParams {
 /// samples; outside of the grid it is background. Samples: the barycentres of the n^3 parts of equal volume
 /// into which Kuhn's subdivision cuts a tet; exact for functions that are linear in it. Some 8 fall into a
 /// voxel: n is the least with n^3 >= clamp(8 V_tet / V_voxel, samples_min, samples_max), unless that exceeds
-/// samples_max. Of labels with equally many samples the one at the centroid has the majority, else the
-/// lowest. Linear time, plus one pass over the voxels. Errors: kUsage for parameters out of range, labels
-/// that the volume does not hold (the message lists those it does), background; kInternal where the mesh
-/// breaks an invariant; kCancelled.
+/// samples_max. Fractions and majority are of the samples in labels asked for or with most of their voxels in
+/// the mesh: at its border, samples in background or in a label left out say nothing about the tet's tissue.
+/// Where all are such, all count. Of labels with equally many samples the one at the centroid has the
+/// majority, else the lowest. Linear time, plus a few passes over the voxels. Errors: kUsage for parameters
+/// out of range, labels that the volume does not hold (the message lists those it does), background;
+/// kInternal where the mesh breaks an invariant; kCancelled.
 Result<LabelLookUp> look_up_labels(const TetMesh& mesh, const LabelVolume& volume, const LookUpParams& params,
                                    RunContext& ctx);
 

@@ -46,17 +46,15 @@ std::vector<Rung> ladder(const FillParams& params, std::size_t max_points) {
   asked.min_dihedral_deg = params.min_dihedral_deg;
   asked.max_dihedral_deg = params.max_dihedral_deg;
   asked.max_points = max_points;
-  TetgenOptions fine = asked, coarse = asked, angles = asked, shapes = asked;
+  TetgenOptions fine = asked, angles = asked, shapes = asked;
   fine.tolerance = 1e-15;
-  coarse.tolerance = 1e-6;
-  angles.tolerance = shapes.tolerance = 1e-12;
+  angles.tolerance = shapes.tolerance = fine.tolerance;
   angles.min_dihedral_deg = angles.max_dihedral_deg = 0;
   shapes.min_dihedral_deg = shapes.max_dihedral_deg = 0;
   shapes.radius_edge = 20;
   return {{"as asked", asked},
           {"with a finer tolerance", fine},
           {"with points displaced by a millionth of their edges", asked, true},
-          {"with a coarser tolerance", coarse},
           {"without bounds on dihedral angles", angles, false, true},
           {"with bounds on sizes alone", shapes, false, true}};
 }

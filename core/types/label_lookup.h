@@ -11,7 +11,7 @@ namespace voxtet {
 /// or whole by the label at its centroid, or whole by its majority.
 struct LookedUpLabel {
   Label label = 0;
-  std::vector<float> fraction;  ///< one per tet, in [0, 1]: the share of it that lies in voxels of the label
+  std::vector<float> fraction;  ///< one per tet, in [0, 1]: the label's share of it
   double voxel_mm3 = 0;
   double fraction_mm3 = 0, centroid_mm3 = 0, majority_mm3 = 0;
   double centroid_dice = 0, majority_dice = 0;  ///< at voxel centres, tets against voxels
