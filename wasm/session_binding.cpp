@@ -8,6 +8,7 @@
 #include <string>
 
 #include "io/write_mesh.h"
+#include "lookup/look_up_labels.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
 #include "quality/measure_quality.h"
@@ -113,6 +114,11 @@ class SessionBinding {
           return view_of(s->h_mm.data(), s->h_mm.size());
         break;
       case Stage::kTetra: return mesh_view(array);
+      case Stage::kLookup:
+        if (session_.lookup())
+          for (CellData& data : cell_data_of(*session_.lookup()))
+            if (data.name == array) return keep_view(floats_, std::move(data.values));
+        break;
       case Stage::kQuality: return quality_view(array);
     }
     return val::undefined();
@@ -126,7 +132,9 @@ class SessionBinding {
     if (!which) return reply(which.error());
     const PatientSpace patient = space == "lps" ? PatientSpace::kLps : PatientSpace::kRas;
     Result<std::vector<OutputFile>> files =
-        write_tet_mesh(*session_.mesh(), *which, {patient, session_.volume()->infos});
+        write_tet_mesh(*session_.mesh(), *which,
+                       {patient, session_.volume()->infos,
+                        session_.lookup() ? cell_data_of(*session_.lookup()) : std::vector<CellData>{}});
     if (!files) return reply(files.error());
     exported_ = std::move(files).value();
     json list = json::array();

@@ -46,6 +46,7 @@ Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
   nlohmann::json json = recipe_to_json(recipe);
   if (!options.labels.empty()) json["labels"] = options.labels;
   if (options.merge) json["merge"] = true;
+  if (!options.look_up.empty()) json["lookup"]["labels"] = options.look_up;
   if (options.edge_mm != 0) json["sizing"]["edge_mm"] = options.edge_mm;
   for (const std::string& text : options.edge_labels) {
     auto pair = split_pair("--edge-label", text);

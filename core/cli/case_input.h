@@ -13,6 +13,7 @@ struct CaseOptions {
   std::string input;                     ///< volume file, case .json, link, or "-" for none
   std::vector<int> labels;               ///< --labels 1,2,5
   bool merge = false;                    ///< --merge
+  std::vector<unsigned> look_up;         ///< --look-up
   double edge_mm = 0;                    ///< --edge-mm; 0: as in the recipe
   std::vector<std::string> edge_labels;  ///< --edge-label 5=0.8
   std::vector<std::string> set;          ///< --set path=value

@@ -13,6 +13,7 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "io/write_volume.h"
+#include "lookup/look_up_labels.h"
 #include "pipeline/report.h"
 #include "recipe/link.h"
 
@@ -34,11 +35,12 @@ void print_json(const json& value) {
   std::printf("%s\n", value.dump(1).c_str());
 }
 
-int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, const std::string& path,
-                const Output& output) {
+int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::vector<CellData> cell_data,
+                const std::string& path, const Output& output) {
   Result<MeshFormat> format = mesh_format_of(path);
   if (!format) return fail(format.error());
-  Result<std::vector<OutputFile>> files = write_tet_mesh(mesh, *format, {output.space(), infos});
+  Result<std::vector<OutputFile>> files =
+      write_tet_mesh(mesh, *format, {output.space(), infos, std::move(cell_data)});
   if (!files) return fail(files.error());
   if (Status written = write_files(path, *files); !written) return fail(written.error());
   return kExitOk;
@@ -60,7 +62,9 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
     return fail(done.error());
   }
   if (!out.empty())
-    if (const int code = export_mesh(*session.mesh(), session.volume()->infos, out, output); code != kExitOk)
+    if (const int code = export_mesh(*session.mesh(), session.volume()->infos,
+                                     cell_data_of(*session.lookup()), out, output);
+        code != kExitOk)
       return code;
   const json report = report_json(session);
   if (!report_path.empty())
@@ -122,7 +126,7 @@ int run_convert(const std::string& in, const std::string& out, const Output& out
     Result<TetMesh> mesh = read_tet_mesh_file(in);
     if (!mesh) return fail(mesh.error());
     add_label_faces(*mesh);
-    return export_mesh(*mesh, {}, out, output);
+    return export_mesh(*mesh, {}, {}, out, output);
   }
   Result<LabelVolume> volume = read_volume_file(in);
   if (!volume) return fail(volume.error());
@@ -199,6 +203,8 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
       ->required();
   command.add_option("--labels", options.labels, "labels to mesh, as 1,2,5; all if absent")->delimiter(',');
   command.add_flag("--merge", options.merge, "mesh the labels as one region");
+  command.add_option("--look-up", options.look_up, "labels to look up at each tetrahedron, as 5,6")
+      ->delimiter(',');
   command.add_option("--edge-mm", options.edge_mm, "edge length, mm");
   command.add_option("--edge-label", options.edge_labels, "edge length inside a label, as 5=0.8");
   command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");

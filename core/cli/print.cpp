@@ -129,10 +129,29 @@ void print_quality(const nlohmann::json& quality, std::FILE* out) {
                  item["expected"].get<std::string>().c_str());
 }
 
+namespace {
+
+void print_lookup(const nlohmann::json& report, std::FILE* out) {
+  if (!report.contains("lookup")) return;
+  std::fprintf(out, "\n%5s %11s %-13s %11s %8s %8s\n", "label", "voxels mm3", "looked up", "volume mm3",
+               "error", "Dice");
+  for (const auto& l : report["lookup"])
+    for (const char* way : {"by_fraction", "by_centroid", "by_majority"}) {
+      std::fprintf(out, "%5u %11.1f %-13s %11.1f %7.2f%%", l["label"].get<unsigned>(),
+                   l["voxel_mm3"].get<double>(), way, l[way]["mm3"].get<double>(),
+                   l[way]["error_percent"].get<double>());
+      if (l[way].contains("dice")) std::fprintf(out, " %8.4f", l[way]["dice"].get<double>());
+      std::fprintf(out, "\n");
+    }
+}
+
+}  // namespace
+
 void print_report(const nlohmann::json& report, std::FILE* out) {
   std::fprintf(out, "%u tetrahedra, %u points, digest %s\n", report["tets"].get<unsigned>(),
                report["points"].get<unsigned>(), report["digest"].get<std::string>().c_str());
   print_fidelity(report["fidelity"], out);
+  print_lookup(report, out);
   print_quality(report["quality"], out);
   std::fprintf(out, "\n");
   double total = 0;

@@ -45,12 +45,24 @@ Bytes write_fibres(const TetMesh& mesh) {
   return out.take();
 }
 
+Bytes write_values(const std::vector<float>& values) {
+  ByteWriter out(12 * values.size() + 64);
+  for (const float value : values) {
+    out.real(value);
+    out.text("\n");
+  }
+  return out.take();
+}
+
 }  // namespace
 
 std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& options) {
-  return {{".pts", write_points(mesh, options.space)},
-          {".elem", write_elements(mesh)},
-          {".lon", write_fibres(mesh)}};
+  std::vector<OutputFile> files{{".pts", write_points(mesh, options.space)},
+                                {".elem", write_elements(mesh)},
+                                {".lon", write_fibres(mesh)}};
+  for (const CellData& data : options.cell_data)
+    files.push_back({"." + data.name + ".dat", write_values(data.values)});
+  return files;
 }
 
 }  // namespace voxtet

@@ -6,7 +6,8 @@
 namespace voxtet {
 
 /// .pts in um; .elem of type Tt with region = label; .lon with one fibre axis per element, (1, 0, 0)
-/// throughout as a placeholder. The files have no place to say their space.
+/// throughout as a placeholder; .NAME.dat for each cell data, one value a line, in the order of .elem. The
+/// files have no place to say their space.
 std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& options);
 
 }  // namespace voxtet

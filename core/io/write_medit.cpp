@@ -29,9 +29,26 @@ void write_legend(ByteWriter& out, const TetMesh& mesh, const FaceGroups& faces,
     out.text("# triangles " + std::to_string(i + 1) + " " + pair_name(faces.pairs[i], labels, names) + "\n");
 }
 
+Bytes write_solution(const std::vector<CellData>& cell_data) {
+  const std::size_t tets = cell_data.front().values.size();
+  ByteWriter out(20 * tets * cell_data.size() + 4096);
+  out.text("MeshVersionFormatted 2\nDimension\n3\n# fields");
+  for (const CellData& data : cell_data) out.text(" " + data.name);
+  out.text("\nSolAtTetrahedra\n" + std::to_string(tets) + "\n" + std::to_string(cell_data.size()));
+  for (std::size_t i = 0; i < cell_data.size(); ++i) out.text(" 1");
+  out.text("\n");
+  for (std::size_t t = 0; t < tets; ++t)
+    for (std::size_t i = 0; i < cell_data.size(); ++i) {
+      out.real(cell_data[i].values[t]);
+      out.text(i + 1 < cell_data.size() ? " " : "\n");
+    }
+  out.text("End\n");
+  return out.take();
+}
+
 }  // namespace
 
-Bytes write_medit(const TetMesh& mesh, const WriteMeshOptions& options) {
+std::vector<OutputFile> write_medit(const TetMesh& mesh, const WriteMeshOptions& options) {
   const FaceGroups faces = group_faces(mesh.face_sides);
   ByteWriter out(64 * mesh.points.size() + 36 * mesh.tets.size() + 28 * mesh.faces.size() + 4096);
   out.text("MeshVersionFormatted 2\nDimension\n3\n");
@@ -53,7 +70,9 @@ Bytes write_medit(const TetMesh& mesh, const WriteMeshOptions& options) {
       write_element(out, mesh.faces[f], std::int64_t{faces.of_face[f]} + 1);
   }
   out.text("End\n");
-  return out.take();
+  std::vector<OutputFile> files{{".mesh", out.take()}};
+  if (!options.cell_data.empty()) files.push_back({".sol", write_solution(options.cell_data)});
+  return files;
 }
 
 }  // namespace voxtet

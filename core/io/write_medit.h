@@ -8,6 +8,7 @@ namespace voxtet {
 
 /// mm, numbers that read back exactly. Tetrahedra with reference = label; triangles with reference = rank of
 /// their pair of sides (from 1). Comment lines ("#") say the space and what each reference means.
-Bytes write_medit(const TetMesh& mesh, const WriteMeshOptions& options);
+/// Cell data: a .sol with one scalar each per tetrahedron ("SolAtTetrahedra"); a comment lists their names.
+std::vector<OutputFile> write_medit(const TetMesh& mesh, const WriteMeshOptions& options);
 
 }  // namespace voxtet

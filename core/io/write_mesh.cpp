@@ -1,6 +1,8 @@
 #include "io/write_mesh.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -94,6 +96,21 @@ std::optional<Error> check_mesh(const TetMesh& mesh) {
   return check_elements(mesh.points, mesh.faces, mesh.face_sides.size(), "faces");
 }
 
+std::optional<Error> check_cell_data(const std::vector<CellData>& cell_data, std::size_t tets) {
+  for (const CellData& data : cell_data) {
+    const bool word = !data.name.empty() && std::all_of(data.name.begin(), data.name.end(), [](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    });
+    if (!word) return broken("cell data \"" + data.name + "\": expected a name of letters, digits and _");
+    if (data.values.size() != tets)
+      return broken("cell data " + data.name + ": " + std::to_string(data.values.size()) + " values for " +
+                    std::to_string(tets) + " tetrahedra");
+    if (!std::all_of(data.values.begin(), data.values.end(), [](float v) { return std::isfinite(v); }))
+      return broken("cell data " + data.name + " hold a value that is not finite");
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<MeshFormat> mesh_format_of(const std::string& path) {
@@ -117,10 +134,11 @@ std::string_view mesh_ending_of(std::string_view path) {
 Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat format,
                                                const WriteMeshOptions& options) {
   if (auto error = check_mesh(mesh)) return *std::move(error);
+  if (auto error = check_cell_data(options.cell_data, mesh.tets.size())) return *std::move(error);
   switch (format) {
     case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(mesh, options)}};
-    case MeshFormat::kMsh: return std::vector<OutputFile>{{".msh", write_msh(mesh, options)}};
-    case MeshFormat::kMedit: return std::vector<OutputFile>{{".mesh", write_medit(mesh, options)}};
+    case MeshFormat::kMsh: return write_msh(mesh, options);
+    case MeshFormat::kMedit: return write_medit(mesh, options);
     case MeshFormat::kCarp: return write_carp(mesh, options);
     case MeshFormat::kStl:
     case MeshFormat::kPly: break;

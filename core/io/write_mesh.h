@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/read_volume.h"
+#include "types/cell_data.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/surface_mesh.h"
@@ -19,11 +20,13 @@ enum class PatientSpace { kRas, kLps };
 struct WriteMeshOptions {
   PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
   std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
+  std::vector<CellData> cell_data{};        ///< written with the tetrahedra; not with surfaces
 };
 
-/// A file of an export: openCARP makes three, every other format one. `suffix` is appended to the base name.
+/// A file of an export: openCARP makes three, every other format one; cell data may add more. `suffix` is
+/// appended to the base name.
 struct OutputFile {
-  std::string suffix;  ///< ".vtu", ".msh", ".mesh", ".pts", ".elem", ".lon", ".stl", ".ply"
+  std::string suffix;  ///< ".vtu", ".msh", "_data.msh", ".pts", ".fraction_5.dat", ...
   Bytes bytes;
 };
 
@@ -37,10 +40,12 @@ std::string_view mesh_ending_of(std::string_view path);
 /// VTU: binary appended raw, zlib-free, cell array `label`, mm. MSH 4.1: binary, physical groups per label
 /// (volumes, named) and per pair of sides (surfaces). MEDIT: ASCII, mm. openCARP: .pts (um), .elem (Tt,
 /// label), .lon (one axis, unit x direction as placeholder for fibres). STL (binary) and PLY (binary):
-/// boundary faces. The header of each format (write_vtu.h, write_msh.h, ...) says the details, and where a
+/// boundary faces. Cell data: arrays in VTU, a _data.msh beside MSH, a .sol beside MEDIT, one .NAME.dat each
+/// beside openCARP. The header of each format (write_vtu.h, write_msh.h, ...) says the details, and where a
 /// file says that it is LPS. The flip to LPS is a rotation: orientation stays. Equal meshes give equal bytes.
 /// Errors: kUsage for a mesh without tetrahedra, or without faces where only these are written; kInternal
-/// where the mesh breaks an invariant of TetMesh (indices in range, finite points, one label per element).
+/// where the mesh breaks an invariant of TetMesh (indices in range, finite points, one label per element) or
+/// cell data have a name that is no word or not one value per tet.
 Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat format,
                                                const WriteMeshOptions& options);
 

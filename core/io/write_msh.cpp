@@ -162,21 +162,43 @@ void write_elements(ByteWriter& out, const Model& model, const TetMesh& mesh) {
   out.text("\n$EndElements\n");
 }
 
-}  // namespace
-
-Bytes write_msh(const TetMesh& mesh, const WriteMeshOptions& options) {
-  const Model model = build_model(mesh, options.space);
-  ByteWriter out(32 * mesh.points.size() + 40 * mesh.tets.size() + 32 * mesh.faces.size() +
-                 512 * (model.entities.size() + 1));
+void write_format(ByteWriter& out) {
   out.text("$MeshFormat\n4.1 1 8\n");
   out.raw(std::int32_t{1});
   out.text("\n$EndMeshFormat\n");
+}
+
+Bytes write_cell_data(const std::vector<CellData>& cell_data) {
+  const std::size_t tets = cell_data.front().values.size();
+  ByteWriter out(cell_data.size() * (12 * tets + 128) + 64);
+  write_format(out);
+  for (const CellData& data : cell_data) {
+    // One string tag: the name; one real: the time; three integers: step, components, elements.
+    out.text("$ElementData\n1\n\"" + data.name + "\"\n1\n0\n3\n0\n1\n" + std::to_string(tets) + "\n");
+    for (std::size_t t = 0; t < tets; ++t) {
+      out.raw(static_cast<std::int32_t>(t + 1));
+      out.raw(static_cast<double>(data.values[t]));
+    }
+    out.text("\n$EndElementData\n");
+  }
+  return out.take();
+}
+
+}  // namespace
+
+std::vector<OutputFile> write_msh(const TetMesh& mesh, const WriteMeshOptions& options) {
+  const Model model = build_model(mesh, options.space);
+  ByteWriter out(32 * mesh.points.size() + 40 * mesh.tets.size() + 32 * mesh.faces.size() +
+                 512 * (model.entities.size() + 1));
+  write_format(out);
   if (options.space == PatientSpace::kLps) out.text("$Comments\nspace LPS\n$EndComments\n");
   write_names(out, model, options.infos);
   write_entities(out, model);
   write_nodes(out, model, mesh, options.space);
   write_elements(out, model, mesh);
-  return out.take();
+  std::vector<OutputFile> files{{".msh", out.take()}};
+  if (!options.cell_data.empty()) files.push_back({"_data.msh", write_cell_data(options.cell_data)});
+  return files;
 }
 
 }  // namespace voxtet

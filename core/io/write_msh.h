@@ -8,7 +8,10 @@ namespace voxtet {
 /// mm. One volume entity per label, tag and physical group = label; one surface entity per pair of sides, tag
 /// and physical group = its rank among the pairs (from 1), named "LV|background". Node tag = point index + 1;
 /// element tags number the tets first, then the faces, in the mesh's order. Surfaces bound their volumes with
-/// the sign of the outward normal. In LPS a $Comments section says "space LPS".
-Bytes write_msh(const TetMesh& mesh, const WriteMeshOptions& options);
+/// the sign of the outward normal.
+/// Cell data: a second file, _data.msh, with one $ElementData each, that Gmsh merges with the first. (Not in
+/// one file: meshio takes element data only for all elements, faces too, in the order of its blocks.) In LPS
+/// a $Comments section says "space LPS".
+std::vector<OutputFile> write_msh(const TetMesh& mesh, const WriteMeshOptions& options);
 
 }  // namespace voxtet

@@ -94,6 +94,25 @@ json fidelity_json(const QualityReport& report) {
           {"topology", topology_json(report.topology)}};
 }
 
+/// Volumes of a looked-up label by three ways of giving it to tets, against its voxels.
+json lookup_json(const LabelLookUp& found) {
+  json labels = json::array();
+  for (const LookedUpLabel& l : found.labels) {
+    const auto against_voxels = [&l](double mm3) {
+      return json{{"mm3", mm3}, {"error_percent", 100 * (mm3 - l.voxel_mm3) / l.voxel_mm3}};
+    };
+    json entry{{"label", l.label},
+               {"voxel_mm3", l.voxel_mm3},
+               {"by_fraction", against_voxels(l.fraction_mm3)},
+               {"by_centroid", against_voxels(l.centroid_mm3)},
+               {"by_majority", against_voxels(l.majority_mm3)}};
+    entry["by_centroid"]["dice"] = l.centroid_dice;
+    entry["by_majority"]["dice"] = l.majority_dice;
+    labels.push_back(std::move(entry));
+  }
+  return labels;
+}
+
 json surface_counts(const SurfaceMesh& surface) {
   return {{"points", surface.points.size()}, {"triangles", surface.triangles.size()}};
 }
@@ -116,6 +135,7 @@ json counts_json(const Session& session, Stage stage) {
       return {{"points", session.mesh()->points.size()},
               {"tets", session.mesh()->tets.size()},
               {"faces", session.mesh()->faces.size()}};
+    case Stage::kLookup: return {{"labels", session.lookup()->labels.size()}};
     case Stage::kQuality: return json::object();
   }
   return json::object();
@@ -194,6 +214,7 @@ json report_json(const Session& session) {
     out["tets"] = session.mesh()->tets.size();
     out["points"] = session.mesh()->points.size();
   }
+  if (session.lookup() && !session.lookup()->labels.empty()) out["lookup"] = lookup_json(*session.lookup());
   if (session.quality()) {
     out["quality"] = quality_json(*session.quality());
     out["fidelity"] = fidelity_json(*session.quality());

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "geometry/digest.h"
+#include "lookup/look_up_labels.h"
 #include "phantom/make_phantom.h"
 #include "pipeline/memory.h"
 #include "pipeline/select_labels.h"
@@ -26,7 +27,8 @@ std::vector<Stage> inputs_of(Stage stage) {
     case Stage::kSizing: return {Stage::kVolume};
     case Stage::kRemesh: return {Stage::kVolume, Stage::kSmooth, Stage::kSizing};
     case Stage::kTetra: return {Stage::kRemesh, Stage::kSizing};
-    case Stage::kQuality: return {Stage::kSmooth, Stage::kTetra};
+    case Stage::kLookup: return {Stage::kVolume, Stage::kTetra};
+    case Stage::kQuality: return {Stage::kSmooth, Stage::kTetra, Stage::kLookup};
   }
   return {};
 }
@@ -111,6 +113,7 @@ void Session::forget(Stage stage) {
     case Stage::kSizing: sizing_.reset(); break;
     case Stage::kRemesh: remeshed_.reset(); break;
     case Stage::kTetra: mesh_.reset(); break;
+    case Stage::kLookup: lookup_.reset(); break;
     case Stage::kQuality: quality_.reset(); break;
   }
   records_[static_cast<std::size_t>(stage)] = {};
@@ -141,6 +144,7 @@ Status Session::run_stage(Stage stage, RunContext& ctx) {
     case Stage::kRemesh:
       return keep(remesh_surface(*volume_, *smooth_, *sizing_, recipe_.remesh, ctx), remeshed_);
     case Stage::kTetra: return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), mesh_);
+    case Stage::kLookup: return keep(look_up_labels(*mesh_, *source_, recipe_.lookup, ctx), lookup_);
     case Stage::kQuality:
       return keep(measure_quality(*mesh_, {*volume_, *smooth_, *remeshed_, *sizing_}, recipe_.quality, ctx),
                   quality_);

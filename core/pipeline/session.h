@@ -11,6 +11,7 @@
 
 #include "io/read_volume.h"
 #include "recipe/recipe.h"
+#include "types/label_lookup.h"
 #include "types/quality_report.h"
 #include "types/result.h"
 #include "types/run_context.h"
@@ -23,10 +24,10 @@ namespace voxtet {
 /// Version of the engine, as it stands in reports and links.
 std::string engine_version();
 
-enum class Stage { kVolume, kSurface, kSmooth, kSizing, kRemesh, kTetra, kQuality };
-inline constexpr int kStageCount = 7;
+enum class Stage { kVolume, kSurface, kSmooth, kSizing, kRemesh, kTetra, kLookup, kQuality };
+inline constexpr int kStageCount = 8;
 inline constexpr std::array<std::string_view, kStageCount> kStageNames{
-    "volume", "surface", "smooth", "sizing", "remesh", "tetra", "quality"};
+    "volume", "surface", "smooth", "sizing", "remesh", "tetra", "lookup", "quality"};
 /// Stage of a name. Errors: kUsage listing the names.
 Result<Stage> stage_of(std::string_view name);
 
@@ -60,6 +61,7 @@ class Session {
   const SizingField* sizing() const { return sizing_ ? &*sizing_ : nullptr; }
   const SurfaceMesh* remeshed() const { return remeshed_ ? &*remeshed_ : nullptr; }
   const TetMesh* mesh() const { return mesh_ ? &*mesh_ : nullptr; }
+  const LabelLookUp* lookup() const { return lookup_ ? &*lookup_ : nullptr; }
   const QualityReport* quality() const { return quality_ ? &*quality_ : nullptr; }
   const StageRecord& record(Stage stage) const { return records_[static_cast<std::size_t>(stage)]; }
   std::vector<std::string> warnings() const;  ///< of all results at hand, in the order of stages
@@ -78,6 +80,7 @@ class Session {
   std::optional<SurfaceMesh> surface_, smooth_, remeshed_;
   std::optional<SizingField> sizing_;
   std::optional<TetMesh> mesh_;
+  std::optional<LabelLookUp> lookup_;
   std::optional<QualityReport> quality_;
   std::array<StageRecord, kStageCount> records_;
 };

@@ -10,10 +10,6 @@
 
 namespace voxtet {
 
-/// The mesh's label at every voxel centre (background where no tetrahedron is); a centre on the border of
-/// several tetrahedra takes the one of lowest index.
-std::vector<Label> rasterise(const TetMesh& mesh, const LabelVolume& grid);
-
 /// One entry per label of volume or mesh, ascending.
 std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume& volume,
                                           const SizingField& sizing);

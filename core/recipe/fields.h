@@ -168,6 +168,14 @@ void visit_fields(V& v, FillParams& p) {
 }
 
 template <class V>
+void visit_fields(V& v, LookUpParams& p) {
+  v.field({"labels", "", 1, 65535, "Labels of the image to look up at each tetrahedron, meshed or not."},
+          p.labels);
+  v.field({"samples_min", "", 1, 4096, "Samples of each tetrahedron, at least."}, p.samples_min);
+  v.field({"samples_max", "", 1, 4096, "Samples of each tetrahedron, at most."}, p.samples_max);
+}
+
+template <class V>
 void visit_fields(V& v, QualityParams& p) {
   v.field({"histogram_bins", "", 4, 1024, "Bins of each histogram."}, p.histogram_bins);
   v.field(
@@ -185,6 +193,7 @@ void visit_fields(V& v, Recipe& r) {
   v.group({"sizing", "", 0, 0, "The wish for element size."}, r.sizing);
   v.group({"remesh", "", 0, 0, "The adapted surface."}, r.remesh);
   v.group({"tetra", "", 0, 0, "The tetrahedra."}, r.tetra);
+  v.group({"lookup", "", 0, 0, "Labels looked up instead of meshed."}, r.lookup);
   v.group({"quality", "", 0, 0, "The evidence."}, r.quality);
   v.group({"expected", "", 0, 0, "What a shared case promises."}, r.expected);
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lookup/look_up_labels.h"
 #include "phantom/make_phantom.h"
 #include "quality/measure_quality.h"
 #include "remesh/remesh_surface.h"
@@ -48,6 +49,7 @@ struct Recipe {
   SizingParams sizing;
   RemeshParams remesh;
   FillParams tetra;
+  LookUpParams lookup;
   QualityParams quality;
   Expected expected;
 };

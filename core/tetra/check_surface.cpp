@@ -2,14 +2,23 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "geometry/self_intersections.h"
 
 namespace voxtet {
 namespace {
 
 constexpr std::size_t kMaxPlaces = 1000;
+/// Relative to the bounding box.
+constexpr double kCoinciding = 1e-6;
+/// Of a tenth of a degree.
+constexpr double kNarrowCosine = 0.99999847691328769;
 constexpr double kDegreesPerRadian = 57.295779513082321;
 
 Error meshing_error(std::string message, const ErrorPlace& where = {}) {
@@ -22,6 +31,68 @@ constexpr double kFlat = 1e-10;
 bool is_flat(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   return !((b - a).cross(c - a).norm() > kFlat * longest);
+}
+
+/// The marked triangles, no more than kMaxPlaces of them.
+ErrorPlace places_of(const SurfaceMesh& surface, const std::vector<bool>& marked) {
+  ErrorPlace where;
+  for (std::uint32_t t = 0; t < marked.size() && where.elements.size() < kMaxPlaces; ++t) {
+    if (!marked[t]) continue;
+    const auto [a, b, c] = surface.triangles[t];
+    where.elements.push_back(t);
+    where.points.push_back((surface.points[a] + surface.points[b] + surface.points[c]) / 3);
+  }
+  return where;
+}
+
+double degrees_of(double cosine) {
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegreesPerRadian;
+}
+
+double corner_cosine(const SurfaceMesh& surface, std::uint32_t t, std::size_t corner) {
+  const Triangle& v = surface.triangles[t];
+  const Eigen::Vector3d& apex = surface.points[v[corner]];
+  return (surface.points[v[(corner + 1) % 3]] - apex)
+      .normalized()
+      .dot((surface.points[v[(corner + 2) % 3]] - apex).normalized());
+}
+
+/// Calls visit(cosine, use, other) for every two triangles at an edge: the angle between them, the use of one
+/// and the index of the other.
+template <class Visit>
+void for_each_dihedral(const SurfaceMesh& surface, const EdgeGroups& edges, Visit&& visit) {
+  std::vector<Eigen::Vector3d> away;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const TriangleUse& first = edges[e][0];
+    const Eigen::Vector3d& low = surface.points[first.low];
+    const Eigen::Vector3d axis = (surface.points[first.high] - low).normalized();
+    away.clear();
+    for (const TriangleUse& use : edges[e]) {
+      const Eigen::Vector3d arm = surface.points[surface.triangles[use.triangle][(use.corner + 2) % 3]] - low;
+      away.push_back((arm - axis * axis.dot(arm)).normalized());
+    }
+    for (std::size_t i = 0; i < away.size(); ++i)
+      for (std::size_t j = i + 1; j < away.size(); ++j)
+        visit(away[i].dot(away[j]), edges[e][i], edges[e][j].triangle);
+  }
+}
+
+/// Points with another one within kCoinciding of the bounding box's largest side.
+std::vector<bool> nearly_coinciding(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return points[a].x() != points[b].x() ? points[a].x() < points[b].x() : a < b;
+  });
+  Eigen::Vector3d low = points[0], high = points[0];
+  for (const Eigen::Vector3d& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const double reach = kCoinciding * (high - low).maxCoeff();
+  std::vector<bool> close(points.size(), false);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = i + 1; j < order.size() && points[order[j]].x() - points[order[i]].x() <= reach; ++j)
+      if ((points[order[j]] - points[order[i]]).squaredNorm() <= reach * reach)
+        close[order[i]] = close[order[j]] = true;
+  return close;
 }
 
 }  // namespace
@@ -100,29 +171,66 @@ Status check_closed(const SurfaceMesh& surface, const EdgeGroups& edges) {
                        open);
 }
 
-SharpestEdge find_sharpest_edge(const SurfaceMesh& surface, const EdgeGroups& edges) {
-  double largest_cosine = -1;
-  SharpestEdge sharpest;
-  std::vector<Eigen::Vector3d> away;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const TriangleUse& first = edges[e][0];
-    const Eigen::Vector3d& low = surface.points[first.low];
-    const Eigen::Vector3d axis = (surface.points[first.high] - low).normalized();
-    away.clear();
-    for (const TriangleUse& use : edges[e]) {
-      const Eigen::Vector3d arm = surface.points[surface.triangles[use.triangle][(use.corner + 2) % 3]] - low;
-      away.push_back((arm - axis * axis.dot(arm)).normalized());
-    }
-    for (std::size_t i = 0; i < away.size(); ++i)
-      for (std::size_t j = i + 1; j < away.size(); ++j) {
-        const double cosine = away[i].dot(away[j]);
-        if (cosine <= largest_cosine) continue;
-        largest_cosine = cosine;
-        sharpest.place = (low + surface.points[first.high]) / 2;
-      }
-  }
-  sharpest.angle_deg = std::acos(std::clamp(largest_cosine, -1.0, 1.0)) * kDegreesPerRadian;
+Status check_intersections(const SurfaceMesh& surface) {
+  const std::vector<std::array<std::uint32_t, 2>> pairs = find_self_intersections(surface, kMaxPlaces);
+  if (pairs.empty()) return std::monostate{};
+  std::vector<bool> meets(surface.triangles.size(), false);
+  for (const auto& [a, b] : pairs) meets[a] = meets[b] = true;
+  ErrorPlace where = places_of(surface, meets);
+  std::string message = "the surface intersects itself: " + std::to_string(where.elements.size()) +
+                        " triangles do; it must be free of intersections";
+  return meshing_error(std::move(message), where);
+}
+
+SharpAngle find_sharpest_edge(const SurfaceMesh& surface, const EdgeGroups& edges) {
+  double largest = -1;
+  SharpAngle sharpest;
+  for_each_dihedral(surface, edges, [&](double cosine, const TriangleUse& use, std::uint32_t) {
+    if (cosine <= largest) return;
+    largest = cosine;
+    sharpest.place = (surface.points[use.low] + surface.points[use.high]) / 2;
+  });
+  sharpest.angle_deg = degrees_of(largest);
   return sharpest;
+}
+
+SharpAngle find_sharpest_corner(const SurfaceMesh& surface) {
+  double largest = -1;
+  SharpAngle sharpest;
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double cosine = corner_cosine(surface, t, c);
+      if (cosine <= largest) continue;
+      largest = cosine;
+      sharpest.place = surface.points[surface.triangles[t][c]];
+    }
+  sharpest.angle_deg = degrees_of(largest);
+  return sharpest;
+}
+
+ErrorPlace find_narrow_places(const SurfaceMesh& surface, const EdgeGroups& edges) {
+  const std::vector<bool> close = nearly_coinciding(surface.points);
+  std::vector<bool> narrow(surface.triangles.size(), false);
+  const auto mark = [&](double corner_bound, double edge_bound) {
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (close[surface.triangles[t][c]] || corner_cosine(surface, t, c) >= corner_bound) narrow[t] = true;
+    for_each_dihedral(surface, edges, [&](double cosine, const TriangleUse& use, std::uint32_t other) {
+      if (cosine >= edge_bound) narrow[use.triangle] = narrow[other] = true;
+    });
+  };
+  mark(kNarrowCosine, kNarrowCosine);
+  if (std::find(narrow.begin(), narrow.end(), true) == narrow.end()) {
+    double sharpest_corner = -1, sharpest_edge = -1;
+    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+      for (std::size_t c = 0; c < 3; ++c)
+        sharpest_corner = std::max(sharpest_corner, corner_cosine(surface, t, c));
+    for_each_dihedral(surface, edges, [&](double cosine, const TriangleUse&, std::uint32_t) {
+      sharpest_edge = std::max(sharpest_edge, cosine);
+    });
+    mark(sharpest_corner, sharpest_edge);
+  }
+  return places_of(surface, narrow);
 }
 
 }  // namespace voxtet

@@ -17,12 +17,24 @@ Status check_triangles(const SurfaceMesh& surface);
 /// triangles at open edges and the edges' midpoints.
 Status check_closed(const SurfaceMesh& surface, const EdgeGroups& edges);
 
-/// The sharpest angle between two triangles that share an edge: no tetrahedron there can have a larger
-/// smallest dihedral angle.
-struct SharpestEdge {
+/// No two triangles meet elsewhere than in common corners and edges. kMeshing with the triangles that do.
+Status check_intersections(const SurfaceMesh& surface);
+
+struct SharpAngle {
   double angle_deg = 180;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
 };
-SharpestEdge find_sharpest_edge(const SurfaceMesh& surface, const EdgeGroups& edges);
+
+/// The sharpest angle between two triangles that share an edge: no tetrahedron there can have a larger
+/// smallest dihedral angle.
+SharpAngle find_sharpest_edge(const SurfaceMesh& surface, const EdgeGroups& edges);
+
+/// The sharpest angle between two edges of a triangle.
+SharpAngle find_sharpest_corner(const SurfaceMesh& surface);
+
+/// Where a mesher that gives up most likely did so: triangles with points that all but coincide with others
+/// (within a millionth of the bounding box) or with an angle, in the plane or to a neighbour, below a tenth
+/// of a degree; where there are none, those at the sharpest angles of either kind. Ascending.
+ErrorPlace find_narrow_places(const SurfaceMesh& surface, const EdgeGroups& edges);
 
 }  // namespace voxtet

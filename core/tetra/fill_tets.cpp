@@ -3,16 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <new>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "geometry/self_intersections.h"
 #include "tetra/check_surface.h"
 #include "tetra/edge_groups.h"
+#include "tetra/forecast.h"
 #include "tetra/hole_seeds.h"
 #include "tetra/label_tets.h"
 #include "tetra/tetgen_backend.h"
@@ -20,25 +22,41 @@
 namespace voxtet {
 namespace {
 
-constexpr std::size_t kMaxPlaces = 1000;
 constexpr double kSharpEdgeDeg = 10;
+constexpr double kSharpCornerDeg = 1;
+/// A run that asks for so many times the points forecast is stopped.
+constexpr double kRunaway = 20;
+/// Part of its shortest edge by which a point is displaced, along each axis and either way.
+constexpr double kDisplacement = 5e-7;
 
-/// One way to call the mesher; tried in order until one passes every check.
-struct Attempt {
-  std::string name;
+/// One way to call the mesher.
+struct Rung {
+  const char* name;
   TetgenOptions options;
+  bool displaced = false;  ///< the mesher sees points moved a little; they go back afterwards
+  bool laxer = false;      ///< asks for less than the caller did
 };
 
-std::vector<Attempt> attempts(const FillParams& params) {
-  const TetgenOptions asked{params.radius_edge, params.min_dihedral_deg, params.max_dihedral_deg, 1e-8};
-  TetgenOptions fine = asked, coarse = asked, plain = asked;
-  fine.tolerance = plain.tolerance = 1e-10;
-  coarse.tolerance = 1e-6;
-  plain.min_dihedral_deg = plain.max_dihedral_deg = 0;
+/// The ways, in the order in which they are tried until one passes every check. Each has a surface in
+/// tests/unit/tetra/ladder_test.cpp that those before it fail on. Points added on the surface (without -Y)
+/// are none of them: what that saved the finer tolerance saves as well, and TetGen 1.5.0 crashes there.
+std::vector<Rung> ladder(const FillParams& params, std::size_t max_points) {
+  TetgenOptions asked;
+  asked.radius_edge = params.radius_edge;
+  asked.min_dihedral_deg = params.min_dihedral_deg;
+  asked.max_dihedral_deg = params.max_dihedral_deg;
+  asked.max_points = max_points;
+  TetgenOptions fine = asked, angles = asked, shapes = asked;
+  fine.tolerance = 1e-15;
+  angles.tolerance = shapes.tolerance = fine.tolerance;
+  angles.min_dihedral_deg = angles.max_dihedral_deg = 0;
+  shapes.min_dihedral_deg = shapes.max_dihedral_deg = 0;
+  shapes.radius_edge = 20;
   return {{"as asked", asked},
           {"with a finer tolerance", fine},
-          {"with a coarser tolerance", coarse},
-          {"without bounds on dihedral angles", plain}};
+          {"with points displaced by a millionth of their edges", asked, true},
+          {"without bounds on dihedral angles", angles, false, true},
+          {"with bounds on sizes alone", shapes, false, true}};
 }
 
 Status check_sizing(const SizingField& sizing) {
@@ -59,62 +77,100 @@ std::string fixed(double value, int digits) {
   return text.data();
 }
 
-void warn_of_sharp_edge(const SurfaceMesh& surface, const EdgeGroups& edges, const RunContext& ctx) {
-  const SharpestEdge sharpest = find_sharpest_edge(surface, edges);
-  if (sharpest.angle_deg >= kSharpEdgeDeg) return;
-  ctx.warn("tetra", "two triangles meet at " + fixed(sharpest.angle_deg, 2) + " degrees at (" +
-                        fixed(sharpest.place.x(), 2) + ", " + fixed(sharpest.place.y(), 2) + ", " +
-                        fixed(sharpest.place.z(), 2) + "): tetrahedra there cannot be better shaped");
+std::string angle_at(const SharpAngle& sharp) {
+  return fixed(sharp.angle_deg, 2) + " degrees at (" + fixed(sharp.place.x(), 2) + ", " +
+         fixed(sharp.place.y(), 2) + ", " + fixed(sharp.place.z(), 2) + ")";
 }
 
-/// The triangles that intersect each other, where there are any.
-std::optional<Error> intersection_error(const SurfaceMesh& surface) {
-  const std::vector<std::array<std::uint32_t, 2>> pairs = find_self_intersections(surface, kMaxPlaces);
-  if (pairs.empty()) return std::nullopt;
-  ErrorPlace where;
-  for (const auto& pair : pairs) where.elements.insert(where.elements.end(), pair.begin(), pair.end());
-  std::sort(where.elements.begin(), where.elements.end());
-  where.elements.erase(std::unique(where.elements.begin(), where.elements.end()), where.elements.end());
-  for (const std::uint32_t t : where.elements) {
-    const auto [a, b, c] = surface.triangles[t];
-    where.points.push_back((surface.points[a] + surface.points[b] + surface.points[c]) / 3);
-  }
-  std::string message = "the surface intersects itself: " + std::to_string(where.elements.size()) +
-                        " triangles do; it must be free of intersections";
-  return Error{ErrorCode::kMeshing, "tetra", std::move(message), std::move(where)};
+void tell_sharp_angles(const SurfaceMesh& surface, const EdgeGroups& edges, const RunContext& ctx) {
+  const SharpAngle corner = find_sharpest_corner(surface), edge = find_sharpest_edge(surface, edges);
+  ctx.note("tetra", "the surface's smallest angles: in a triangle " + fixed(corner.angle_deg, 2) +
+                        " degrees, between two " + fixed(edge.angle_deg, 2) + " degrees");
+  if (corner.angle_deg < kSharpCornerDeg) ctx.warn("tetra", "a triangle has an angle of " + angle_at(corner));
+  if (edge.angle_deg < kSharpEdgeDeg)
+    ctx.warn("tetra",
+             "two triangles meet at " + angle_at(edge) + ": tetrahedra there cannot be better shaped");
 }
 
-Result<TetMesh> attempt_all(const SurfaceMesh& surface, const EdgeGroups& edges, const SizingField& sizing,
-                            const FillParams& params, const RunContext& ctx) {
+/// The surface with every point displaced a little, the same way in every run.
+SurfaceMesh displaced(const SurfaceMesh& surface) {
+  std::vector<double> shortest(surface.points.size(), std::numeric_limits<double>::max());
+  for (const Triangle& t : surface.triangles)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t a = t[c], b = t[(c + 1) % 3];
+      const double length = (surface.points[a] - surface.points[b]).norm();
+      shortest[a] = std::min(shortest[a], length);
+      shortest[b] = std::min(shortest[b], length);
+    }
+  SurfaceMesh moved = surface;
+  std::uint64_t state = 1;
+  for (std::size_t p = 0; p < moved.points.size(); ++p)
+    for (int d = 0; d < 3; ++d) {
+      state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+      const double within_one = static_cast<double>(state >> 33) / 1073741824.0 - 1;
+      moved.points[p][d] += kDisplacement * shortest[p] * within_one;
+    }
+  return moved;
+}
+
+Result<TetMesh> fill_by(const Rung& rung, const SurfaceMesh& surface,
+                        const std::vector<Eigen::Vector3d>& holes, const SizingField& sizing,
+                        const RunContext& ctx) {
+  Result<TetgenMesh> filled = rung.displaced
+                                  ? run_tetgen(displaced(surface), holes, sizing, rung.options, ctx)
+                                  : run_tetgen(surface, holes, sizing, rung.options, ctx);
+  if (!filled) return filled.error();
+  if (rung.displaced && filled->points.size() >= surface.points.size())
+    std::copy(surface.points.begin(), surface.points.end(), filled->points.begin());
+  return label_tets(surface, *std::move(filled));
+}
+
+Result<TetMesh> climb(const SurfaceMesh& surface, const EdgeGroups& edges, const SizingField& sizing,
+                      const FillParams& params, const RunContext& ctx) {
   const std::vector<Eigen::Vector3d> holes = find_hole_seeds(surface, edges);
-  std::optional<Error> failure;
-  for (const Attempt& attempt : attempts(params)) {
+  const double most = std::min(kRunaway * forecast_points(surface, sizing), 2e9);
+  const std::vector<Rung> rungs = ladder(params, static_cast<std::size_t>(most));
+  RunContext rising = ctx;
+  double reached = 0;
+  rising.on_progress = [&](const std::string& stage, double fraction) {
+    reached = std::max(reached, fraction);
+    ctx.progress(stage, reached);
+  };
+  std::optional<Error> first_failure;
+  bool runaway = false;
+  for (std::size_t r = 0; r < rungs.size(); ++r) {
+    const Rung& rung = rungs[r];
+    // Where points were without end, another rounding of the same wishes does not help.
+    if (runaway && !rung.laxer) continue;
     if (ctx.cancelled()) return cancelled_error("tetra");
-    Result<TetgenMesh> filled = run_tetgen(surface, holes, sizing, attempt.options, ctx);
-    Result<TetMesh> mesh = filled ? label_tets(surface, *std::move(filled)) : Result<TetMesh>(filled.error());
+    Result<TetMesh> mesh = fill_by(rung, surface, holes, sizing, rising);
     if (mesh) {
-      if (failure) ctx.warn("tetra", "filled " + attempt.name + ", after: " + failure->message);
+      const std::string filled = std::string("filled ") + rung.name;
+      ctx.note("tetra",
+               filled + " (way " + std::to_string(r + 1) + " of " + std::to_string(rungs.size()) + ")");
+      if (first_failure) ctx.warn("tetra", filled + ", after: " + first_failure->message);
       return mesh;
     }
     if (mesh.error().code != ErrorCode::kMeshing) return mesh;
-    if (failure) continue;
-    if (std::optional<Error> intersection = intersection_error(surface)) return *std::move(intersection);
-    failure = mesh.error();
+    ctx.note("tetra", std::string("not filled ") + rung.name + ": " + mesh.error().message);
+    runaway = runaway || is_runaway(mesh.error());
+    if (!first_failure) first_failure = mesh.error();
   }
-  return *std::move(failure);
+  if (first_failure->where.elements.empty()) first_failure->where = find_narrow_places(surface, edges);
+  first_failure->message +=
+      "; none of " + std::to_string(rungs.size()) + " ways to fill the surface succeeded";
+  return *std::move(first_failure);
 }
 
 Result<TetMesh> check_and_fill(const SurfaceMesh& surface, const SizingField& sizing,
                                const FillParams& params, const RunContext& ctx) {
-  const Status sizes = check_sizing(sizing);
-  if (!sizes) return sizes.error();
-  const Status triangles = check_triangles(surface);
-  if (!triangles) return triangles.error();
+  if (const Status sizes = check_sizing(sizing); !sizes) return sizes.error();
+  if (const Status triangles = check_triangles(surface); !triangles) return triangles.error();
   const EdgeGroups edges(surface);
-  const Status closed = check_closed(surface, edges);
-  if (!closed) return closed.error();
-  warn_of_sharp_edge(surface, edges, ctx);
-  return attempt_all(surface, edges, sizing, params, ctx);
+  if (const Status closed = check_closed(surface, edges); !closed) return closed.error();
+  if (const Status clean = check_intersections(surface); !clean) return clean.error();
+  tell_sharp_angles(surface, edges, ctx);
+  return climb(surface, edges, sizing, params, ctx);
 }
 
 }  // namespace

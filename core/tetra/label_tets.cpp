@@ -7,11 +7,15 @@
 #include <string>
 #include <utility>
 
+#include "geometry/surface_measures.h"
+
 namespace voxtet {
 namespace {
 
 constexpr std::size_t kMaxPlaces = 1000;
 constexpr double kVolumeTolerance = 1e-9;
+/// Rounding of a volume that is the sum of cones from afar, relative to the sum of their sizes.
+constexpr double kConeRounding = 1e-13;
 constexpr std::uint32_t kNone = 0xffffffffU;
 
 /// Corners of each face of a positive tet, its normal pointing outwards.
@@ -131,29 +135,50 @@ Result<std::vector<std::uint32_t>> labels_of_regions(const SurfaceMesh& surface,
   return label;
 }
 
-/// Volumes by label: of the tets, and of what the triangles enclose.
+/// Volumes by label: of the tets, and of what the triangles enclose; and the sizes of the cones whose signed
+/// sum the latter is.
 struct Volumes {
-  std::vector<double> filled, enclosed;
+  std::vector<double> filled, enclosed, cones;
 };
+
+/// The triangles with two or more corners in a flat tetrahedron.
+Error flat_error(const SurfaceMesh& surface, const TetMesh& mesh, const std::vector<std::uint32_t>& flat) {
+  std::vector<bool> corner(mesh.points.size(), false);
+  for (const std::uint32_t t : flat)
+    for (const std::uint32_t v : mesh.tets[t]) corner[v] = true;
+  ErrorPlace where;
+  for (std::uint32_t t = 0; t < surface.triangles.size() && where.elements.size() < kMaxPlaces; ++t) {
+    const auto [a, b, c] = surface.triangles[t];
+    if (corner[a] + corner[b] + corner[c] < 2) continue;
+    where.elements.push_back(t);
+    where.points.push_back(centroid(surface, t));
+  }
+  return meshing_error(std::to_string(flat.size()) + " tetrahedra have no volume", where);
+}
 
 Result<Volumes> measure(const SurfaceMesh& surface, const TetMesh& mesh) {
   Volumes volumes;
+  std::vector<std::uint32_t> flat;
   volumes.filled.assign(0x10000, 0);
   volumes.enclosed.assign(0x10000, 0);
+  volumes.cones.assign(0x10000, 0);
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) {
     const auto [a, b, c, d] = mesh.tets[t];
     const Eigen::Vector3d& p = mesh.points[a];
     const double six = (mesh.points[b] - p).dot((mesh.points[c] - p).cross(mesh.points[d] - p));
-    if (!(six > 0)) return meshing_error("tetrahedron " + std::to_string(t) + " has no volume", {{p}, {t}});
+    if (!(six > 0)) flat.push_back(t);
     volumes.filled[mesh.labels[t]] += six / 6;
   }
+  if (!flat.empty()) return flat_error(surface, mesh, flat);
   const Eigen::Vector3d& origin = surface.points[surface.triangles[0][0]];
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const auto [a, b, c] = surface.triangles[t];
-    const double cone =
-        (surface.points[a] - origin).dot((surface.points[b] - origin).cross(surface.points[c] - origin)) / 6;
+    const auto [ia, ib, ic] = surface.triangles[t];
+    const Eigen::Vector3d &a = surface.points[ia], &b = surface.points[ib], &c = surface.points[ic];
+    // By the triangle's own edges: far from the origin those of the cone would round away small triangles.
+    const double cone = (a - origin).dot(triangle_cross(a, b, c)) / 6;
     volumes.enclosed[surface.sides[t][0]] += cone;
     volumes.enclosed[surface.sides[t][1]] -= cone;
+    for (const Label side : surface.sides[t]) volumes.cones[side] += std::abs(cone);
   }
   return volumes;
 }
@@ -163,7 +188,8 @@ Status check_volumes(const SurfaceMesh& surface, const TetMesh& mesh) {
   if (!volumes) return volumes.error();
   for (std::size_t label = 1; label < volumes->filled.size(); ++label) {
     const double filled = volumes->filled[label], enclosed = volumes->enclosed[label];
-    if (std::abs(filled - enclosed) <= kVolumeTolerance * std::abs(enclosed)) continue;
+    const double tolerance = kVolumeTolerance * std::abs(enclosed) + kConeRounding * volumes->cones[label];
+    if (std::abs(filled - enclosed) <= tolerance) continue;
     return meshing_error("the tetrahedra of label " + std::to_string(label) + " fill " +
                          std::to_string(filled) + " mm3, its boundary encloses " + std::to_string(enclosed) +
                          " mm3");

@@ -15,13 +15,18 @@ namespace {
 constexpr double kRadiusPerEdge = 0.79;
 
 constexpr int kCancelledCode = 100;
+constexpr int kRunawayCode = 101;
+constexpr const char* kRunaway = "TetGen was stopped: its refinement did not come to an end";
+/// An ordinary run polls 57 times for each point it ends with, be it graded or uniform.
+constexpr long long kMaxPollsPerPoint = 60;
 constexpr int kPollsPerQuestion = 512;
 
 struct Job {
   const SizingField* sizing = nullptr;
   const RunContext* ctx = nullptr;
-  int polls = 0;
   long first_points = 0;
+  long long max_points = 0;
+  long long polls = 0;
 };
 
 double largest_circumradius(void* data, const double* point) {
@@ -31,6 +36,7 @@ double largest_circumradius(void* data, const double* point) {
 
 int poll(void* data, long points) {
   Job& job = *static_cast<Job*>(data);
+  if (points > job.max_points || job.polls / kMaxPollsPerPoint > job.max_points) return kRunawayCode;
   if (++job.polls % kPollsPerQuestion != 0) return 0;
   if (job.ctx->cancelled()) return kCancelledCode;
   // How many points will be needed is not known: the share of new ones grows towards its end.
@@ -107,6 +113,7 @@ Error error_of(int thrown) {
   };
   switch (thrown) {
     case kCancelledCode: return cancelled_error("tetra");
+    case kRunawayCode: return meshing(kRunaway);
     case 1:
       return {
           ErrorCode::kOutOfMemory, "tetra", "memory ran out while filling the surface with tetrahedra", {}};
@@ -140,7 +147,8 @@ Result<TetgenMesh> run_tetgen(const SurfaceMesh& surface, const std::vector<Eige
                               const SizingField& sizing, const TetgenOptions& options,
                               const RunContext& ctx) {
   try {
-    Job job{&sizing, &ctx, 0, static_cast<long>(surface.points.size())};
+    Job job{&sizing, &ctx, static_cast<long>(surface.points.size()),
+            static_cast<long long>(options.max_points), 0};
     tetgenio out;
     {
       Input in(surface, hole_seeds);
@@ -160,6 +168,10 @@ Result<TetgenMesh> run_tetgen(const SurfaceMesh& surface, const std::vector<Eige
   } catch (const std::exception& e) {
     return Error{ErrorCode::kInternal, "tetra", std::string("TetGen threw: ") + e.what(), {}};
   }
+}
+
+bool is_runaway(const Error& error) {
+  return error.code == ErrorCode::kMeshing && error.message == kRunaway;
 }
 
 }  // namespace voxtet

@@ -3,7 +3,7 @@
 Sample run: read_back.py build/native/tests/unit/io/mesh_files
 
 1. VTK, meshio, Gmsh and numpy parsers read the cube of tests/support/labelled_mesh.h, in RAS and LPS: points to 1e-12 mm
-   (32-bit formats: 1e-6 of their size), tetrahedra, labels, sides, names of groups, positive volumes.
+   (32-bit formats: 1e-6 of their size), tetrahedra, labels, sides, names of groups, positive volumes, cell data.
 2. VTK, meshio and Gmsh write the cube in every variant of their formats; voxtet must read the same mesh.
 Exit code 77: something that this needs is absent.
 """
@@ -103,6 +103,19 @@ def cell_array(grid, name):
     return vtk_to_numpy(array).astype(np.int64)
 
 
+def cell_data_of(cube, name):
+    """The arrays of cube_cell_data in tests/support/labelled_mesh.h."""
+    count = np.float32(len(cube.tets))
+    return (cube.labels if name == "majority_label" else np.arange(count) / count).astype(np.float32)
+
+
+def expect_cell_data(cube, values, name, what):
+    expect((np.asarray(values, np.float32).ravel() == cell_data_of(cube, name)).all(), f"{what}: cell data {name}")
+
+
+CELL_DATA = ("majority_label", "fraction_300")
+
+
 def check_vtu(cube, folder, space):
     path = folder / f"{space}.vtu"
     grid, points, cells, types = vtk_grid(path)
@@ -110,6 +123,8 @@ def check_vtu(cube, folder, space):
     expect_points(points, cube.points, "VTU by VTK")
     expect((cells.reshape(-1, 4) == cube.tets).all(), "VTU by VTK: tetrahedra")
     expect((cell_array(grid, "label") == cube.labels).all(), "VTU by VTK: labels")
+    for name in CELL_DATA:
+        expect_cell_data(cube, vtk_to_numpy(grid.GetCellData().GetArray(name)), name, "VTU by VTK")
     said = grid.GetFieldData().GetArray("space")
     expect((said is None) == (space == "ras"), "VTU by VTK: whether the field data say a space")
     if said is not None:
@@ -119,6 +134,8 @@ def check_vtu(cube, folder, space):
     expect_points(mesh.points, cube.points, "VTU by meshio")
     expect((mesh.cells_dict["tetra"] == cube.tets).all(), "VTU by meshio: tetrahedra")
     expect((mesh.cell_data["label"][0] == cube.labels).all(), "VTU by meshio: labels")
+    for name in CELL_DATA:
+        expect_cell_data(cube, mesh.cell_data[name][0], name, "VTU by meshio")
 
     path = folder / f"{space}_surface.vtu"
     grid, points, cells, types = vtk_grid(path)
@@ -143,9 +160,9 @@ def expect_groups(mesh, cube, what):
     expect_positive(mesh.points, mesh.cells_dict["tetra"], what)
 
 
-def run_gmsh(*arguments):
+def run_gmsh(*arguments, tolerated="\0"):
     done = subprocess.run(["gmsh", *map(str, arguments)], capture_output=True, text=True, check=False)
-    said = done.stdout + done.stderr
+    said = (done.stdout + done.stderr).replace(tolerated, "")
     expect(done.returncode == 0, f"gmsh {arguments} ended with {done.returncode}: {said}")
     expect("Warning" not in said and "Error" not in said, f"gmsh {arguments} complains: {said}")
     return said
@@ -161,7 +178,26 @@ def check_msh(cube, folder, space):
     copy = folder / f"{space}_by_gmsh22.msh"
     run_gmsh("-0", path, "-format", "msh22", "-o", copy)
     expect_groups(meshio.read(copy), cube, "MSH by gmsh, saved as 2.2")
+    check_element_data(cube, folder, space)
     check_boxes(cube, folder, space)
+
+
+def check_element_data(cube, folder, space):
+    """The views that Gmsh makes of the second file, saved as text by Gmsh: corners and value of each tetrahedron."""
+    for view, name in enumerate(CELL_DATA):
+        script, saved = folder / f"{space}_view.geo", folder / f"{space}_{name}.pos"
+        script.write_text(f'Merge "{space}.msh";\nMerge "{space}_data.msh";\nSave View[{view}] "{saved.name}";\n')
+        run_gmsh(script, "-", tolerated="Warning : Discarding interpolation matrices")
+        rows = [line[3:].replace("){", ",").split("}")[0].split(",")
+                for line in saved.read_text().splitlines() if line.startswith("SS(")]
+        numbers = np.array(rows, float)
+        expect(len(numbers) == len(cube.tets), f"MSH by gmsh: {len(numbers)} values of {name}")
+        found = numbers[:, :12].reshape(-1, 4, 3).mean(1), numbers[:, 12]
+        wanted = cube.points[cube.tets].mean(1), cell_data_of(cube, name)
+        orders = [np.lexsort(np.round(centres, 6).T) for centres, _ in (found, wanted)]
+        for what in (0, 1):
+            worst = np.abs(found[what][orders[0]] - wanted[what][orders[1]]).max()
+            expect(worst < 1e-4, f"MSH by gmsh: cell data {name} differ by {worst}")
 
 
 def check_boxes(cube, folder, space):
@@ -198,6 +234,11 @@ def check_medit(cube, folder, space):
     expect(f"# space {space.upper()}\n" in text, "MEDIT: space")
     for (dimension, tag), name in cube.group_names.items():
         expect(f"# {'tetrahedra' if dimension == 3 else 'triangles'} {tag} {name}\n" in text, f"MEDIT: name {name}")
+    words = (folder / f"{space}.sol").read_text().split("SolAtTetrahedra")[1].split()
+    expect(words[:4] == [str(len(cube.tets)), "2", "1", "1"] and words[-1] == "End", f"MEDIT: solution {words[:4]}")
+    columns = np.array(words[4:-1], float).reshape(-1, 2)
+    for column, name in enumerate(CELL_DATA):
+        expect_cell_data(cube, columns[:, column], name, "MEDIT solution")
     copy = folder / f"{space}_mesh_by_gmsh.msh"
     run_gmsh("-0", path, "-format", "msh22", "-o", copy, "-save_all")
     by_gmsh = meshio.read(copy)
@@ -220,6 +261,8 @@ def check_carp(cube, folder, space):
     count, axes = rows(".lon")
     expect(count == 1 and len(axes) == len(cube.tets), "openCARP: number of fibre axes")
     expect((np.array(axes, float) == [1, 0, 0]).all(), "openCARP: fibres")
+    for name in CELL_DATA:
+        expect_cell_data(cube, np.loadtxt(folder / f"{space}.{name}.dat"), name, "openCARP")
 
 
 def vtk_polydata(reader, path):

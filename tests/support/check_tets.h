@@ -117,8 +117,10 @@ inline void check_label_volumes(const TetMesh& mesh) {
   std::map<Label, double> filled, enclosed;
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) filled[mesh.labels[t]] += tet_volume(mesh, t);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    // Relative to a point of the mesh and by the face's own edges: exact enough for specks far from 0.
     const auto [a, b, c] = mesh.faces[f];
-    const double cone = mesh.points[a].dot(mesh.points[b].cross(mesh.points[c])) / 6;
+    const Eigen::Vector3d &p = mesh.points[a], ab = mesh.points[b] - p, ac = mesh.points[c] - p;
+    const double cone = (p - mesh.points[0]).dot(ab.cross(ac)) / 6;
     enclosed[mesh.face_sides[f][0]] += cone;
     enclosed[mesh.face_sides[f][1]] -= cone;
   }

@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "types/cell_data.h"
 #include "types/tet_mesh.h"
 
 namespace voxtet::test {
@@ -80,6 +81,14 @@ inline TetMesh kuhn_cube(std::uint32_t n) {
 inline std::vector<LabelInfo> cube_infos() {
   return {{1, "LV myocardium", {0.8F, 0.1F, 0.1F}},
           {300, "veine \"cave\" | sup\xc3\xa9rieure", {0.1F, 0.1F, 0.8F}}};
+}
+
+/// Values that change from tet to tet: the label again, and i / tets.
+inline std::vector<CellData> cube_cell_data(const TetMesh& mesh) {
+  CellData fraction{"fraction_300", {}};
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    fraction.values.push_back(static_cast<float>(t) / static_cast<float>(mesh.tets.size()));
+  return {{"majority_label", {mesh.labels.begin(), mesh.labels.end()}}, fraction};
 }
 
 }  // namespace voxtet::test

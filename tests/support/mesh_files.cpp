@@ -41,7 +41,7 @@ bool write_all(const std::string& folder) {
               write_raw(folder + "/raw.sides", mesh.face_sides);
   for (const auto& [name, space] :
        {std::pair{"ras", PatientSpace::kRas}, std::pair{"lps", PatientSpace::kLps}}) {
-    const WriteMeshOptions options{space, test::cube_infos()};
+    const WriteMeshOptions options{space, test::cube_infos(), test::cube_cell_data(mesh)};
     const std::string base = folder + "/" + name;
     for (const char* ending : {".vtu", ".msh", ".mesh", ".carp", ".stl", ".ply"}) {
       const auto format = mesh_format_of(ending);

@@ -74,6 +74,24 @@ TEST_F(CliTest, MeshesAPhantomWrittenAsAVolume) {
   EXPECT_EQ(run({"convert", at("b.msh"), at("b.stl")}), kExitOk);
 }
 
+TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
+  ASSERT_EQ(run({"phantom", "nested_boxes", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
+                 at("boxes.nii.gz")}),
+            kExitOk);
+  ASSERT_EQ(run({"mesh", at("boxes.nii.gz"), "--merge", "--edge-mm", "3", "--look-up", "3,2", "-o",
+                 at("a.carp"), "--report", at("report.json")}),
+            kExitOk);
+  const json report = read_json("report.json");
+  EXPECT_EQ(report["recipe"]["lookup"]["labels"], json({3, 2}));
+  ASSERT_EQ(report["lookup"].size(), 2U);
+  EXPECT_EQ(report["lookup"][0]["label"], 2);
+  EXPECT_NEAR(report["lookup"][0]["by_fraction"]["error_percent"].get<double>(), 0, 5);
+  for (const char* name : {"a.pts", "a.elem", "a.lon", "a.centroid_label.dat", "a.majority_label.dat",
+                           "a.fraction_2.dat", "a.fraction_3.dat"})
+    EXPECT_TRUE(fs::exists(at(name))) << name;
+  EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--look-up", "9"}), kExitUsage);
+}
+
 TEST_F(CliTest, AnswersBadUsageWith2AndWritesNothing) {
   write("case.json", kSphere);
   EXPECT_EQ(run({"mesh"}), kExitUsage);

@@ -58,13 +58,62 @@ TEST(Session, ReusesWhatDidNotChange) {
     if (fraction == 0 && (ran.empty() || ran.back() != stage)) ran.push_back(stage);
   };
   ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
-  EXPECT_EQ(ran, (std::vector<std::string>{"tetra", "quality"}));
+  EXPECT_EQ(ran, (std::vector<std::string>{"tetra", "lookup", "quality"}));
   EXPECT_TRUE(session.record(Stage::kRemesh).cached);
   recipe.tetra.radius_edge = FillParams{}.radius_edge;
   session.set_recipe(recipe);
   ASSERT_TRUE(session.run(Stage::kTetra, ctx).ok());
   EXPECT_EQ(digest_of(*session.mesh()), first);
   EXPECT_EQ(session.quality(), nullptr) << "the quality of another mesh must not stay";
+}
+
+TEST(Session, LooksUpLabelsOfTheWholeImageInAMeshOfMergedOnes) {
+  Session session;
+  Recipe recipe;
+  PhantomParams& phantom = recipe.source.phantom.emplace();
+  phantom.kind = PhantomKind::kBiventricle;
+  phantom.scar = true;
+  phantom.spacing_mm = Eigen::Vector3d::Constant(2);
+  recipe.labels = {1, 2, 5, 6};
+  recipe.merge = true;
+  recipe.sizing.edge_mm = 3;
+  recipe.lookup.labels = {5, 6, 3};
+  session.set_recipe(recipe);
+  RunContext ctx;
+  const Status done = session.run(Stage::kQuality, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  ASSERT_EQ(session.lookup()->labels.size(), 3U);
+  const nlohmann::json report = report_json(session);
+  ASSERT_EQ(report["lookup"].size(), 3U);
+  for (const int i : {1, 2}) {
+    const nlohmann::json& label = report["lookup"][static_cast<std::size_t>(i)];
+    EXPECT_NEAR(label["by_fraction"]["error_percent"].get<double>(), 0, 3) << label;
+    EXPECT_GT(label["by_majority"]["dice"].get<double>(), 0.85) << label;
+  }
+  EXPECT_LT(report["lookup"][0]["by_fraction"]["error_percent"].get<double>(), -80)
+      << "blood was not meshed: little of it lies in the mesh";
+
+  const std::string mesh = digest_of(*session.mesh());
+  recipe.lookup.labels = {6};
+  session.set_recipe(recipe);
+  ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
+  EXPECT_TRUE(session.record(Stage::kTetra).cached);
+  EXPECT_FALSE(session.record(Stage::kLookup).cached);
+  EXPECT_EQ(session.lookup()->labels.size(), 1U);
+  EXPECT_EQ(digest_of(*session.mesh()), mesh);
+}
+
+TEST(Session, RefusesToLookUpALabelThatTheImageDoesNotHold) {
+  Session session;
+  Recipe recipe = small_case();
+  recipe.lookup.labels = {77};
+  session.set_recipe(recipe);
+  RunContext ctx;
+  const Status done = session.run(Stage::kQuality, ctx);
+  ASSERT_FALSE(done.ok());
+  EXPECT_EQ(done.error().code, ErrorCode::kUsage);
+  EXPECT_EQ(done.error().stage, "lookup");
+  EXPECT_NE(session.mesh(), nullptr);
 }
 
 TEST(Session, TreatsAFileLikeThePhantomItWasWrittenFrom) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "geometry/rasterise.h"
 #include "quality/fidelity.h"
 #include "support/labelled_mesh.h"
 #include "support/test_surfaces.h"
@@ -336,7 +337,7 @@ TEST(Rasterise, GivesFlatTetsNoCentre) {
   LabelVolume grid;
   grid.size = {5, 5, 5};
   grid.labels.assign(grid.voxel_count(), 0);
-  const std::vector<Label> labels = rasterise(mesh, grid);
+  const std::vector<Label> labels = rasterise(mesh, mesh.labels, grid);
   EXPECT_EQ(std::count(labels.begin(), labels.end(), Label{1}), 0);
 }
 
@@ -348,7 +349,7 @@ TEST(Rasterise, CountsEveryVoxelCentreOnceOnObliqueGrids) {
   const double c = 0.8, s = 0.6;
   grid.index_to_mm.topLeftCorner<3, 3>() << -0.5 * c, 0.5 * s, 0, 0.5 * s, 0.5 * c, 0, 0, 0, 0.5;
   grid.index_to_mm.topRightCorner<3, 1>() = Vector3d(-5, 20, 3) - grid.linear() * Vector3d(19.5, 19.5, 19.5);
-  const std::vector<Label> labels = rasterise(mesh, grid);
+  const std::vector<Label> labels = rasterise(mesh, mesh.labels, grid);
   double covered = 0, volume = 0;
   for (const Label label : labels) covered += label != 0 ? grid.voxel_mm3() : 0;
   for (const Tet& t : mesh.tets)

@@ -1,5 +1,6 @@
 /** What the engine says and takes: the JSON of the wasm surface, typed. Lengths mm, patient space RAS. */
 
+/** The stages that the app shows. The engine's `lookup` runs by itself before `quality`. */
 export const stageNames = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'tetra', 'quality'] as const;
 export type StageName = (typeof stageNames)[number];
 
@@ -118,6 +119,15 @@ export interface DistanceSummary {
   uncertainty_mm: number;
 }
 
+/** A label given to tetrahedra three ways, against its voxels. */
+export interface LookedUpLabel {
+  label: number;
+  voxel_mm3: number;
+  by_fraction: { mm3: number; error_percent: number };
+  by_centroid: { mm3: number; error_percent: number; dice: number };
+  by_majority: { mm3: number; error_percent: number; dice: number };
+}
+
 export interface Report {
   engine: string;
   digest: string;
@@ -125,6 +135,8 @@ export interface Report {
   points: number;
   source: VolumeSummary;
   stages: StageSummary[];
+  /** Absent where no label was to be looked up. */
+  lookup?: LookedUpLabel[];
   quality: { metrics: Metric[]; checklist: ChecklistItem[]; passed: boolean };
   fidelity: {
     labels: LabelFidelity[];
@@ -208,6 +220,7 @@ export interface Recipe {
     max_distance_voxels: number;
   };
   tetra: { backend: string; radius_edge: number; min_dihedral_deg: number; max_dihedral_deg: number };
+  lookup: { labels: number[]; samples_min: number; samples_max: number };
   quality: { histogram_bins: number; sample_spacing_voxels: number };
 }
 

@@ -1,6 +1,6 @@
 import { tetNeighbours } from '../geometry/tet_neighbours';
 import type { EngineApi, ErrorInfo, ExportedFile, Reply, StageName } from './contract';
-import { tetMeasures } from './contract';
+import { stageNames, tetMeasures } from './contract';
 
 type View = Float32Array | Uint32Array | Uint16Array;
 
@@ -31,6 +31,10 @@ const arrayNames: Record<StageName, readonly string[]> = {
   tetra: ['points', 'tets', 'labels'],
   quality: tetMeasures,
 };
+
+function isShownStage(name: string): name is StageName {
+  return (stageNames as readonly string[]).includes(name);
+}
 
 /** Messages closer together than this tell a person nothing. */
 const progressIntervalMs = 40;
@@ -75,11 +79,12 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
       let lastTime = 0;
       return guarded(stage, () => {
         const reply = session.run(stage, (name, fraction) => {
+          if (!isShownStage(name)) return;
           const now = performance.now();
           if (name === current && fraction < 1 && now - lastTime < progressIntervalMs) return;
           current = name;
           lastTime = now;
-          onProgress(name as StageName, fraction);
+          onProgress(name, fraction);
         });
         return JSON.parse(reply);
       });

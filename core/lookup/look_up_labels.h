@@ -1,0 +1,39 @@
+// Labels looked up instead of meshed: scar, border zone or any other label becomes a value of each tet of a
+// mesh that does not follow its boundary. As for the conductivity in Lamecker et al.; see also ALGORITHMS,
+// "Labels and conductivity to tets".
+#pragma once
+
+#include <vector>
+
+#include "types/cell_data.h"
+#include "types/label_lookup.h"
+#include "types/label_volume.h"
+#include "types/result.h"
+#include "types/run_context.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+struct LookUpParams {
+  std::vector<Label> labels;  ///< to be looked up; empty: nothing is
+  int samples_min = 4;        ///< per tet, at least 1
+  int samples_max = 64;       ///< per tet, at least samples_min
+};
+
+/// The label of `volume` at the voxel nearest to a point is looked up at each tet's centroid and at its
+/// samples; outside of the grid it is background. Samples: the barycentres of the n^3 parts of equal volume
+/// into which Kuhn's subdivision cuts a tet; exact for functions that are linear in it. Some 8 fall into a
+/// voxel: n is the least with n^3 >= clamp(8 V_tet / V_voxel, samples_min, samples_max), unless that exceeds
+/// samples_max. Fractions and majority are of the samples in labels asked for or with most of their voxels in
+/// the mesh: at its border, samples in background or in a label left out say nothing about the tet's tissue.
+/// Where all are such, all count. Of labels with equally many samples the one at the centroid has the
+/// majority, else the lowest. Linear time, plus a few passes over the voxels. Errors: kUsage for parameters
+/// out of range, labels that the volume does not hold (the message lists those it does), background;
+/// kInternal where the mesh breaks an invariant; kCancelled.
+Result<LabelLookUp> look_up_labels(const TetMesh& mesh, const LabelVolume& volume, const LookUpParams& params,
+                                   RunContext& ctx);
+
+/// `centroid_label`, `majority_label`, and `fraction_5` for label 5; none where nothing was looked up.
+std::vector<CellData> cell_data_of(const LabelLookUp& found);
+
+}  // namespace voxtet
