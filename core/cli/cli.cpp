@@ -196,7 +196,12 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
       .add_option(input_name, options.input, "volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), case.json or link")
       ->required();
   command.add_option("--labels", options.labels, "labels to mesh, as 1,2,5; all if absent")->delimiter(',');
-  command.add_flag("--merge", options.merge, "mesh the labels as one region");
+  command
+      .add_option("--merge", options.merge,
+                  "mesh the labels 1,5,6 as one region (once a group), or all of them; after the input")
+      ->expected(0, 1)
+      ->allow_extra_args(false)
+      ->type_name("LABELS");
   command.add_option("--edge-mm", options.edge_mm, "edge length, mm");
   command.add_option("--edge-label", options.edge_labels, "edge length inside a label, as 5=0.8");
   command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "geometry/digest.h"
-#include "pipeline/select_labels.h"
+#include "volume/select_labels.h"
 
 namespace voxtet {
 namespace {

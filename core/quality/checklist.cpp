@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/adjacency.h"
+#include "geometry/label_components.h"
 #include "geometry/tet_measures.h"
 #include "geometry/union_find.h"
 
@@ -184,22 +185,6 @@ std::vector<bool> thin_labels(const LabelVolume& volume) {
   return thin;
 }
 
-std::vector<std::uint32_t> voxel_components(const LabelVolume& volume) {
-  UnionFind components(volume.voxel_count());
-  for (int k = 0; k < volume.size[2]; ++k)
-    for (int j = 0; j < volume.size[1]; ++j)
-      for (int i = 0; i < volume.size[0]; ++i) {
-        const Label label = volume.at(i, j, k);
-        if (label == kBackground) continue;
-        const auto here = static_cast<std::uint32_t>(volume.offset(i, j, k));
-        for (const auto& [x, y, z] :
-             {std::array{i - 1, j, k}, std::array{i, j - 1, k}, std::array{i, j, k - 1}})
-          if (volume.at_or_background(x, y, z) == label)
-            components.join(here, static_cast<std::uint32_t>(volume.offset(x, y, z)));
-      }
-  return count_by_label(components, volume.labels);
-}
-
 }  // namespace
 
 std::vector<ChecklistItem> check_mesh_alone(const TetMesh& mesh, double min_dihedral_deg) {
@@ -224,7 +209,7 @@ std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, const Label
                                                 const std::vector<LabelFidelity>& fidelity) {
   const std::vector<TetFace> faces = tet_faces(mesh.tets, mesh.points.size());
   const std::vector<std::uint32_t> in_mesh = mesh_components(mesh, faces),
-                                   in_voxels = voxel_components(volume);
+                                   in_voxels = count_components(volume.size, volume.labels);
   const std::vector<bool> thin = thin_labels(volume);
   std::string wrong, split, off;
   const auto add = [](std::string& list, const std::string& text) {
@@ -232,9 +217,9 @@ std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, const Label
   };
   for (const LabelFidelity& f : fidelity) {
     const std::string name = "label " + std::to_string(f.label);
-    if (f.tets == 0) add(wrong, name + " is missing");
-    if (f.voxels == 0) add(wrong, name + " is not in the voxels");
-    if (f.tets == 0 || f.voxels == 0) continue;
+    if (f.tets == 0 && in_voxels[f.label] > 0) add(wrong, name + " is missing");
+    if (in_voxels[f.label] == 0 && f.tets > 0) add(wrong, name + " is not in the voxels");
+    if (f.tets == 0 || f.voxels == 0 || in_voxels[f.label] == 0) continue;
     if (in_mesh[f.label] != in_voxels[f.label])
       add(split, name + " has " + std::to_string(in_mesh[f.label]) + " instead of " +
                      std::to_string(in_voxels[f.label]));

@@ -203,7 +203,7 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   report.metrics.push_back(summarise({"triangle_min_angle_deg", "deg", "triangles", 0, 60, Worst::kLowest},
                                      after.min_angle, bins));
 
-  report.labels = measure_labels(mesh, reference.volume, reference.sizing);
+  report.labels = measure_labels(mesh, reference.labels, reference.sizing);
   for (ChecklistItem& item : check_against_labels(mesh, reference.volume, report.labels))
     report.checklist.push_back(std::move(item));
   ctx.progress("quality", 0.6);

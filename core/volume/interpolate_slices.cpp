@@ -1,0 +1,165 @@
+#include "volume/interpolate_slices.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "volume/balance_offsets.h"
+#include "volume/compare_slices.h"
+#include "volume/slice_gap.h"
+#include "volume/slice_stack.h"
+
+namespace voxtet {
+namespace {
+
+using slices::Candidate;
+using slices::Contacts;
+using slices::SliceDistances;
+using slices::SliceGap;
+using slices::SliceStack;
+
+/// Distances are measured up to so many slice steps: what is deeper in a region that ends between two slices
+/// is a cut.
+constexpr double kReach = 3;
+/// Passes over what must be kept apart.
+constexpr int kSeparations = 3;
+
+/// Odd, at least 3, nearest to the ratio of the spacings (the lower of equals).
+int planes_per_slice(double ratio) {
+  constexpr double kRounding = 1e-3;
+  return std::max(3, 2 * static_cast<int>(std::floor(ratio / 2 - kRounding)) + 1);
+}
+
+Result<std::vector<SliceGap>> interpolate_gaps(const SliceStack& stack, const std::vector<Contacts>& contacts,
+                                               int planes, const RunContext& ctx) {
+  const double far_mm = kReach * stack.step_mm;
+  std::array<std::optional<SliceDistances>, 4> window;  // slices lower - 1 ... lower + 2
+  std::vector<SliceGap> gaps;
+  for (int lower = -1; lower + 1 < stack.count; ++lower) {
+    for (std::size_t i = 0; i < 3; ++i) window[i] = std::move(window[i + 1]);
+    window[3].reset();
+    if (lower < 0) {
+      window[2] = slices::slice_distances(stack, 0, far_mm);
+      if (stack.count > 1) window[3] = slices::slice_distances(stack, 1, far_mm);
+      continue;
+    }
+    if (ctx.cancelled()) return cancelled_error("volume");
+    ctx.progress("volume", static_cast<double>(lower) / stack.count);
+    if (lower + 2 < stack.count) window[3] = slices::slice_distances(stack, lower + 2, far_mm);
+    std::array<const SliceDistances*, 4> near{};
+    for (std::size_t i = 0; i < 4; ++i) near[i] = window[i] ? &*window[i] : nullptr;
+    gaps.push_back(
+        slices::interpolate_gap(stack, contacts[static_cast<std::size_t>(lower)], lower, near, planes));
+  }
+  return gaps;
+}
+
+/// Every plane with the labels of the slice it is nearest to.
+SliceStack repeat_slices(const SliceStack& stack, int planes) {
+  SliceStack fine = stack;
+  fine.count *= planes;
+  fine.step_mm /= planes;
+  fine.pixels.clear();
+  fine.pixels.reserve(stack.pixels.size() * static_cast<std::size_t>(planes));
+  for (int k = 0; k < stack.count; ++k)
+    for (int plane = 0; plane < planes; ++plane)
+      fine.pixels.insert(fine.pixels.end(), stack.slice(k), stack.slice(k) + stack.area());
+  return fine;
+}
+
+/// Voxels that each label is to have among the candidates: an equal share of both slices' labels in every
+/// column, which adds up to the slices' own volumes.
+std::vector<double> wanted_voxels(const SliceStack& stack, const std::vector<SliceGap>& gaps, int planes) {
+  std::vector<double> wanted(65536, 0);
+  for (const SliceGap& gap : gaps)
+    for (const std::uint32_t column : gap.columns) {
+      wanted[stack.slice(gap.lower)[column]] += (planes - 1) / 2;
+      wanted[stack.slice(gap.lower + 1)[column]] += (planes - 1) / 2;
+    }
+  return wanted;
+}
+
+/// First plane between slice `lower` and the next.
+int first_plane(int lower, int planes) {
+  return lower * planes + (planes + 1) / 2;
+}
+
+void fill_gap(SliceStack& fine, const SliceGap& gap, int planes, const std::vector<double>& offsets) {
+  const Candidate* candidate = gap.candidates.data();
+  for (const std::uint32_t column : gap.columns)
+    for (int m = 0; m + 1 < planes; ++m)
+      fine.slice(first_plane(gap.lower, planes) + m)[column] = settle(*candidate++, offsets);
+}
+
+/// Sets apart labels that touch by a face or an edge of voxels between two slices but in neither of them.
+/// All voxels are judged as they are before the pass. Returns the number of voxels changed.
+std::size_t separate(SliceStack& fine, const SliceGap& gap, const Contacts& contacts, int planes) {
+  struct Change {
+    Label* voxel;
+    Label label;
+  };
+  std::vector<Change> changes;
+  const int width = fine.width, height = fine.height;
+  for (const std::uint32_t column : gap.columns) {
+    if (gap.flat[column]) continue;
+    const int x = static_cast<int>(column) % width, y = static_cast<int>(column) / width;
+    for (int m = 0; m + 1 < planes; ++m) {
+      const int z = first_plane(gap.lower, planes) + m;
+      Label& own = fine.slice(z)[column];
+      Label apart = own;
+      for (int d = 0; d < 27 && apart == own; ++d) {
+        const int dx = d % 3 - 1, dy = d / 3 % 3 - 1, dz = d / 9 - 1;
+        const int steps = std::abs(dx) + std::abs(dy) + std::abs(dz);
+        if (steps == 0 || steps > 2 || x + dx < 0 || y + dy < 0 || x + dx >= width || y + dy >= height)
+          continue;
+        const std::size_t beside = static_cast<std::size_t>(x + dx) +
+                                   static_cast<std::size_t>(width) * static_cast<std::size_t>(y + dy);
+        const Label other = fine.slice(z + dz)[beside];
+        if (other != own && !gap.flat[beside] && !contacts.touch(own, other))
+          apart = contacts.separator(own, other);
+      }
+      if (apart != own) changes.push_back({&own, apart});
+    }
+  }
+  for (const Change& change : changes) *change.voxel = change.label;
+  return changes.size();
+}
+
+Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, const RunContext& ctx) {
+  const SliceStack stack = slices::take_slices(volume, axis);
+  const int planes = planes_per_slice(stack.step_mm / volume.smallest_spacing_mm());
+  std::vector<Contacts> contacts;
+  for (int lower = 0; lower + 1 < stack.count; ++lower) contacts.emplace_back(stack, lower);
+  Result<std::vector<SliceGap>> gaps = interpolate_gaps(stack, contacts, planes, ctx);
+  if (!gaps) return gaps.error();
+  const std::vector<double> offsets =
+      balance_offsets(*gaps, wanted_voxels(stack, *gaps, planes), stack.smallest_pixel_mm());
+  SliceStack fine = repeat_slices(stack, planes);
+  for (const SliceGap& gap : *gaps) fill_gap(fine, gap, planes, offsets);
+  for (std::size_t g = 0; g < gaps->size(); ++g)
+    for (int pass = 0; pass < kSeparations; ++pass)
+      if (separate(fine, (*gaps)[g], contacts[g], planes) == 0) break;
+  return slices::put_slices(fine, volume, axis, planes);
+}
+
+}  // namespace
+
+bool has_thick_slices(const LabelVolume& volume, double ratio) {
+  return ratio > 0 && volume.spacing_mm().maxCoeff() > ratio * volume.smallest_spacing_mm();
+}
+
+Result<LabelVolume> interpolate_slices(const LabelVolume& volume, double ratio, const RunContext& ctx) {
+  LabelVolume out = volume;
+  const Eigen::Vector3d spacing = volume.spacing_mm();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(spacing[axis] > ratio * spacing.minCoeff())) continue;
+    Result<LabelVolume> finer = interpolate_axis(out, axis, ctx);
+    if (!finer) return finer;
+    out = std::move(finer).value();
+  }
+  slices::compare_slices(volume, out, ctx);
+  return out;
+}
+
+}  // namespace voxtet
