@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
+#include "geometry/label_components.h"
 #include "volume/balance_offsets.h"
 #include "volume/compare_slices.h"
 #include "volume/slice_gap.h"
@@ -24,6 +26,9 @@ using slices::SliceStack;
 constexpr double kReach = 3;
 /// Passes over what must be kept apart.
 constexpr int kSeparations = 3;
+/// Volumes are balanced again, for what absorbing and setting apart took, while a label is off by more.
+constexpr double kVolumeError = 0.002;
+constexpr int kRounds = 5;
 
 /// Odd, at least 3, nearest to the ratio of the spacings (the lower of equals).
 int planes_per_slice(double ratio) {
@@ -126,6 +131,46 @@ std::size_t separate(SliceStack& fine, const SliceGap& gap, const Contacts& cont
   return changes.size();
 }
 
+/// Components that no slice has a part of go to the neighbour with the largest face area, the smallest first.
+void absorb_fragments(SliceStack& fine, int planes) {
+  const std::array<int, 3> size{fine.width, fine.height, fine.count};
+  std::vector<std::uint32_t> sizes;
+  const std::vector<std::uint32_t> ids = label_components(size, fine.pixels, sizes);
+  std::vector<bool> anchored(sizes.size(), false);
+  for (int k = planes / 2; k < fine.count; k += planes)
+    for (std::size_t p = 0; p < fine.area(); ++p)
+      anchored[ids[static_cast<std::size_t>(k) * fine.area() + p]] = true;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> fragments;  // by size, id
+  for (std::size_t v = 0; v < ids.size(); ++v)
+    if (!anchored[ids[v]]) fragments[{sizes[ids[v]], ids[v]}].push_back(v);
+  const auto [a, b] = fine.pixel_mm;
+  for (const auto& [key, voxels] : fragments) {
+    const Label other =
+        neighbour_by_area(size, fine.pixels, voxels, {b * fine.step_mm, a * fine.step_mm, a * b});
+    for (const std::size_t voxel : voxels) fine.pixels[voxel] = other;
+  }
+}
+
+/// All planes, their labels' outlines moved by `offsets`.
+SliceStack settle_planes(const SliceStack& stack, const std::vector<SliceGap>& gaps,
+                         const std::vector<Contacts>& contacts, int planes,
+                         const std::vector<double>& offsets) {
+  SliceStack fine = repeat_slices(stack, planes);
+  for (const SliceGap& gap : gaps) fill_gap(fine, gap, planes, offsets);
+  absorb_fragments(fine, planes);
+  for (std::size_t g = 0; g < gaps.size(); ++g)
+    for (int pass = 0; pass < kSeparations; ++pass)
+      if (separate(fine, gaps[g], contacts[g], planes) == 0) break;
+  return fine;
+}
+
+/// Voxels of each label, each counted `times`.
+std::vector<double> voxels_by_label(const SliceStack& stack, int times) {
+  std::vector<double> voxels(65536, 0);
+  for (const Label label : stack.pixels) voxels[label] += times;
+  return voxels;
+}
+
 Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, const RunContext& ctx) {
   const SliceStack stack = slices::take_slices(volume, axis);
   const int planes = planes_per_slice(stack.step_mm / volume.smallest_spacing_mm());
@@ -133,14 +178,27 @@ Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, const 
   for (int lower = 0; lower + 1 < stack.count; ++lower) contacts.emplace_back(stack, lower);
   Result<std::vector<SliceGap>> gaps = interpolate_gaps(stack, contacts, planes, ctx);
   if (!gaps) return gaps.error();
-  const std::vector<double> offsets =
-      balance_offsets(*gaps, wanted_voxels(stack, *gaps, planes), stack.smallest_pixel_mm());
-  SliceStack fine = repeat_slices(stack, planes);
-  for (const SliceGap& gap : *gaps) fill_gap(fine, gap, planes, offsets);
-  for (std::size_t g = 0; g < gaps->size(); ++g)
-    for (int pass = 0; pass < kSeparations; ++pass)
-      if (separate(fine, (*gaps)[g], contacts[g], planes) == 0) break;
-  return slices::put_slices(fine, volume, axis, planes);
+  std::vector<double> wanted = wanted_voxels(stack, *gaps, planes);
+  const std::vector<double> target = voxels_by_label(stack, planes);
+  SliceStack best;
+  double least = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    SliceStack fine = settle_planes(stack, *gaps, contacts, planes,
+                                    balance_offsets(*gaps, wanted, stack.smallest_pixel_mm()));
+    const std::vector<double> found = voxels_by_label(fine, 1);
+    double largest = 0;
+    for (std::size_t label = 0; label < target.size(); ++label) {
+      wanted[label] += target[label] - found[label];
+      if (target[label] > 0)
+        largest = std::max(largest, std::abs(found[label] - target[label]) / target[label]);
+    }
+    if (round == 0 || largest < least) {
+      least = largest;
+      best = std::move(fine);
+    }
+    if (least <= kVolumeError) break;
+  }
+  return slices::put_slices(best, volume, axis, planes);
 }
 
 }  // namespace

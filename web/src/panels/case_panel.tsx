@@ -160,12 +160,14 @@ function LabelTable({ current }: { current: Recipe }) {
   );
   const wished = new Map(current.sizing.labels.map((entry) => [entry.label, entry.edge_mm]));
   const colour = colourOf.value;
+  const merged = current.merge.length === 1 && current.merge[0].length === chosen.size;
   const toggleMesh = (label: number) => {
     editRecipe(chosen.has(label) ? 'Leave label out' : 'Mesh label', (draft) => {
       const next = known.labels
         .map((entry) => entry.label)
         .filter((one) => (one === label ? !chosen.has(one) : chosen.has(one)));
       draft.labels = next.length === known.labels.length ? [] : next;
+      if (merged) draft.merge = [next];
     });
     previewSoon();
   };
@@ -266,9 +268,9 @@ function LabelTable({ current }: { current: Recipe }) {
       </table></div>
       <CheckField
         label="Mesh the labels as one region"
-        checked={current.merge}
+        checked={merged}
         onChange={(merge) => {
-          editRecipe('Merge labels', (draft) => void (draft.merge = merge));
+          editRecipe('Merge labels', (draft) => void (draft.merge = merge ? [[...chosen]] : []));
           previewSoon();
         }}
       />
@@ -312,7 +314,8 @@ function SizingSection({ current }: { current: Recipe }) {
 
 /** Stage parameters straight from the engine's table: number, flag or choice. */
 function StageSection({ current }: { current: Recipe }) {
-  const rows: [keyof Recipe & ('surface' | 'smooth' | 'remesh' | 'tetra' | 'quality'), string][] = [
+  const rows: [keyof Recipe & ('volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'quality'), string][] = [
+    ['volume', 'Volume'],
     ['surface', 'Label surface'],
     ['smooth', 'Smoothing'],
     ['remesh', 'Adapted surface'],
@@ -337,7 +340,7 @@ function StageSection({ current }: { current: Recipe }) {
                   (draft) => void ((draft[stage] as Record<string, unknown>)[key] = next),
                   `${stage}.${key}`,
                 );
-                if (stage === 'surface' || stage === 'smooth') previewSoon();
+                if (stage === 'volume' || stage === 'surface' || stage === 'smooth') previewSoon();
               };
               if (typeof value === 'boolean')
                 return (
