@@ -25,7 +25,7 @@ using slices::SliceStack;
 /// is a cut.
 constexpr double kReach = 3;
 /// Passes over what must be kept apart.
-constexpr int kSeparations = 3;
+constexpr int kSeparations = 8;
 /// Volumes are balanced again, for what absorbing and setting apart took, while a label is off by more.
 constexpr double kVolumeError = 0.002;
 constexpr int kRounds = 5;
@@ -97,37 +97,48 @@ void fill_gap(SliceStack& fine, const SliceGap& gap, int planes, const std::vect
       fine.slice(first_plane(gap.lower, planes) + m)[column] = settle(*candidate++, offsets);
 }
 
-/// Sets apart labels that touch by a face or an edge of voxels between two slices but in neither of them.
-/// All voxels are judged as they are before the pass. Returns the number of voxels changed.
+/// Whether a voxel has a face neighbour of a label.
+bool beside(const SliceStack& stack, std::size_t voxel, Label label) {
+  bool found = false;
+  for_face_neighbours({stack.width, stack.height, stack.count}, voxel,
+                      [&](std::size_t other, std::size_t) { found = found || stack.pixels[other] == label; });
+  return found;
+}
+
+/// The label that a voxel between two slices should have instead, where it touches (by a face or an edge) one
+/// that it touches in neither slice: one that touches both there, and this voxel by a face, so that no piece
+/// of it floats. Its own label where nothing is to be done.
+Label set_apart(const SliceStack& fine, const SliceGap& gap, const Contacts& contacts, std::uint32_t column,
+                int z) {
+  const int x = static_cast<int>(column) % fine.width, y = static_cast<int>(column) / fine.width;
+  const std::size_t voxel = static_cast<std::size_t>(z) * fine.area() + column;
+  const Label own = fine.pixels[voxel];
+  for (int d = 0; d < 27; ++d) {
+    const int dx = d % 3 - 1, dy = d / 3 % 3 - 1, dz = d / 9 - 1;
+    if (std::abs(dx) + std::abs(dy) + std::abs(dz) > 2) continue;
+    if (x + dx < 0 || y + dy < 0 || x + dx >= fine.width || y + dy >= fine.height) continue;
+    const std::size_t pixel = static_cast<std::size_t>(x + dx) +
+                              static_cast<std::size_t>(fine.width) * static_cast<std::size_t>(y + dy);
+    const Label other = fine.slice(z + dz)[pixel];
+    if (other == own || gap.flat[pixel] || contacts.touch(own, other)) continue;
+    for (const Label between : contacts.separators(own, other))
+      if (beside(fine, voxel, between)) return between;
+  }
+  return own;
+}
+
+/// set_apart for all voxels of a gap, as they are before the pass. Returns the number of voxels changed.
 std::size_t separate(SliceStack& fine, const SliceGap& gap, const Contacts& contacts, int planes) {
-  struct Change {
-    Label* voxel;
-    Label label;
-  };
-  std::vector<Change> changes;
-  const int width = fine.width, height = fine.height;
+  std::vector<std::pair<Label*, Label>> changes;
   for (const std::uint32_t column : gap.columns) {
     if (gap.flat[column]) continue;
-    const int x = static_cast<int>(column) % width, y = static_cast<int>(column) / width;
     for (int m = 0; m + 1 < planes; ++m) {
       const int z = first_plane(gap.lower, planes) + m;
-      Label& own = fine.slice(z)[column];
-      Label apart = own;
-      for (int d = 0; d < 27 && apart == own; ++d) {
-        const int dx = d % 3 - 1, dy = d / 3 % 3 - 1, dz = d / 9 - 1;
-        const int steps = std::abs(dx) + std::abs(dy) + std::abs(dz);
-        if (steps == 0 || steps > 2 || x + dx < 0 || y + dy < 0 || x + dx >= width || y + dy >= height)
-          continue;
-        const std::size_t beside = static_cast<std::size_t>(x + dx) +
-                                   static_cast<std::size_t>(width) * static_cast<std::size_t>(y + dy);
-        const Label other = fine.slice(z + dz)[beside];
-        if (other != own && !gap.flat[beside] && !contacts.touch(own, other))
-          apart = contacts.separator(own, other);
-      }
-      if (apart != own) changes.push_back({&own, apart});
+      const Label label = set_apart(fine, gap, contacts, column, z);
+      if (label != fine.slice(z)[column]) changes.emplace_back(fine.slice(z) + column, label);
     }
   }
-  for (const Change& change : changes) *change.voxel = change.label;
+  for (const auto& [voxel, label] : changes) *voxel = label;
   return changes.size();
 }
 

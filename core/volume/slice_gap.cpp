@@ -275,20 +275,20 @@ std::uint32_t Contacts::count(Label a, Label b) const {
   return at != counts_.end() && at->first == key ? at->second : 0;
 }
 
-Label Contacts::separator(Label a, Label b) const {
-  Label best = a;
-  std::uint32_t longest = 0;
+std::vector<Label> Contacts::separators(Label a, Label b) const {
+  std::vector<std::pair<std::uint32_t, Label>> found;
   const std::uint32_t first = static_cast<std::uint32_t>(a) << 16;
   for (auto at = std::lower_bound(counts_.begin(), counts_.end(), std::pair{first, 0U});
        at != counts_.end() && at->first >> 16 == a; ++at) {
     const Label other = static_cast<Label>(at->first & 0xffffU);
     const std::uint32_t common = std::min(at->second, count(other, b));
-    if (common > longest) {
-      longest = common;
-      best = other;
-    }
+    if (common > 0) found.emplace_back(common, other);
   }
-  return best;
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& x, const auto& y) { return x.first > y.first; });
+  std::vector<Label> labels;
+  for (const auto& [common, label] : found) labels.push_back(label);
+  return labels;
 }
 
 SliceGap interpolate_gap(const SliceStack& stack, const Contacts& contacts, int lower,

@@ -16,9 +16,8 @@ class Contacts {
   Contacts(const SliceStack& stack, int lower);
   bool touch(Label a, Label b) const { return count(a, b) > 0; }
   std::uint32_t count(Label a, Label b) const;
-  /// The label that touches both of two that do not touch each other, the one with the longest common outline
-  /// (the lower of equals); `a` itself where there is none.
-  Label separator(Label a, Label b) const;
+  /// The labels that touch both of two, those with the longest outline to both first (the lower of equals).
+  std::vector<Label> separators(Label a, Label b) const;
 
  private:
   std::vector<std::pair<std::uint32_t, std::uint32_t>> counts_;  // (a << 16 | b, edges), both ways, ascending

@@ -26,6 +26,10 @@ LabelVolume thick_heart() {
   return with_spacing(test::heart_volume(40, 36, 8), 1.25, 1.25, 8);
 }
 
+LabelVolume large_thick_heart() {
+  return with_spacing(test::heart_volume(90, 80, 14), 1.25, 1.25, 8);
+}
+
 LabelVolume interpolated(const LabelVolume& volume, double ratio = 2) {
   Result<LabelVolume> out = interpolate_slices(volume, ratio, {});
   EXPECT_TRUE(out.ok());
@@ -121,7 +125,7 @@ TEST(InterpolateSlices, KeepsTheSlicesThemselves) {
 }
 
 TEST(InterpolateSlices, GivesEveryLabelItsVolumeBack) {
-  const LabelVolume coarse = thick_heart();
+  const LabelVolume coarse = large_thick_heart();
   EXPECT_LT(largest_volume_change(coarse, interpolated(coarse)), 0.003);
 }
 
@@ -233,9 +237,9 @@ TEST(InterpolateSlices, SaysWhatItDid) {
     notes.push_back(text);
   };
   ctx.on_warning = [&](const std::string&, const std::string& text) { warnings.push_back(text); };
-  ASSERT_TRUE(interpolate_slices(thick_heart(), 2, ctx).ok());
+  ASSERT_TRUE(interpolate_slices(large_thick_heart(), 2, ctx).ok());
   ASSERT_FALSE(notes.empty());
-  EXPECT_NE(notes[0].find("40 x 36 x 8 voxels of 1.25 x 1.25 x 8 mm to 40 x 36 x 56 voxels"),
+  EXPECT_NE(notes[0].find("90 x 80 x 14 voxels of 1.25 x 1.25 x 8 mm to 90 x 80 x 98 voxels"),
             std::string::npos)
       << notes[0];
   EXPECT_TRUE(warnings.empty()) << warnings[0];
