@@ -28,7 +28,7 @@ constexpr double kReach = 3;
 constexpr int kSeparations = 8;
 /// Volumes are balanced again, for what absorbing and setting apart took, while a label is off by more.
 constexpr double kVolumeError = 0.002;
-constexpr int kRounds = 5;
+constexpr int kRounds = 6;
 
 /// Odd, at least 3, nearest to the ratio of the spacings (the lower of equals).
 int planes_per_slice(double ratio) {
@@ -142,7 +142,8 @@ std::size_t separate(SliceStack& fine, const SliceGap& gap, const Contacts& cont
   return changes.size();
 }
 
-/// Components that no slice has a part of go to the neighbour with the largest face area, the smallest first.
+/// Components that no slice has a part of and that are smaller than a cube of a slice's thickness go to the
+/// neighbour with the largest face area, the smallest first.
 void absorb_fragments(SliceStack& fine, int planes) {
   const std::array<int, 3> size{fine.width, fine.height, fine.count};
   std::vector<std::uint32_t> sizes;
@@ -153,7 +154,8 @@ void absorb_fragments(SliceStack& fine, int planes) {
       anchored[ids[static_cast<std::size_t>(k) * fine.area() + p]] = true;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> fragments;  // by size, id
   for (std::size_t v = 0; v < ids.size(); ++v)
-    if (!anchored[ids[v]]) fragments[{sizes[ids[v]], ids[v]}].push_back(v);
+    if (!anchored[ids[v]] && sizes[ids[v]] < static_cast<std::uint32_t>(planes * planes * planes))
+      fragments[{sizes[ids[v]], ids[v]}].push_back(v);
   const auto [a, b] = fine.pixel_mm;
   for (const auto& [key, voxels] : fragments) {
     const Label other =
