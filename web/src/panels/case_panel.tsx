@@ -2,6 +2,7 @@ import { useRef } from 'preact/hooks';
 import type { PhantomKind, PhantomParams, Recipe, Vec3 } from '../engine/contract';
 import { editPhantom, openFiles, openPhantom, openSample, previewSoon } from '../store/actions';
 import { awaitedFile, volume } from '../store/input';
+import { groupsOf, mergesAll } from '../store/labels';
 import { editRecipe, recipe } from '../store/recipe';
 import { activity } from '../store/run';
 import { colourOf, hiddenLabels, ownColours } from '../store/view';
@@ -160,14 +161,13 @@ function LabelTable({ current }: { current: Recipe }) {
   );
   const wished = new Map(current.sizing.labels.map((entry) => [entry.label, entry.edge_mm]));
   const colour = colourOf.value;
-  const merged = current.merge.length === 1 && current.merge[0].length === chosen.size;
   const toggleMesh = (label: number) => {
     editRecipe(chosen.has(label) ? 'Leave label out' : 'Mesh label', (draft) => {
       const next = known.labels
         .map((entry) => entry.label)
         .filter((one) => (one === label ? !chosen.has(one) : chosen.has(one)));
       draft.labels = next.length === known.labels.length ? [] : next;
-      if (merged) draft.merge = [next];
+      draft.merge = groupsOf(draft.merge, [...chosen], next);
     });
     previewSoon();
   };
@@ -268,7 +268,7 @@ function LabelTable({ current }: { current: Recipe }) {
       </table></div>
       <CheckField
         label="Mesh the labels as one region"
-        checked={merged}
+        checked={mergesAll(current.merge, [...chosen])}
         onChange={(merge) => {
           editRecipe('Merge labels', (draft) => void (draft.merge = merge ? [[...chosen]] : []));
           previewSoon();

@@ -68,7 +68,7 @@ describe('the history of a recipe', () => {
   });
 
   it('takes no step for an edit that changes nothing', () => {
-    editRecipe('nothing', (draft) => void (draft.merge = []));
+    editRecipe('nothing', (draft) => void (draft.sizing.edge_mm = 2));
     expect(undoLabel.value).toBeNull();
   });
 });
