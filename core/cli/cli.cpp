@@ -199,7 +199,7 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
   command
       .add_option("--merge", options.merge,
                   "mesh the labels 1,5,6 as one region (once a group), or all of them; after the input")
-      ->expected(0, 1)
+      ->expected(0, 1000)
       ->allow_extra_args(false)
       ->type_name("LABELS");
   command.add_option("--edge-mm", options.edge_mm, "edge length, mm");

@@ -92,7 +92,6 @@ TEST_F(CliTest, MergesAllLabelsOrGroups) {
   EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--merge", "1,x"}), kExitUsage);
   EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--merge", "1,2", "--merge"}), kExitUsage);
   EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--merge", "1,9"}), kExitUsage);
-  EXPECT_EQ(run({"mesh", "--merge", at("boxes.nii.gz")}), kExitUsage);
 }
 
 TEST_F(CliTest, AnswersBadUsageWith2AndWritesNothing) {
