@@ -105,7 +105,7 @@ bool beside(const SliceStack& stack, std::size_t voxel, Label label) {
   return found;
 }
 
-/// The label that a voxel between two slices should have instead, where it touches (by a face or an edge) one
+/// The label that a voxel between two slices should have instead, where it touches, be it by a corner, one
 /// that it touches in neither slice: one that touches both there, and this voxel by a face, so that no piece
 /// of it floats. Its own label where nothing is to be done.
 Label set_apart(const SliceStack& fine, const SliceGap& gap, const Contacts& contacts, std::uint32_t column,
@@ -115,7 +115,6 @@ Label set_apart(const SliceStack& fine, const SliceGap& gap, const Contacts& con
   const Label own = fine.pixels[voxel];
   for (int d = 0; d < 27; ++d) {
     const int dx = d % 3 - 1, dy = d / 3 % 3 - 1, dz = d / 9 - 1;
-    if (std::abs(dx) + std::abs(dy) + std::abs(dz) > 2) continue;
     if (x + dx < 0 || y + dy < 0 || x + dx >= fine.width || y + dy >= fine.height) continue;
     const std::size_t pixel = static_cast<std::size_t>(x + dx) +
                               static_cast<std::size_t>(fine.width) * static_cast<std::size_t>(y + dy);
