@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "geometry/digest.h"
 #include "geometry/label_components.h"
 #include "io/read_volume.h"
 #include "support/data.h"
@@ -227,6 +228,11 @@ TEST(InterpolateSlices, PutsNothingBetweenStackedLabels) {
       1, 1, 8);
   const LabelVolume fine = interpolated(coarse);
   for (int k = 0; k < fine.size[2]; ++k) EXPECT_EQ(fine.at(12, 10, k), 2 * k < fine.size[2] ? 1 : 2);
+}
+
+TEST(InterpolateSlices, GivesTheSameVoxelsOnEveryPlatform) {
+  EXPECT_EQ(digest_of(interpolated(thick_heart())),
+            "f5f8b59ef8e0ac6804552e37a1bf54d3eb1de44db1c3b7e502d2cbce1ebd7a25");
 }
 
 TEST(InterpolateSlices, SaysWhatItDid) {
