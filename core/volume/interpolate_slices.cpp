@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <optional>
 
@@ -29,6 +30,7 @@ constexpr int kSeparations = 8;
 /// Volumes are balanced again, for what absorbing and setting apart took, while a label is off by more.
 constexpr double kVolumeError = 0.002;
 constexpr int kRounds = 6;
+constexpr double kMaxVoxels = 1 << 30;
 
 /// Odd, at least 3, nearest to the ratio of the spacings (the lower of equals).
 int planes_per_slice(double ratio) {
@@ -113,6 +115,7 @@ Label set_apart(const SliceStack& fine, const SliceGap& gap, const Contacts& con
   const int x = static_cast<int>(column) % fine.width, y = static_cast<int>(column) / fine.width;
   const std::size_t voxel = static_cast<std::size_t>(z) * fine.area() + column;
   const Label own = fine.pixels[voxel];
+  Label apart = own;  // the lowest of several, whatever the direction they come from
   for (int d = 0; d < 27; ++d) {
     const int dx = d % 3 - 1, dy = d / 3 % 3 - 1, dz = d / 9 - 1;
     if (x + dx < 0 || y + dy < 0 || x + dx >= fine.width || y + dy >= fine.height) continue;
@@ -120,10 +123,13 @@ Label set_apart(const SliceStack& fine, const SliceGap& gap, const Contacts& con
                               static_cast<std::size_t>(fine.width) * static_cast<std::size_t>(y + dy);
     const Label other = fine.slice(z + dz)[pixel];
     if (other == own || gap.flat[pixel] || contacts.touch(own, other)) continue;
-    for (const Label between : contacts.separators(own, other))
-      if (beside(fine, voxel, between)) return between;
+    for (const Label between : contacts.separators(own, other)) {
+      if (!beside(fine, voxel, between)) continue;
+      if (apart == own || between < apart) apart = between;
+      break;
+    }
   }
-  return own;
+  return apart;
 }
 
 /// set_apart for all voxels of a gap, as they are before the pass. Returns the number of voxels changed.
@@ -183,9 +189,8 @@ std::vector<double> voxels_by_label(const SliceStack& stack, int times) {
   return voxels;
 }
 
-Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, const RunContext& ctx) {
+Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, int planes, const RunContext& ctx) {
   const SliceStack stack = slices::take_slices(volume, axis);
-  const int planes = planes_per_slice(stack.step_mm / volume.smallest_spacing_mm());
   std::vector<Contacts> contacts;
   for (int lower = 0; lower + 1 < stack.count; ++lower) contacts.emplace_back(stack, lower);
   Result<std::vector<SliceGap>> gaps = interpolate_gaps(stack, contacts, planes, ctx);
@@ -195,6 +200,7 @@ Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, const 
   SliceStack best;
   double least = 0;
   for (int round = 0; round < kRounds; ++round) {
+    if (ctx.cancelled()) return cancelled_error("volume");
     SliceStack fine = settle_planes(stack, *gaps, contacts, planes,
                                     balance_offsets(*gaps, wanted, stack.smallest_pixel_mm()));
     const std::vector<double> found = voxels_by_label(fine, 1);
@@ -213,6 +219,16 @@ Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, const 
   return slices::put_slices(best, volume, axis, planes);
 }
 
+Error too_many_voxels(const Eigen::Vector3d& spacing, double voxels) {
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "volume.slice_ratio: voxels of %g x %g x %g mm would become %.2g by interpolation, at most %.2g "
+      "are made; a slice_ratio of 0 leaves them as they are",
+      spacing.x(), spacing.y(), spacing.z(), voxels, kMaxVoxels);
+  return {ErrorCode::kOutOfMemory, "volume", text, {}};
+}
+
 }  // namespace
 
 bool has_thick_slices(const LabelVolume& volume, double ratio) {
@@ -224,7 +240,10 @@ Result<LabelVolume> interpolate_slices(const LabelVolume& volume, double ratio, 
   const Eigen::Vector3d spacing = volume.spacing_mm();
   for (int axis = 0; axis < 3; ++axis) {
     if (!(spacing[axis] > ratio * spacing.minCoeff())) continue;
-    Result<LabelVolume> finer = interpolate_axis(out, axis, ctx);
+    const double ratio_here = spacing[axis] / spacing.minCoeff();
+    if (ratio_here * static_cast<double>(out.voxel_count()) > kMaxVoxels)
+      return too_many_voxels(spacing, ratio_here * static_cast<double>(out.voxel_count()));
+    Result<LabelVolume> finer = interpolate_axis(out, axis, planes_per_slice(ratio_here), ctx);
     if (!finer) return finer;
     out = std::move(finer).value();
   }

@@ -19,8 +19,8 @@ bool has_thick_slices(const LabelVolume& volume, double ratio);
 /// apart between them by a label that touches both.
 /// Shape-based interpolation: Raya and Udupa, IEEE Trans. Med. Imaging 9 (1990); Herman, Zheng, Bucholtz,
 /// IEEE Comput. Graph. Appl. 12 (1992). Noted: the grids, volume, components and Euler number of the labels;
-/// warned of: labels that change their volume by more than 1 % or fall into more components. Error:
-/// kCancelled. Linear time.
+/// warned of: labels that change their volume by more than 1 % or fall into more components. Errors:
+/// kCancelled; kOutOfMemory for more than 2^30 voxels. Linear time.
 Result<LabelVolume> interpolate_slices(const LabelVolume& volume, double ratio, const RunContext& ctx);
 
 }  // namespace voxtet

@@ -251,6 +251,14 @@ TEST(InterpolateSlices, SaysWhatItDid) {
   EXPECT_TRUE(warnings.empty()) << warnings[0];
 }
 
+TEST(InterpolateSlices, RefusesToMakeVoxelsWithoutEnd) {
+  const LabelVolume volume = with_spacing(test::ball_volume(50, 25, 20), 1e-4, 1, 1);
+  const Result<LabelVolume> out = interpolate_slices(volume, 2, {});
+  ASSERT_FALSE(out.ok());
+  EXPECT_EQ(out.error().code, ErrorCode::kOutOfMemory);
+  EXPECT_NE(out.error().message.find("volume.slice_ratio"), std::string::npos);
+}
+
 TEST(InterpolateSlices, CanBeCancelled) {
   RunContext ctx;
   ctx.on_cancelled = [] { return true; };
