@@ -1,11 +1,13 @@
 #include "cli/case_input.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "io/files.h"
 #include "recipe/link.h"
+#include "volume/select_labels.h"
 
 namespace voxtet {
 namespace {
@@ -42,11 +44,45 @@ Result<double> to_number(const std::string& option, const std::string& text) {
   return value;
 }
 
+/// "1,5,6" -> [1, 5, 6]. Errors: kUsage.
+Result<nlohmann::json> to_group(const std::string& text) {
+  const nlohmann::json group = nlohmann::json::parse("[" + text + "]", nullptr, false);
+  const bool whole = !group.is_discarded() && std::all_of(group.begin(), group.end(), [](const auto& label) {
+    return label.is_number_unsigned();
+  });
+  if (!whole) return usage("--merge " + text + ": expected labels as 1,5,6, and the input before it");
+  return group;
+}
+
+bool merges_all(const CaseOptions& options) {
+  return std::find(options.merge.begin(), options.merge.end(), "") != options.merge.end();
+}
+
+/// The labels that the case meshes, as one group. Runs the volume stage where the case does not name them.
+Result<LabelGroup> group_of_all(const Recipe& recipe, Session& session) {
+  if (!recipe.labels.empty()) return recipe.labels;
+  if (Status set = session.set_recipe(recipe); !set) return set.error();
+  RunContext ctx;
+  if (Status ran = session.run(Stage::kVolume, ctx); !ran) return ran.error();
+  LabelGroup group;
+  for (const auto& [label, count] : count_labels(*session.source_volume())) group.push_back(label);
+  return group;
+}
+
 Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
   nlohmann::json json = recipe_to_json(recipe);
   if (!options.labels.empty()) json["labels"] = options.labels;
-  if (options.merge) json["merge"] = true;
   if (!options.look_up.empty()) json["lookup"]["labels"] = options.look_up;
+  if (merges_all(options) && options.merge.size() > 1)
+    return usage("--merge: found all labels and " + std::to_string(options.merge.size() - 1) +
+                 " more groups, expected one or the other");
+  if (!options.merge.empty()) json["merge"] = nlohmann::json::array();
+  for (const std::string& text : options.merge) {
+    if (text.empty()) continue;
+    Result<nlohmann::json> group = to_group(text);
+    if (!group) return group.error();
+    json["merge"].push_back(std::move(group).value());
+  }
   if (options.edge_mm != 0) json["sizing"]["edge_mm"] = options.edge_mm;
   for (const std::string& text : options.edge_labels) {
     auto pair = split_pair("--edge-label", text);
@@ -104,6 +140,11 @@ Status open_case(const CaseOptions& options, Session& session) {
   }
   Result<Recipe> changed = with_options(std::move(recipe).value(), options);
   if (!changed) return changed.error();
+  if (merges_all(options)) {
+    Result<LabelGroup> group = group_of_all(*changed, session);
+    if (!group) return group.error();
+    changed->merge = {std::move(group).value()};
+  }
   return session.set_recipe(*changed);
 }
 

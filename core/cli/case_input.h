@@ -12,7 +12,7 @@ namespace voxtet {
 struct CaseOptions {
   std::string input;                     ///< volume file, case .json, link, or "-" for none
   std::vector<int> labels;               ///< --labels 1,2,5
-  bool merge = false;                    ///< --merge
+  std::vector<std::string> merge;        ///< --merge 1,5,6; an empty text: all labels to be meshed
   std::vector<unsigned> look_up;         ///< --look-up
   double edge_mm = 0;                    ///< --edge-mm; 0: as in the recipe
   std::vector<std::string> edge_labels;  ///< --edge-label 5=0.8

@@ -202,7 +202,12 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
       .add_option(input_name, options.input, "volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), case.json or link")
       ->required();
   command.add_option("--labels", options.labels, "labels to mesh, as 1,2,5; all if absent")->delimiter(',');
-  command.add_flag("--merge", options.merge, "mesh the labels as one region");
+  command
+      .add_option("--merge", options.merge,
+                  "mesh the labels 1,5,6 as one region (once a group), or all of them; after the input")
+      ->expected(0, 1000)
+      ->allow_extra_args(false)
+      ->type_name("LABELS");
   command.add_option("--look-up", options.look_up, "labels to look up at each tetrahedron, as 5,6")
       ->delimiter(',');
   command.add_option("--edge-mm", options.edge_mm, "edge length, mm");

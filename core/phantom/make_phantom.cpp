@@ -9,7 +9,7 @@
 
 #include "geometry/rotation.h"
 #include "phantom/body.h"
-#include "phantom/remove_specks.h"
+#include "phantom/drop_fragments.h"
 
 namespace voxtet {
 namespace {
@@ -169,7 +169,7 @@ Result<LabelVolume> make_phantom(const PhantomParams& params) {
   const Result<Grid> grid = grid_around(body, params);
   if (!grid) return grid.error();
   LabelVolume sampled = sample(body, *grid);
-  if (params.kind == PhantomKind::kBiventricle) remove_specks(sampled, kSpeckShare);
+  if (params.kind == PhantomKind::kBiventricle) drop_fragments(sampled, kSpeckShare);
   LabelVolume volume = cropped(sampled);
   if (volume.labels.empty())
     return usage_error("phantom.spacing_mm: no voxel centre lies inside the body, expected a finer spacing");

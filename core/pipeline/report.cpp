@@ -6,8 +6,8 @@
 #include <map>
 
 #include "geometry/digest.h"
-#include "pipeline/select_labels.h"
 #include "quality/compare_topology.h"
+#include "volume/select_labels.h"
 
 namespace voxtet {
 namespace {
@@ -119,7 +119,13 @@ json surface_counts(const SurfaceMesh& surface) {
 
 json counts_json(const Session& session, Stage stage) {
   switch (stage) {
-    case Stage::kVolume: return volume_json(session);
+    case Stage::kVolume: {
+      json counts = volume_json(session);
+      const Eigen::Vector3d spacing = session.volume()->spacing_mm();
+      counts["prepared"] = {{"size", session.volume()->size},
+                            {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
+      return counts;
+    }
     case Stage::kSurface: return surface_counts(*session.surface());
     case Stage::kSmooth: return surface_counts(*session.smooth());
     case Stage::kRemesh: return surface_counts(*session.remeshed());

@@ -8,7 +8,6 @@
 #include "lookup/look_up_labels.h"
 #include "phantom/make_phantom.h"
 #include "pipeline/memory.h"
-#include "pipeline/select_labels.h"
 #include "quality/measure_quality.h"
 #include "remesh/remesh_surface.h"
 #include "surface/extract_surface.h"
@@ -70,7 +69,7 @@ Result<Stage> stage_of(std::string_view name) {
 Status Session::load_volume(const VolumeFile& file) {
   Result<LabelVolume> read = read_volume(file);
   if (!read) return read.error();
-  file_volume_ = std::move(read).value();
+  file_volume_ = std::make_shared<const LabelVolume>(std::move(read).value());
   file_digest_ = digest_of(*file_volume_);
   recipe_.source = {};
   recipe_.source.file = FileSource{file.name, file_digest_};
@@ -97,7 +96,7 @@ std::string Session::key_of(Stage stage) const {
   sha.update(engine_version() + name);
   if (stage == Stage::kVolume) {
     sha.update(recipe_.source.phantom ? recipe["source"]["phantom"].dump() : file_digest_);
-    sha.update(recipe["labels"].dump() + recipe["merge"].dump());
+    sha.update(recipe["labels"].dump() + recipe["merge"].dump() + recipe["volume"].dump());
   } else {
     for (const Stage input : inputs_of(stage)) sha.update(key_of(input));
     sha.update(recipe[name].dump());
@@ -107,7 +106,7 @@ std::string Session::key_of(Stage stage) const {
 
 void Session::forget(Stage stage) {
   switch (stage) {
-    case Stage::kVolume: source_.reset(), volume_.reset(); break;
+    case Stage::kVolume: source_.reset(), volume_ = {}; break;
     case Stage::kSurface: surface_.reset(); break;
     case Stage::kSmooth: smooth_.reset(); break;
     case Stage::kSizing: sizing_.reset(); break;
@@ -119,9 +118,11 @@ void Session::forget(Stage stage) {
   records_[static_cast<std::size_t>(stage)] = {};
 }
 
-Status Session::run_volume() {
+Status Session::run_volume(RunContext& ctx) {
   if (recipe_.source.phantom) {
-    if (Status made = keep(make_phantom(*recipe_.source.phantom), source_); !made) return made;
+    Result<LabelVolume> made = make_phantom(*recipe_.source.phantom);
+    if (!made) return made.error();
+    source_ = std::make_shared<const LabelVolume>(std::move(made).value());
   } else if (file_volume_) {
     source_ = file_volume_;
   } else if (recipe_.source.file) {
@@ -132,21 +133,26 @@ Status Session::run_volume() {
   } else {
     return Error{ErrorCode::kUsage, "volume", "source: no volume; give a phantom or load a file", {}};
   }
-  return keep(select_labels(*source_, recipe_.labels, recipe_.merge), volume_);
+  Result<PreparedVolume> prepared =
+      prepare_volume(*source_, recipe_.labels, recipe_.merge, recipe_.volume, ctx);
+  if (!prepared) return prepared.error();
+  volume_ = std::move(prepared).value();
+  return std::monostate{};
 }
 
 Status Session::run_stage(Stage stage, RunContext& ctx) {
   switch (stage) {
-    case Stage::kVolume: return run_volume();
-    case Stage::kSurface: return keep(extract_surface(*volume_, recipe_.surface, ctx), surface_);
-    case Stage::kSmooth: return keep(smooth_surface(*surface_, *volume_, recipe_.smooth, ctx), smooth_);
-    case Stage::kSizing: return keep(build_sizing_field(*volume_, recipe_.sizing, ctx), sizing_);
+    case Stage::kVolume: return run_volume(ctx);
+    case Stage::kSurface: return keep(extract_surface(*volume(), recipe_.surface, ctx), surface_);
+    case Stage::kSmooth: return keep(smooth_surface(*surface_, *volume(), recipe_.smooth, ctx), smooth_);
+    case Stage::kSizing: return keep(build_sizing_field(*volume(), recipe_.sizing, ctx), sizing_);
     case Stage::kRemesh:
-      return keep(remesh_surface(*volume_, *smooth_, *sizing_, recipe_.remesh, ctx), remeshed_);
+      return keep(remesh_surface(*volume(), *smooth_, *sizing_, recipe_.remesh, ctx), remeshed_);
     case Stage::kTetra: return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), mesh_);
     case Stage::kLookup: return keep(look_up_labels(*mesh_, *source_, recipe_.lookup, ctx), lookup_);
     case Stage::kQuality:
-      return keep(measure_quality(*mesh_, {*volume_, *smooth_, *remeshed_, *sizing_}, recipe_.quality, ctx),
+      return keep(measure_quality(*mesh_, {*volume(), *selected_volume(), *smooth_, *remeshed_, *sizing_},
+                                  recipe_.quality, ctx),
                   quality_);
   }
   return Error{ErrorCode::kInternal, "session", "unknown stage", {}};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
+#include "volume/prepare_volume.h"
 
 namespace voxtet {
 
@@ -54,8 +56,11 @@ class Session {
   /// Runs `last` and whatever it needs that is not there yet. On failure earlier results stay.
   Status run(Stage last, RunContext& ctx);
 
-  const LabelVolume* source_volume() const { return source_ ? &*source_ : nullptr; }  ///< all labels
-  const LabelVolume* volume() const { return volume_ ? &*volume_ : nullptr; }         ///< labels to be meshed
+  const LabelVolume* source_volume() const { return source_.get(); }  ///< all labels, as read
+  /// The labels to be meshed on the source's grid: what fidelity is measured against.
+  const LabelVolume* selected_volume() const { return volume_.selected.get(); }
+  /// The labels to be meshed, thick slices interpolated and specks removed: what the later stages see.
+  const LabelVolume* volume() const { return volume_.prepared.get(); }
   const SurfaceMesh* surface() const { return surface_ ? &*surface_ : nullptr; }
   const SurfaceMesh* smooth() const { return smooth_ ? &*smooth_ : nullptr; }
   const SizingField* sizing() const { return sizing_ ? &*sizing_ : nullptr; }
@@ -69,14 +74,14 @@ class Session {
  private:
   std::string key_of(Stage stage) const;
   Status run_stage(Stage stage, RunContext& ctx);
-  Status run_volume();
+  Status run_volume(RunContext& ctx);
   void forget(Stage stage);
 
   Recipe recipe_;
-  std::optional<LabelVolume> file_volume_;
+  std::shared_ptr<const LabelVolume> file_volume_;
   std::string file_digest_;
-  std::optional<LabelVolume> source_;
-  std::optional<LabelVolume> volume_;
+  std::shared_ptr<const LabelVolume> source_;
+  PreparedVolume volume_;
   std::optional<SurfaceMesh> surface_, smooth_, remeshed_;
   std::optional<SizingField> sizing_;
   std::optional<TetMesh> mesh_;

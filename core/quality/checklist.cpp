@@ -182,13 +182,15 @@ std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, std::span<c
                                                 const LabelVolume& volume,
                                                 const std::vector<LabelFidelity>& fidelity,
                                                 const std::vector<TopologyDifference>& differences) {
+  std::vector<std::uint8_t> wanted(65536, 0);
+  for (const Label label : volume.labels) wanted[label] = 1;
   const std::vector<bool> thin = thin_labels(volume);
   std::vector<std::string> wrong, changed, off;
   for (const LabelFidelity& f : fidelity) {
     const std::string name = "label " + std::to_string(f.label);
-    if (f.tets == 0) wrong.push_back(name + " is missing");
-    if (f.voxels == 0) wrong.push_back(name + " is not in the voxels");
-    if (f.tets == 0 || f.voxels == 0) continue;
+    if (f.tets == 0 && wanted[f.label]) wrong.push_back(name + " is missing");
+    if (f.tets > 0 && !wanted[f.label]) wrong.push_back(name + " is not in the voxels");
+    if (f.tets == 0 || f.voxels == 0 || !wanted[f.label]) continue;
     if (std::abs(f.volume_error_percent) > (thin[f.label] || f.voxels < kSmallLabel ? 2 : 0.5))
       off.push_back(name + " " + shown(f.volume_error_percent) + " %");
   }

@@ -214,7 +214,7 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   report.metrics.push_back(summarise({"triangle_min_angle_deg", "deg", "triangles", 0, 60, Worst::kLowest},
                                      after.min_angle, bins));
 
-  report.labels = measure_labels(mesh, reference.volume, reference.sizing);
+  report.labels = measure_labels(mesh, reference.labels, reference.sizing);
   TopologyComparison& topology = report.topology;
   topology.before = label_topology(reference.label_surface);
   topology.differences = compare_topology(topology.before, topology.after);

@@ -20,7 +20,8 @@ struct QualityParams {
 
 /// What the mesh is compared with.
 struct QualityReference {
-  const LabelVolume& volume;         ///< the labels that were meshed
+  const LabelVolume& volume;         ///< what was meshed: presence, components, size of a voxel
+  const LabelVolume& labels;         ///< as segmented, on their own grid: volumes and overlap
   const SurfaceMesh& label_surface;  ///< smoothed marching-cubes surface: the reference of all distances
   const SurfaceMesh& adapted;        ///< what the tets were filled into
   const SizingField& sizing;

@@ -72,6 +72,18 @@ void visit_fields(V& v, Expected& p) {
 }
 
 template <class V>
+void visit_fields(V& v, VolumeParams& p) {
+  v.field({"slice_ratio", "", 0, 100,
+           "Slices thicker than so many pixels are interpolated to voxels; 0 never does."},
+          p.slice_ratio);
+  v.field({"speck_voxels", "voxel", 0, 1e9, "Pieces of a label with fewer voxels are removed; 0 keeps all."},
+          p.speck_voxels);
+  v.field({"hole_voxels", "voxel", 0, 1e9,
+           "Enclosed pieces of background with fewer voxels are filled; 0 keeps all."},
+          p.hole_voxels);
+}
+
+template <class V>
 void visit_fields(V& v, ExtractParams& p) {
   v.choice({"method", "", 0, 0, "How the label surface is extracted; auto: by the number of labels."},
            p.method,
@@ -187,7 +199,8 @@ template <class V>
 void visit_fields(V& v, Recipe& r) {
   v.group({"source", "", 0, 0, "Where the labels come from."}, r.source);
   v.field({"labels", "", 1, 65535, "Labels to mesh; none: all."}, r.labels);
-  v.field({"merge", "", 0, 0, "Mesh the labels as one region."}, r.merge);
+  v.field({"merge", "", 1, 65535, "Groups of labels; each is meshed as one region."}, r.merge);
+  v.group({"volume", "", 0, 0, "Preparation of the labels."}, r.volume);
   v.group({"surface", "", 0, 0, "Extraction of the label surface."}, r.surface);
   v.group({"smooth", "", 0, 0, "Smoothing of the label surface."}, r.smooth);
   v.group({"sizing", "", 0, 0, "The wish for element size."}, r.sizing);

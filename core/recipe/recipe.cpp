@@ -161,6 +161,13 @@ class Reader {
     for (std::size_t i = 0; i < found.size(); ++i)
       read(info, path + "[" + std::to_string(i) + "]", found[i], value.emplace_back());
   }
+  static void read(const FieldInfo& info, const std::string& path, const json& found,
+                   std::vector<LabelGroup>& value) {
+    check_list(path, found);
+    value.clear();
+    for (std::size_t i = 0; i < found.size(); ++i)
+      read(info, path + "[" + std::to_string(i) + "]", found[i], value.emplace_back());
+  }
 
   const json& object_;
   std::string path_;
@@ -182,6 +189,9 @@ json to_json(const Eigen::Vector3d& value) {
   return json::array({value.x(), value.y(), value.z()});
 }
 json to_json(const std::vector<Label>& value) {
+  return value;
+}
+json to_json(const std::vector<LabelGroup>& value) {
   return value;
 }
 template <class Whole>
@@ -240,6 +250,9 @@ const char* type_name(const Eigen::Vector3d&) {
 }
 const char* type_name(const std::vector<Label>&) {
   return "labels";
+}
+const char* type_name(const std::vector<LabelGroup>&) {
+  return "label_groups";
 }
 template <class Whole>
 requires std::is_integral_v<Whole>

@@ -17,6 +17,7 @@
 #include "surface/smooth_surface.h"
 #include "tetra/fill_tets.h"
 #include "types/result.h"
+#include "volume/prepare_volume.h"
 
 namespace voxtet {
 
@@ -42,8 +43,9 @@ struct Expected {
 /// The whole case. Field names, units, ranges and sentences are declared once, in recipe/fields.h.
 struct Recipe {
   Source source;
-  std::vector<Label> labels;  ///< labels to mesh; empty: all
-  bool merge = false;         ///< mesh them as one region that carries the smallest of the labels
+  std::vector<Label> labels;      ///< labels to mesh; empty: all
+  std::vector<LabelGroup> merge;  ///< each group becomes one region that carries its smallest label
+  VolumeParams volume;
   ExtractParams surface;
   SmoothParams smooth;
   SizingParams sizing;

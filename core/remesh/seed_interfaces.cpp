@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "remesh/smooth_labels.h"
+#include "geometry/label_components.h"
 
 namespace voxtet::remesh {
 namespace {

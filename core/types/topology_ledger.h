@@ -19,8 +19,8 @@ struct LabelTopology {
   std::uint32_t pinched_edges = 0;   ///< edges with more than two of the label's triangles
   std::uint32_t pinched_points = 0;  ///< points whose triangles of the label form more than one fan; fans
                                      ///< that share a pinched edge count as one
-  std::uint32_t open_edges = 0;  ///< edges with an odd number of the label's triangles: above 0 the
-                                 ///< surface is not closed and the other numbers mean nothing
+  std::uint32_t open_edges = 0;      ///< edges with an odd number of the label's triangles: above 0 the
+                                     ///< surface is not closed and the other numbers mean nothing
   bool operator==(const LabelTopology&) const = default;
 };
 

@@ -92,6 +92,26 @@ TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
   EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--look-up", "9"}), kExitUsage);
 }
 
+TEST_F(CliTest, MergesAllLabelsOrGroups) {
+  ASSERT_EQ(run({"phantom", "nested_boxes", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
+                 at("boxes.nii.gz")}),
+            kExitOk);
+  const auto merged = [&](std::vector<std::string> options) {
+    std::vector<std::string> words{"mesh", at("boxes.nii.gz"), "--edge-mm",
+                                   "4",    "--report",         at("report.json")};
+    words.insert(words.end(), options.begin(), options.end());
+    EXPECT_EQ(run(words), kExitOk);
+    return read_json("report.json")["recipe"]["merge"];
+  };
+  EXPECT_EQ(merged({}), json::array());
+  EXPECT_EQ(merged({"--merge"}), json::parse("[[1,2,3]]"));
+  EXPECT_EQ(merged({"--labels", "1,3", "--merge"}), json::parse("[[1,3]]"));
+  EXPECT_EQ(merged({"--merge", "1,2", "--merge", "3"}), json::parse("[[1,2],[3]]"));
+  EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--merge", "1,x"}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--merge", "1,2", "--merge"}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--merge", "1,9"}), kExitUsage);
+}
+
 TEST_F(CliTest, AnswersBadUsageWith2AndWritesNothing) {
   write("case.json", kSphere);
   EXPECT_EQ(run({"mesh"}), kExitUsage);

@@ -44,6 +44,51 @@ TEST(Session, TakesAVolumeToAMeasuredMesh) {
   EXPECT_EQ(topology["differences"].empty(), topology["contacts"]["before"] == topology["contacts"]["after"]);
 }
 
+TEST(Session, MeshesThickSlicesInterpolatedAndMeasuresAgainstTheSlices) {
+  Session session;
+  Recipe recipe = small_case();
+  recipe.source.phantom->spacing_mm = {1, 1, 4};
+  recipe.source.phantom->rotation_deg.setZero();
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  RunContext ctx;
+  const Status done = session.run(Stage::kQuality, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  EXPECT_EQ(session.selected_volume()->size, session.source_volume()->size);
+  EXPECT_EQ(session.volume()->size[2], 3 * session.source_volume()->size[2]);
+  EXPECT_FALSE(session.record(Stage::kVolume).notes.empty());
+  const nlohmann::json report = report_json(session);
+  EXPECT_EQ(report["stages"][0]["counts"]["prepared"]["size"][2], session.volume()->size[2]);
+  for (const LabelFidelity& label : session.quality()->labels) {
+    std::uint64_t voxels = 0;
+    for (const Label one : session.selected_volume()->labels) voxels += one == label.label;
+    EXPECT_EQ(label.voxels, voxels);
+    EXPECT_GT(label.dice, 0.85);
+  }
+
+  recipe.volume.slice_ratio = 0;
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  ASSERT_TRUE(session.run(Stage::kVolume, ctx).ok());
+  EXPECT_EQ(session.volume(), session.selected_volume()) << "one copy is enough";
+}
+
+TEST(Session, MergesGroupsOfLabels) {
+  Session session;
+  Recipe recipe = small_case();
+  recipe.merge = {{3, 1}};
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  RunContext ctx;
+  ASSERT_TRUE(session.run(Stage::kVolume, ctx).ok());
+  const auto counts = count_labels(*session.volume());
+  ASSERT_EQ(counts.size(), 2U);
+  EXPECT_EQ(counts[0].first, 1);
+  recipe.merge = {{3, 9}};
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  const Status done = session.run(Stage::kVolume, ctx);
+  ASSERT_FALSE(done.ok());
+  EXPECT_EQ(done.error().code, ErrorCode::kUsage);
+  EXPECT_EQ(session.volume(), nullptr);
+}
+
 TEST(Session, ReusesWhatDidNotChange) {
   Session session;
   Recipe recipe = small_case();

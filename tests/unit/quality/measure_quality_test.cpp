@@ -82,7 +82,7 @@ TEST(MeasureQuality, IsExactOnAMeshMadeOfVoxels) {
   const SizingField sizing = constant_size(10.0 / 6);
   const SurfaceMesh surface = faces_of(mesh);
   RunContext ctx;
-  const Result<QualityReport> report = measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx);
+  const Result<QualityReport> report = measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
   ASSERT_TRUE(report.ok());
   EXPECT_TRUE(failed(*report).empty()) << failed(*report).front();
   ASSERT_EQ(report->labels.size(), 3U);
@@ -115,7 +115,7 @@ TEST(MeasureQuality, NoticesALabelThatIsMissingOrOfTheWrongSize) {
   const auto failures = [&](const std::function<void(LabelVolume&)>& change) {
     LabelVolume volume = cube_voxels(6);
     change(volume);
-    return failed(*measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx));
+    return failed(*measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx));
   };
   EXPECT_EQ(failures([](LabelVolume& v) { v.labels[v.offset(7, 7, 7)] = 9; }),
             (std::vector<std::string>{"labels_present"}));
@@ -200,7 +200,7 @@ ChecklistItem volume_item_of_plate(int t) {
   const SurfaceMesh surface = faces_of(test::kuhn_cube(1));
   const SizingField sizing = constant_size(1);
   RunContext ctx;
-  const Result<QualityReport> report = measure_quality(plate, {volume, surface, surface, sizing}, {}, ctx);
+  const Result<QualityReport> report = measure_quality(plate, {volume, volume, surface, surface, sizing}, {}, ctx);
   EXPECT_NEAR(report->labels[0].volume_error_percent, 1, 0.1);
   for (const ChecklistItem& item : report->checklist)
     if (item.name == "label_volumes") return item;
@@ -221,7 +221,7 @@ TEST(MeasureQuality, SeesFacesThatAreNotThoseOfTheTets) {
   const auto found = [&](const std::function<void(TetMesh&)>& break_it) {
     TetMesh mesh = good;
     break_it(mesh);
-    const Result<QualityReport> report = measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx);
+    const Result<QualityReport> report = measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
     EXPECT_EQ(failed(*report), (std::vector<std::string>{"faces_match_tets"}));
     EXPECT_FALSE(report->passed());
     for (const ChecklistItem& item : report->checklist)
@@ -251,7 +251,7 @@ TEST(MeasureQuality, GivesTheChecklistAloneWhenAPointHasNoPlace) {
   const SurfaceMesh surface = faces_of(mesh);
   for (std::size_t i = 10; i < 100; i += 7) mesh.points[i].y() = std::numeric_limits<double>::quiet_NaN();
   RunContext ctx;
-  const Result<QualityReport> report = measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx);
+  const Result<QualityReport> report = measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
   ASSERT_TRUE(report.ok());
   EXPECT_EQ(failed(*report), (std::vector<std::string>{"finite_coordinates", "min_dihedral"}));
   EXPECT_EQ(report->checklist.front().found, "13 of 125");
@@ -268,7 +268,7 @@ TEST(MeasureQuality, StopsWhenCancelledAtEveryPoll) {
     RunContext ctx;
     int asked = 0;
     ctx.on_cancelled = [&] { return asked++ >= after; };
-    const Result<QualityReport> report = measure_quality(mesh, {volume, surface, surface, sizing}, {}, ctx);
+    const Result<QualityReport> report = measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
     ASSERT_FALSE(report.ok());
     EXPECT_EQ(report.error().code, ErrorCode::kCancelled);
   }

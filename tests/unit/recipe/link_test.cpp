@@ -25,9 +25,9 @@ TEST(Link, CarriesTheWholeCase) {
 }
 
 TEST(Link, ReadsPlainJsonWrittenByHand) {
-  const Result<Recipe> recipe = recipe_of_link("#j=%7B%22merge%22:true}");
+  const Result<Recipe> recipe = recipe_of_link("#j=%7B%22merge%22:[[1,5]]}");
   ASSERT_TRUE(recipe.ok()) << recipe.error().message;
-  EXPECT_TRUE(recipe->merge);
+  EXPECT_EQ(recipe->merge, (std::vector<LabelGroup>{{1, 5}}));
 }
 
 TEST(Link, RefusesEveryTruncation) {

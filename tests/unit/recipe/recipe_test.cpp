@@ -24,7 +24,7 @@ TEST(ParseRecipe, KeepsDefaultsForAbsentFields) {
 TEST(ParseRecipe, ReadsEveryKindOfField) {
   const Result<Recipe> recipe = parse_recipe(std::string_view(R"({
     "source": {"phantom": {"kind": "torus", "spacing_mm": [1, 2, 3], "mirrored": true, "seed": 4294967295}},
-    "labels": [5, 1], "merge": true,
+    "labels": [5, 1], "merge": [[5, 1], [2]],
     "surface": {"method": "marching_tets"},
     "sizing": {"edge_mm": 1.5, "labels": [{"label": 5, "edge_mm": 0.8}],
                "regions": [{"shape": "capsule", "centre_mm": [-1e3, 0, 2.5], "radius_mm": 4, "name": "a"}]}})"));
@@ -33,7 +33,7 @@ TEST(ParseRecipe, ReadsEveryKindOfField) {
   EXPECT_EQ(recipe->source.phantom->spacing_mm, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(recipe->source.phantom->seed, 4294967295U);
   EXPECT_EQ(recipe->labels, (std::vector<Label>{5, 1}));
-  EXPECT_TRUE(recipe->merge);
+  EXPECT_EQ(recipe->merge, (std::vector<LabelGroup>{{5, 1}, {2}}));
   EXPECT_EQ(recipe->surface.method, ExtractMethod::kMarchingTets);
   EXPECT_EQ(recipe->sizing.labels.at(0).label, 5);
   EXPECT_EQ(recipe->sizing.regions.at(0).shape, RegionShape::kCapsule);
@@ -53,7 +53,11 @@ TEST(ParseRecipe, NamesThePathTheValueAndTheExpectation) {
             std::string::npos);
   EXPECT_NE(error_of(R"({"labels":[1.5]})").find("labels[0]: found 1.5, expected a whole number"),
             std::string::npos);
-  EXPECT_NE(error_of(R"({"merge":1})").find("merge: found 1, expected true or false"), std::string::npos);
+  EXPECT_NE(error_of(R"({"merge":1})").find("merge: found 1, expected a list"), std::string::npos);
+  EXPECT_NE(error_of(R"({"merge":[1]})").find("merge[0]: found 1, expected a list of labels"),
+            std::string::npos);
+  EXPECT_NE(error_of(R"({"merge":[[0]]})").find("merge[0][0]: found 0, expected a whole number from 1"),
+            std::string::npos);
   EXPECT_NE(error_of(R"({"source":{"phantom":{},"file":{}}})").find("expected one of them"),
             std::string::npos);
   EXPECT_NE(error_of("[]").find("expected an object"), std::string::npos);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "remesh/smooth_labels.h"
+#include "geometry/label_components.h"
 #include "support/label_bodies.h"
 
 namespace voxtet::remesh {

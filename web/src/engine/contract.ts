@@ -201,7 +201,9 @@ export interface Expected {
 export interface Recipe {
   source: Source;
   labels: number[];
-  merge: boolean;
+  /** Groups of labels; each is meshed as one region. */
+  merge: number[][];
+  volume: { slice_ratio: number; speck_voxels: number; hole_voxels: number };
   surface: { method: string };
   smooth: { iterations: number; step: number; max_move_voxels: number; keep_volume: boolean };
   sizing: {
@@ -226,7 +228,7 @@ export interface Recipe {
 
 export interface SchemaField {
   path: string;
-  type: 'number' | 'integer' | 'boolean' | 'string' | 'enum' | 'vec3' | 'list';
+  type: 'number' | 'integer' | 'boolean' | 'string' | 'enum' | 'vec3' | 'labels' | 'label_groups' | 'list';
   unit?: string;
   default?: unknown;
   min?: number;

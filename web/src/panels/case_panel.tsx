@@ -2,6 +2,7 @@ import { useRef } from 'preact/hooks';
 import type { PhantomKind, PhantomParams, Recipe, Vec3 } from '../engine/contract';
 import { editPhantom, openFiles, openPhantom, openSample, previewSoon } from '../store/actions';
 import { awaitedFile, volume } from '../store/input';
+import { groupsOf, mergesAll } from '../store/labels';
 import { editRecipe, recipe } from '../store/recipe';
 import { activity } from '../store/run';
 import { colourOf, hiddenLabels, ownColours } from '../store/view';
@@ -166,6 +167,7 @@ function LabelTable({ current }: { current: Recipe }) {
         .map((entry) => entry.label)
         .filter((one) => (one === label ? !chosen.has(one) : chosen.has(one)));
       draft.labels = next.length === known.labels.length ? [] : next;
+      draft.merge = groupsOf(draft.merge, [...chosen], next);
     });
     previewSoon();
   };
@@ -266,9 +268,9 @@ function LabelTable({ current }: { current: Recipe }) {
       </table></div>
       <CheckField
         label="Mesh the labels as one region"
-        checked={current.merge}
+        checked={mergesAll(current.merge, [...chosen])}
         onChange={(merge) => {
-          editRecipe('Merge labels', (draft) => void (draft.merge = merge));
+          editRecipe('Merge labels', (draft) => void (draft.merge = merge ? [[...chosen]] : []));
           previewSoon();
         }}
       />
@@ -312,7 +314,8 @@ function SizingSection({ current }: { current: Recipe }) {
 
 /** Stage parameters straight from the engine's table: number, flag or choice. */
 function StageSection({ current }: { current: Recipe }) {
-  const rows: [keyof Recipe & ('surface' | 'smooth' | 'remesh' | 'tetra' | 'quality'), string][] = [
+  const rows: [keyof Recipe & ('volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'quality'), string][] = [
+    ['volume', 'Volume'],
     ['surface', 'Label surface'],
     ['smooth', 'Smoothing'],
     ['remesh', 'Adapted surface'],
@@ -337,7 +340,7 @@ function StageSection({ current }: { current: Recipe }) {
                   (draft) => void ((draft[stage] as Record<string, unknown>)[key] = next),
                   `${stage}.${key}`,
                 );
-                if (stage === 'surface' || stage === 'smooth') previewSoon();
+                if (stage === 'volume' || stage === 'surface' || stage === 'smooth') previewSoon();
               };
               if (typeof value === 'boolean')
                 return (

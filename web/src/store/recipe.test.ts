@@ -4,7 +4,7 @@ import type { Recipe } from '../engine/contract';
 import { editRecipe, recipe, redo, redoLabel, startRecipe, undo, undoLabel } from './recipe';
 
 const fresh = () =>
-  ({ labels: [], merge: false, sizing: { edge_mm: 2, regions: [], labels: [] } }) as unknown as Recipe;
+  ({ labels: [], merge: [], sizing: { edge_mm: 2, regions: [], labels: [] } }) as unknown as Recipe;
 
 beforeEach(() => startRecipe(fresh()));
 
@@ -61,14 +61,14 @@ describe('the history of a recipe', () => {
   });
 
   it('forgets what was undone once something else is edited', () => {
-    editRecipe('a', (draft) => void (draft.merge = true));
+    editRecipe('a', (draft) => void (draft.merge = [[1, 2]]));
     undo();
     editRecipe('b', (draft) => void (draft.sizing.edge_mm = 9));
     expect(redoLabel.value).toBeNull();
   });
 
   it('takes no step for an edit that changes nothing', () => {
-    editRecipe('nothing', (draft) => void (draft.merge = false));
+    editRecipe('nothing', (draft) => void (draft.sizing.edge_mm = 2));
     expect(undoLabel.value).toBeNull();
   });
 });

@@ -12,7 +12,8 @@ const cubeTets = [
 const defaults = {
   source: {},
   labels: [],
-  merge: false,
+  merge: [],
+  volume: { slice_ratio: 2, speck_voxels: 0, hole_voxels: 0 },
   surface: { method: 'auto' },
   smooth: { iterations: 50, step: 0.4, max_move_voxels: 0.5, keep_volume: true },
   sizing: {

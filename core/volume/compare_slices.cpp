@@ -1,0 +1,85 @@
+#include "volume/compare_slices.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "geometry/label_components.h"
+
+namespace voxtet::slices {
+namespace {
+
+constexpr double kVolumeChange = 0.01;
+
+/// Voxels - pairs + squares + cubes of equal neighbours, for each label (65536 entries).
+std::vector<std::int64_t> euler_numbers(const LabelVolume& volume) {
+  std::vector<std::int64_t> euler(65536, 0);
+  for (int k = 0; k < volume.size[2]; ++k)
+    for (int j = 0; j < volume.size[1]; ++j)
+      for (int i = 0; i < volume.size[0]; ++i) {
+        const Label label = volume.at(i, j, k);
+        if (label == kBackground) continue;
+        const auto like = [&](int di, int dj, int dk) {
+          return volume.at_or_background(i + di, j + dj, k + dk) == label;
+        };
+        const bool x = like(1, 0, 0), y = like(0, 1, 0), z = like(0, 0, 1);
+        const bool xy = x && y && like(1, 1, 0), yz = y && z && like(0, 1, 1), zx = z && x && like(1, 0, 1);
+        const bool cube = xy && yz && zx && like(1, 1, 1);
+        euler[label] += 1 - (x + y + z) + (xy + yz + zx) - cube;
+      }
+  return euler;
+}
+
+std::string shown(double value, const char* format) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string grid_of(const LabelVolume& volume) {
+  const Eigen::Vector3d spacing = volume.spacing_mm();
+  std::string text;
+  for (int d = 0; d < 3; ++d)
+    text += (d ? " x " : "") + std::to_string(volume.size[static_cast<std::size_t>(d)]);
+  for (int d = 0; d < 3; ++d) text += (d ? " x " : " voxels of ") + shown(spacing[d], "%.3g");
+  return text + " mm";
+}
+
+void add(std::string& list, const std::string& text) {
+  list += (list.empty() ? "" : ", ") + text;
+}
+
+}  // namespace
+
+void compare_slices(const LabelVolume& before, const LabelVolume& after, const RunContext& ctx) {
+  std::vector<double> mm3(65536, 0), change(65536, 0);
+  for (const Label label : before.labels) mm3[label] += before.voxel_mm3();
+  for (const Label label : after.labels) change[label] += after.voxel_mm3();
+  const std::vector<std::uint32_t> parts = count_components(before.size, before.labels),
+                                   parts_after = count_components(after.size, after.labels);
+  const std::vector<std::int64_t> euler = euler_numbers(before), euler_after = euler_numbers(after);
+  double largest = 0;
+  std::string topology, grown, split;
+  for (std::size_t label = 1; label < mm3.size(); ++label) {
+    if (mm3[label] <= 0) continue;
+    const std::string name = std::to_string(label);
+    const double share = change[label] / mm3[label] - 1;
+    largest = std::max(largest, std::abs(share));
+    if (std::abs(share) > kVolumeChange) add(grown, name + " by " + shown(100 * share, "%+.2f") + " %");
+    const std::string counts = std::to_string(parts[label]) + " to " + std::to_string(parts_after[label]);
+    if (parts_after[label] > parts[label]) add(split, name + " (" + counts + ")");
+    if (parts_after[label] != parts[label] || euler_after[label] != euler[label])
+      add(topology, name + " " + counts + " and " + std::to_string(euler[label]) + " to " +
+                        std::to_string(euler_after[label]));
+  }
+  ctx.note("volume", "thick slices interpolated: " + grid_of(before) + " to " + grid_of(after) +
+                         "; label volumes kept within " + shown(100 * largest, "%.2f") + " %");
+  if (!topology.empty())
+    ctx.note("volume", "components and Euler number of labels after interpolation: " + topology);
+  if (!grown.empty()) ctx.warn("volume", "interpolation changed the volume of label " + grown);
+  if (!split.empty()) ctx.warn("volume", "interpolation split label " + split + " into more components");
+}
+
+}  // namespace voxtet::slices

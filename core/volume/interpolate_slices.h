@@ -1,0 +1,26 @@
+// Thick slices -> voxels about as long as wide, by shape-based interpolation of every label.
+#pragma once
+
+#include "types/label_volume.h"
+#include "types/result.h"
+#include "types/run_context.h"
+
+namespace voxtet {
+
+/// Whether the largest spacing is more than `ratio` times the smallest; never for ratio 0.
+bool has_thick_slices(const LabelVolume& volume, double ratio);
+
+/// Resamples each axis whose spacing is more than `ratio` times the smallest one, to an odd number of planes
+/// a slice, at least three and the nearest to the ratio of the spacings. The grid covers the same space, the
+/// middle one of a slice's planes is the slice itself and keeps its labels; half a slice beyond the outermost
+/// slices repeats them. Between slices all labels, background like any other, are interpolated from their
+/// signed distances within the slices (see slice_gap.h), every label gets the volume of its slices back by a
+/// constant offset of its outline of at most a pixel, and labels that touch in neither of two slices are kept
+/// apart between them by a label that touches both.
+/// Shape-based interpolation: Raya and Udupa, IEEE Trans. Med. Imaging 9 (1990); Herman, Zheng, Bucholtz,
+/// IEEE Comput. Graph. Appl. 12 (1992). Noted: the grids, volume, components and Euler number of the labels;
+/// warned of: labels that change their volume by more than 1 % or fall into more components. Errors:
+/// kCancelled; kOutOfMemory for more than 2^30 voxels. Linear time.
+Result<LabelVolume> interpolate_slices(const LabelVolume& volume, double ratio, const RunContext& ctx);
+
+}  // namespace voxtet

@@ -1,0 +1,34 @@
+#include "volume/prepare_volume.h"
+
+#include "volume/interpolate_slices.h"
+#include "volume/remove_specks.h"
+
+namespace voxtet {
+
+Result<PreparedVolume> prepare_volume(const LabelVolume& source, const std::vector<Label>& labels,
+                                      const std::vector<LabelGroup>& merge, const VolumeParams& params,
+                                      RunContext& ctx) {
+  if (!(params.slice_ratio >= 0))
+    return Error{ErrorCode::kUsage,
+                 "volume",
+                 "volume.slice_ratio: found " + std::to_string(params.slice_ratio) + ", expected 0 or more",
+                 {}};
+  Result<LabelVolume> chosen = select_labels(source, labels, merge);
+  if (!chosen) return chosen.error();
+  PreparedVolume out;
+  out.selected = std::make_shared<const LabelVolume>(std::move(chosen).value());
+  out.prepared = out.selected;
+  if (has_thick_slices(source, params.slice_ratio)) {
+    const Result<LabelVolume> fine = interpolate_slices(source, params.slice_ratio, ctx);
+    if (!fine) return fine.error();
+    Result<LabelVolume> fine_chosen = select_labels(*fine, labels, merge);
+    if (!fine_chosen) return fine_chosen.error();
+    out.prepared = std::make_shared<const LabelVolume>(std::move(fine_chosen).value());
+  }
+  if (params.speck_voxels > 0 || params.hole_voxels > 0)
+    out.prepared = std::make_shared<const LabelVolume>(
+        remove_specks(*out.prepared, {params.speck_voxels, params.hole_voxels}, ctx));
+  return out;
+}
+
+}  // namespace voxtet

@@ -1,0 +1,33 @@
+// The volume as it was read -> the volume to be meshed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "types/label_volume.h"
+#include "types/result.h"
+#include "types/run_context.h"
+#include "volume/select_labels.h"
+
+namespace voxtet {
+
+struct VolumeParams {
+  double slice_ratio = 2;          ///< slices thicker than so many pixels are interpolated; 0: never
+  std::uint32_t speck_voxels = 0;  ///< smaller components of a label are removed; 0: none
+  std::uint32_t hole_voxels = 0;   ///< smaller enclosed components of background are removed; 0: none
+};
+
+/// Both hold the labels to be meshed, `selected` on the source's grid, `prepared` on the one to be meshed;
+/// the same object where nothing was interpolated or removed.
+struct PreparedVolume {
+  std::shared_ptr<const LabelVolume> selected, prepared;
+};
+
+/// interpolate_slices over all labels of the source, then select_labels, then remove_specks; what they did is
+/// noted in `ctx`. Errors: those of select_labels; kUsage for parameters out of range; kCancelled.
+Result<PreparedVolume> prepare_volume(const LabelVolume& source, const std::vector<Label>& labels,
+                                      const std::vector<LabelGroup>& merge, const VolumeParams& params,
+                                      RunContext& ctx);
+
+}  // namespace voxtet
