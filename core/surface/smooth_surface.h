@@ -12,20 +12,28 @@ struct SmoothParams {
   int iterations = 50;           ///< bi-Laplacian steps; 0 returns the surface as it is
   double step = 0.4;             ///< mu of x - mu*L(L(x)), in (0, 0.5): stable below 0.5
   double max_move_voxels = 0.5;  ///< clamp of each vertex around its start, per index axis, in (0, 1]
-  bool keep_volume = true;       ///< shift along normals to restore each label's voxel volume
+  bool keep_volume = true;       ///< shift along normals to restore each region's voxel volume
 };
 
 /// Clamped bi-Laplacian smoothing in index space: x <- clamp(x - mu*L(L(x))), umbrella weights. Vertices on
 /// junctions of three or more labels use junction neighbours only; corners of junctions and junction loops of
-/// up to ten vertices stay fixed. Triangles that would collapse or turn over (specks, pillars one voxel
-/// thick) go back towards their start. Then at most three shifts of the interfaces along their normals
-/// restore the label volumes to first order, within the same clamp; the interface of labels a and b moves by
-/// lambda_a - lambda_b, the distribution of least area-weighted square. Triangles and sides are those of the
-/// input. `volume` is the volume the surface was extracted from (only its affine and voxel counts are used).
-/// Linear time; deterministic. With the default clamp no voxel centre deeper than half a voxel inside its
-/// label was seen to change side. Self-intersections are not searched for: they are rare where labels are
-/// smooth, common in noise (geometry/self_intersections.h finds them). Errors: kUsage for parameters out of
-/// range, kBadInput for an empty surface or a triangle without its points.
+/// up to ten vertices stay fixed; specks and straight wires one voxel thick grow no thinner (move_limits.h).
+/// Then the interfaces shift along their normals, within the same clamp, until every connected region of a
+/// label has the volume of its voxels; the interface of regions a and b moves by lambda_a - lambda_b, the
+/// distribution of least area-weighted square (volume_correction.h).
+///
+/// Guarantees, whatever the labels:
+/// - No two triangles intersect beyond common corners and edges, if none did before (geometry/untangle.h).
+/// - Every voxel centre stays on its side of every label, except voxels at the surface of something thicker
+///   than one voxel: those deeper than half a voxel, and those of sheets, wires, gaps and specks one voxel
+///   thick, are kept (shape_guard.h).
+/// - No vertex moves further than `max_move_voxels` along an index axis.
+/// - Triangles and sides are those of the input.
+/// Volumes are met to about 1e-4 of a region unless the first three stand against it.
+///
+/// `volume` is the volume the surface was extracted from. About linear time; identical for any ctx.threads.
+/// Errors: kUsage for parameters out of range, kBadInput for an empty surface, a triangle without its points,
+/// or one whose sides do not meet there in the volume.
 Result<SurfaceMesh> smooth_surface(const SurfaceMesh& surface, const LabelVolume& volume,
                                    const SmoothParams& params, RunContext& ctx);
 

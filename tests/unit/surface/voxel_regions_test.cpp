@@ -12,7 +12,7 @@ namespace {
 /// Representative voxel of each region by flooding; -1 for the background around the volume.
 std::vector<int> flood(const LabelVolume& volume) {
   std::vector<int> region(volume.voxel_count(), -2);
-  const auto [nx, ny, nz] = volume.size;
+  const int nx = volume.size[0], ny = volume.size[1], nz = volume.size[2];
   const auto spread = [&](std::size_t from, int name) {
     std::vector<std::size_t> open{from};
     region[from] = name;
