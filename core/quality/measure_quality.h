@@ -22,7 +22,7 @@ struct QualityParams {
 struct QualityReference {
   const LabelVolume& volume;         ///< what was meshed: presence, components, size of a voxel
   const LabelVolume& labels;         ///< as segmented, on their own grid: volumes and overlap
-  const SurfaceMesh& label_surface;  ///< smoothed marching-cubes surface: the reference of all distances
+  const SurfaceMesh& label_surface;  ///< the smoothed extraction: the reference of distances and topology
   const SurfaceMesh& adapted;        ///< what the tets were filled into
   const SizingField& sizing;
 };
@@ -39,9 +39,9 @@ TetMeasures measure_tets(const TetMesh& mesh, const SizingField* sizing);
 
 /// All measures of the element-quality section: dihedral angles, radius ratio, mean ratio, aspect ratio, edge
 /// length against the sizing field (log2), triangle aspect ratio of `label_surface` and of `adapted`,
-/// distances both ways, volume and Dice per label, and the checklist. Errors: kUsage (parameters), kBadInput
-/// (indices out of range, no tetrahedra), kCancelled. A mesh with coordinates that are not finite gets the
-/// checklist alone.
+/// distances both ways label by label, volume, Dice and topology per label, and the checklist. Errors: kUsage
+/// (parameters), kBadInput (indices out of range, no tetrahedra), kCancelled. A mesh with coordinates that
+/// are not finite gets the checklist alone.
 Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReference& reference,
                                       const QualityParams& params, RunContext& ctx);
 
