@@ -21,12 +21,14 @@ struct FillParams {
 /// Fills every label with tetrahedra whose edges follow `sizing`, keeping the surface's triangles exactly (no
 /// vertex is added on it; its points come first, unmoved). Tets carry the label enclosed by their part of the
 /// surface; background is left empty. Inner edges have a median length within some 5 % of the wish. Should
-/// the mesher fail, other tolerances and laxer angles are tried; ctx.warn says so, and where two triangles
-/// meet at a sharp angle. Polls ctx.cancelled() every few milliseconds while points are inserted or moved.
+/// the mesher fail, or ask for 20 times the points that forecast_points gives, it is called in other ways:
+/// with a finer tolerance, displaced points, no bounds on dihedral angles, bounds on sizes alone. ctx.note
+/// always says which way succeeded and how sharp the surface is, ctx.warn where it was not the first way and
+/// where angles are sharp. Polls ctx.cancelled() every few milliseconds while points are inserted or moved.
 /// Verified before returning: all volumes positive, boundary triangles unchanged, each label's volume equal
-/// to that enclosed by its boundary to 1e-9 relative. Errors: kMeshing with the offending triangles: open or
-/// self-intersecting surface, leak, internal failure; kOutOfMemory; kCancelled; kInternal for an invalid
-/// sizing field.
+/// to that enclosed by its boundary to 1e-9 relative and rounding. Errors: kMeshing with the offending
+/// triangles: open or self-intersecting surface, leak, internal failure, flat tetrahedra that no way avoids;
+/// kOutOfMemory; kCancelled; kInternal for an invalid sizing field.
 Result<TetMesh> fill_tets(const SurfaceMesh& surface, const SizingField& sizing, const FillParams& params,
                           RunContext& ctx);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/digest.h"
 #include "support/check_tets.h"
 #include "support/nasty_surfaces.h"
 #include "tetra/fill_tets.h"
@@ -121,6 +122,14 @@ TEST(Ladder, DropsAllBoundsOnShapesWhereTheyTakeTooManyPoints) {
             20 * forecast_points(surface, uniform_sizing(5)));
 }
 
+TEST(Ladder, EndsWhereTheMesherWalksInCircles) {
+  // A slab a ten-millionth as thick as wide: with the default tolerance TetGen looks for an edge for ever.
+  const SurfaceMesh slab = test::cells({5, 5, 3}, 1, [](int, int, int k) { return Label(k == 1 ? 2 : 1); });
+  const Outcome out = fill(turned(scaled(slab, {1, 1, 1e-7}), 5, 2, 2, 3), 1);
+  ASSERT_GE(out.notes.size(), 2U);
+  EXPECT_NE(out.notes[1].find("did not come to an end"), std::string::npos) << out.notes[1];
+}
+
 TEST(Ladder, NamesTheTrianglesWhereNothingHelps) {
   // Two vertices closer than doubles near them can tell from a point on a line between others.
   const SurfaceMesh surface = nearly_touching(1e-14);
@@ -144,6 +153,8 @@ TEST(Ladder, GivesTheSameBytesWhicheverWayItTook) {
   ASSERT_TRUE(first.mesh.ok() && second.mesh.ok());
   EXPECT_EQ(first.mesh->points, second.mesh->points);
   EXPECT_EQ(first.mesh->tets, second.mesh->tets);
+  EXPECT_EQ(digest_of(*first.mesh), "08174159e1936ef34679c893eebd6a2737c4d820f3ca93b79522d2d4f1e8017b")
+      << "another platform, another mesh";
 }
 
 TEST(Ladder, EndsOnRandomNastySurfacesWithAMeshOrTheTriangles) {
