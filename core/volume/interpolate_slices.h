@@ -16,7 +16,7 @@ bool has_thick_slices(const LabelVolume& volume, double ratio);
 /// slices repeats them. Between slices all labels, background like any other, are interpolated from their
 /// signed distances within the slices (see slice_gap.h), every label gets the volume of its slices back by a
 /// constant offset of its outline of at most a pixel, and labels that touch in neither of two slices are kept
-/// apart between them by a label that touches both.
+/// apart between them by a label that touches both. Small pieces that no slice has a part of are absorbed.
 /// Shape-based interpolation: Raya and Udupa, IEEE Trans. Med. Imaging 9 (1990); Herman, Zheng, Bucholtz,
 /// IEEE Comput. Graph. Appl. 12 (1992). Noted: the grids, volume, components and Euler number of the labels;
 /// warned of: labels that change their volume by more than 1 % or fall into more components. Errors:

@@ -12,6 +12,7 @@
 
 namespace voxtet {
 
+/// Sizes count voxels of the prepared grid, after interpolation.
 struct VolumeParams {
   double slice_ratio = 2;          ///< slices thicker than so many pixels are interpolated; 0: never
   std::uint32_t speck_voxels = 0;  ///< smaller components of a label are removed; 0: none
