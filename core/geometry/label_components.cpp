@@ -7,7 +7,8 @@
 namespace voxtet {
 
 std::vector<std::uint32_t> label_components(const std::array<int, 3>& size, const std::vector<Label>& labels,
-                                            std::vector<std::uint32_t>& sizes) {
+                                            std::vector<std::uint32_t>& sizes, Connectivity connectivity) {
+  const bool diagonals = connectivity == Connectivity::kKuhn;
   const std::size_t nx = static_cast<std::size_t>(size[0]), ny = static_cast<std::size_t>(size[1]);
   UnionFind sets(labels.size());
   std::size_t voxel = 0;
@@ -21,6 +22,11 @@ std::vector<std::uint32_t> label_components(const std::array<int, 3>& size, cons
         if (i > 0) join(voxel - 1);
         if (j > 0) join(voxel - nx);
         if (k > 0) join(voxel - nx * ny);
+        if (!diagonals) continue;
+        if (i > 0 && j > 0) join(voxel - nx - 1);
+        if (i > 0 && k > 0) join(voxel - nx * ny - 1);
+        if (j > 0 && k > 0) join(voxel - nx * ny - nx);
+        if (i > 0 && j > 0 && k > 0) join(voxel - nx * ny - nx - 1);
       }
   std::vector<std::uint32_t> ids(labels.size());
   sizes.clear();

@@ -9,10 +9,17 @@
 
 namespace voxtet {
 
-/// Ids of the 6-connected components of equal label (background like any other), from 0 in the order of their
+/// Which voxels are neighbours.
+enum class Connectivity {
+  kFaces,  ///< the six across a face, as marching cubes separates the foreground
+  kKuhn,   ///< those and the eight along the diagonals of the Kuhn tetrahedra, as marching tetrahedra joins
+};
+
+/// Ids of the connected components of equal label (background like any other), from 0 in the order of their
 /// first voxel; x runs fastest. `sizes` becomes the number of voxels of each. Linear time.
 std::vector<std::uint32_t> label_components(const std::array<int, 3>& size, const std::vector<Label>& labels,
-                                            std::vector<std::uint32_t>& sizes);
+                                            std::vector<std::uint32_t>& sizes,
+                                            Connectivity connectivity = Connectivity::kFaces);
 
 /// Number of 6-connected components of each label (index, 65536 entries), background left out.
 std::vector<std::uint32_t> count_components(const std::array<int, 3>& size, const std::vector<Label>& labels);

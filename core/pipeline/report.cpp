@@ -6,7 +6,7 @@
 #include <map>
 
 #include "geometry/digest.h"
-#include "quality/compare_topology.h"
+#include "geometry/compare_topology.h"
 #include "volume/select_labels.h"
 
 namespace voxtet {

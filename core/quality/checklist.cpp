@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geometry/tet_measures.h"
-#include "quality/compare_topology.h"
+#include "geometry/compare_topology.h"
 
 namespace voxtet {
 namespace {

@@ -9,7 +9,7 @@
 #include "geometry/tet_measures.h"
 #include "geometry/triangle_measures.h"
 #include "quality/checklist.h"
-#include "quality/compare_topology.h"
+#include "geometry/compare_topology.h"
 #include "quality/fidelity.h"
 #include "quality/summarise.h"
 #include "quality/surface_distance.h"

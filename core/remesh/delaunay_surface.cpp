@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "geometry/label_components.h"
 #include "geometry/untangle.h"
 #include "remesh/drop_fragments.h"
 #include "remesh/extract_interface.h"
@@ -72,12 +73,23 @@ std::size_t repair(DelaunayRefiner& refiner, const CellComplex& cells,
   return added;
 }
 
+/// The voxels' components as the reference has them: an extraction of many labels joins along diagonals.
+VoxelPieces find_pieces(const LabelField& field, const SurfaceMesh& reference) {
+  const bool many = std::any_of(reference.sides.begin(), reference.sides.end(),
+                                [&](const Sides& sides) { return sides != reference.sides.front(); });
+  VoxelPieces pieces;
+  pieces.ids = label_components(field.size(), field.centre_labels(), pieces.sizes,
+                                many ? Connectivity::kKuhn : Connectivity::kFaces);
+  return pieces;
+}
+
 }  // namespace
 
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
                                      const SizingField& sizing, const DelaunayParams& params,
                                      RunContext& ctx) {
   const double voxel = field.smallest_spacing_mm();
+  const VoxelPieces pieces = find_pieces(field, reference);
   const Seeds seeds = seed_interfaces(field, sizing);
   if (ctx.cancelled()) return cancelled_error("remesh");
   DelaunayRefiner refiner(field, sizing,
@@ -87,10 +99,10 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     if (!refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count()))))
       return cancelled_error("remesh");
     CellComplex cells = refiner.cells();
-    drop_fragments(cells, field);
+    drop_fragments(cells, field, pieces);
     mend_pinches(cells, field);
     relabel_cells(cells);
-    drop_fragments(cells, field);
+    drop_fragments(cells, field, pieces);
     SurfaceMesh surface = extract_interface(cells);
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
     fit_surface(surface, field);

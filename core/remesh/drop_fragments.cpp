@@ -16,8 +16,9 @@ double volume6(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::
   return (b - a).dot((c - a).cross(d - a));
 }
 
-/// Whether a voxel centre of the cell's label lies in the cell.
-bool holds_centre(const CellComplex& cells, std::uint32_t cell, const LabelField& field) {
+/// Adds the voxels of the cell's label whose centre lies in the cell.
+void add_voxels(const CellComplex& cells, std::uint32_t cell, const LabelField& field,
+                std::vector<std::size_t>& voxels) {
   std::array<Eigen::Vector3d, 4> p;
   Eigen::Vector3d low = Eigen::Vector3d::Constant(1e30), high = -low;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -42,9 +43,19 @@ bool holds_centre(const CellComplex& cells, std::uint32_t cell, const LabelField
         const Eigen::Vector3d x(i, j, k);
         if (whole * volume6(x, p[1], p[2], p[3]) >= 0 && whole * volume6(p[0], x, p[2], p[3]) >= 0 &&
             whole * volume6(p[0], p[1], x, p[3]) >= 0 && whole * volume6(p[0], p[1], p[2], x) >= 0)
-          return true;
+          voxels.push_back(voxel);
       }
-  return false;
+}
+
+/// Whether a group of cells holds a whole piece of the voxels, or enough of one to stay.
+bool is_piece(const CellComplex& cells, const std::vector<std::uint32_t>& group, const LabelField& field,
+              const VoxelPieces& pieces) {
+  std::vector<std::size_t> voxels;
+  for (const std::uint32_t c : group) add_voxels(cells, c, field, voxels);
+  std::sort(voxels.begin(), voxels.end());
+  voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+  if (voxels.empty()) return false;
+  return voxels.size() >= kCrumbVoxels || 2 * voxels.size() >= pieces.sizes[pieces.ids[voxels.front()]];
 }
 
 }  // namespace
@@ -68,7 +79,7 @@ Label label_around(const CellComplex& cells, const std::vector<std::uint32_t>& g
   return best;
 }
 
-std::size_t drop_fragments(CellComplex& cells, const LabelField& field) {
+std::size_t drop_fragments(CellComplex& cells, const LabelField& field, const VoxelPieces& pieces) {
   std::vector<std::vector<std::uint32_t>> fragments;
   std::vector<std::size_t> largest(65536, 0);
   std::vector<std::uint8_t> seen(cells.labels.size(), 0);
@@ -90,9 +101,7 @@ std::size_t drop_fragments(CellComplex& cells, const LabelField& field) {
   std::size_t changed = 0;
   for (const std::vector<std::uint32_t>& fragment : fragments) {
     if (fragment.size() == largest[cells.labels[fragment.front()]]) continue;
-    if (std::any_of(fragment.begin(), fragment.end(),
-                    [&](std::uint32_t c) { return holds_centre(cells, c, field); }))
-      continue;
+    if (is_piece(cells, fragment, field, pieces)) continue;
     const Label label = label_around(cells, fragment);
     for (const std::uint32_t c : fragment) cells.labels[c] = label;
     changed += fragment.size();

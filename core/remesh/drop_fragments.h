@@ -10,10 +10,18 @@
 
 namespace voxtet::remesh {
 
-/// Facet-connected groups of cells of one label that hold no voxel centre of that label take the label that
-/// most facets of their rim lead to. Groups of more than a few hundred cells and the largest of each label
-/// stay. Returns how many cells changed.
-std::size_t drop_fragments(CellComplex& cells, const LabelField& field);
+/// Connected components of the field's labels at voxel centres.
+struct VoxelPieces {
+  std::vector<std::uint32_t> ids, sizes;
+};
+
+/// Facet-connected groups of cells of one label that are no piece of the label on their own take the label
+/// that most facets of their rim lead to: those that hold no voxel centre of the label, and those that hold
+/// fewer than kCrumbVoxels and belong to a larger piece of the voxels. Groups of more than a few hundred
+/// cells and the largest of each label stay. Returns how many cells changed.
+std::size_t drop_fragments(CellComplex& cells, const LabelField& field, const VoxelPieces& pieces);
+
+inline constexpr std::size_t kCrumbVoxels = 8;
 
 /// The label to which most facets lead from a group of cells to cells of other labels.
 Label label_around(const CellComplex& cells, const std::vector<std::uint32_t>& group);

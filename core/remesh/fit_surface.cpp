@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace voxtet::remesh {
@@ -14,8 +16,10 @@ using Eigen::Vector3d;
 
 /// Of a point's own system: keeps shifts along the surface small where the normals hardly differ.
 constexpr double kTangentialWeight = 0.05;
-constexpr double kLeastPlanarCosine = 0.8724960070727971;  // cos 29.25 deg
-constexpr int kThinRounds = 12;
+constexpr double kLeastPlanarCosine = 0.8724960070727971;    // cos 29.25 deg
+constexpr double kLeastDihedralCosine = 0.6427876096865394;  // cos 50 deg
+constexpr int kRounds = 12;
+constexpr int kSteps = 2;
 
 /// Mean distance of a facet whose corners lie on the interface: the rule of the edge midpoints is exact for
 /// quadratics.
@@ -36,28 +40,84 @@ double sharpest_cosine(const Vector3d& p, const Vector3d& q, const Vector3d& r) 
       {-u.dot(w) / std::sqrt(uu * ww), -u.dot(v) / std::sqrt(uu * vv), -v.dot(w) / std::sqrt(vv * ww)});
 }
 
-/// Halves the shifts of a triangle that would make it thinner than before and than kLeastPlanar, in the last
-/// round down to nothing.
-void halve_where_thin(const SurfaceMesh& surface, std::vector<Vector3d>& shifts) {
-  const auto cosine = [&](const Triangle& t, double scale) {
-    const auto at = [&](std::uint32_t p) { return Vector3d(surface.points[p] + scale * shifts[p]); };
-    return sharpest_cosine(at(t[0]), at(t[1]), at(t[2]));
-  };
-  for (int round = 0; round < kThinRounds; ++round) {
-    bool changed = false;
-    for (const Triangle& t : surface.triangles) {
-      const double after = cosine(t, 1);
-      if (after <= kLeastPlanarCosine || after <= cosine(t, 0)) continue;
-      changed = true;
-      for (const std::uint32_t p : t) shifts[p] *= round < kThinRounds / 2 ? 0.5 : 0.0;
-    }
-    if (!changed) return;
-  }
+/// A triangle at one of its edges.
+struct Wing {
+  std::uint32_t a, b;  ///< the edge, a < b
+  std::uint32_t tip;
+};
+
+/// All wings, those of an edge one after the other.
+std::vector<Wing> wings_of(const SurfaceMesh& surface) {
+  std::vector<Wing> wings;
+  wings.reserve(3 * surface.triangles.size());
+  for (const Triangle& t : surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      wings.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3]), t[(i + 2) % 3]});
+  std::sort(wings.begin(), wings.end(), [](const Wing& x, const Wing& y) {
+    return std::tie(x.a, x.b, x.tip) < std::tie(y.a, y.b, y.tip);
+  });
+  return wings;
 }
 
-}  // namespace
+/// Shifts that are halved where they would make the surface worse, in the later rounds down to nothing.
+class Shifts {
+ public:
+  explicit Shifts(const SurfaceMesh& surface)
+      : by_point(surface.points.size(), Vector3d::Zero()), surface_(surface), wings_(wings_of(surface)) {}
 
-void fit_surface(SurfaceMesh& surface, const LabelField& field) {
+  std::vector<Vector3d> by_point;
+
+  void restrain() {
+    for (int round = 0; round < kRounds; ++round) {
+      const double factor = round < kRounds / 2 ? 0.5 : 0;
+      const bool thin = halve_where_thin(factor), sharp = halve_where_sharp(factor);
+      if (!thin && !sharp) return;
+    }
+  }
+
+ private:
+  Vector3d at(std::uint32_t p, double scale) const { return surface_.points[p] + scale * by_point[p]; }
+
+  /// Whether a cosine grows to more than it may.
+  static bool worsens(double before, double after, double limit) { return after > limit && after > before; }
+
+  bool halve_where_thin(double factor) {
+    bool changed = false;
+    for (const Triangle& t : surface_.triangles) {
+      const auto cosine = [&](double scale) {
+        return sharpest_cosine(at(t[0], scale), at(t[1], scale), at(t[2], scale));
+      };
+      if (!worsens(cosine(0), cosine(1), kLeastPlanarCosine)) continue;
+      changed = true;
+      for (const std::uint32_t p : t) by_point[p] *= factor;
+    }
+    return changed;
+  }
+
+  bool halve_where_sharp(double factor) {
+    bool changed = false;
+    for (std::size_t w = 0; w < wings_.size(); ++w)
+      for (std::size_t v = w + 1;
+           v < wings_.size() && wings_[v].a == wings_[w].a && wings_[v].b == wings_[w].b; ++v) {
+        const Wing &x = wings_[w], &y = wings_[v];
+        const auto cosine = [&](double scale) {
+          const Vector3d a = at(x.a, scale), axis = at(x.b, scale) - a;
+          const Vector3d m = axis.cross(at(x.tip, scale) - a), n = axis.cross(at(y.tip, scale) - a);
+          return m.dot(n) / std::sqrt(m.squaredNorm() * n.squaredNorm());
+        };
+        if (!worsens(cosine(0), cosine(1), kLeastDihedralCosine)) continue;
+        changed = true;
+        for (const std::uint32_t p : {x.a, x.b, x.tip, y.tip}) by_point[p] *= factor;
+      }
+    return changed;
+  }
+
+  const SurfaceMesh& surface_;
+  const std::vector<Wing> wings_;
+};
+
+/// One step of all points.
+void fit_once(SurfaceMesh& surface, const LabelField& field, double most) {
   std::vector<Matrix3d> normal(surface.points.size(), Matrix3d::Zero());
   std::vector<Vector3d> right(surface.points.size(), Vector3d::Zero());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -73,17 +133,24 @@ void fit_surface(SurfaceMesh& surface, const LabelField& field) {
       right[corner] += area * distance * n;
     }
   }
-  const double most = kMostShiftVoxels * field.smallest_spacing_mm();
-  std::vector<Vector3d> shifts(surface.points.size(), Vector3d::Zero());
+  Shifts shifts(surface);
   for (std::size_t p = 0; p < surface.points.size(); ++p) {
     const double weight = kTangentialWeight * normal[p].trace();
     if (!(weight > 0)) continue;
-    shifts[p] = (normal[p] + weight * Matrix3d::Identity()).llt().solve(right[p]);
-    const double length = shifts[p].norm();
-    if (length > most) shifts[p] *= most / length;
+    Vector3d& shift = shifts.by_point[p];
+    shift = (normal[p] + weight * Matrix3d::Identity()).llt().solve(right[p]);
+    const double length = shift.norm();
+    if (length > most) shift *= most / length;
   }
-  halve_where_thin(surface, shifts);
-  for (std::size_t p = 0; p < surface.points.size(); ++p) surface.points[p] += shifts[p];
+  shifts.restrain();
+  for (std::size_t p = 0; p < surface.points.size(); ++p) surface.points[p] += shifts.by_point[p];
+}
+
+}  // namespace
+
+void fit_surface(SurfaceMesh& surface, const LabelField& field) {
+  const double most = kMostShiftVoxels * field.smallest_spacing_mm();
+  for (int step = 0; step < kSteps; ++step) fit_once(surface, field, most / (1 << step));
 }
 
 }  // namespace voxtet::remesh

@@ -7,6 +7,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "geometry/compare_topology.h"
 #include "geometry/label_topology.h"
 #include "remesh/adapt_complex.h"
 #include "remesh/delaunay_surface.h"
@@ -139,10 +140,12 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
   Result<SurfaceMesh> surface =
       delaunay_surface(field, reference, sizing, {params.facet_angle_deg, params.max_distance_voxels}, ctx);
   if (!surface) return surface;
-  const std::string broken =
-      broken_topology(label_topology(reference), label_topology(*surface), params.keep_topology);
+  const TopologyLedger wanted = label_topology(reference), found = label_topology(*surface);
+  const std::string broken = broken_topology(wanted, found, params.keep_topology);
   if (broken.empty()) {
     ctx.note(kStage, "method delaunay");
+    for (const TopologyDifference& difference : compare_topology(wanted, found))
+      ctx.warn(kStage, in_words(difference));
     return surface;
   }
   ctx.warn(kStage, "the method delaunay " + broken + ": the method remesh was taken instead");

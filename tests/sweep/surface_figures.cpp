@@ -6,7 +6,7 @@
 
 #include "geometry/label_topology.h"
 #include "geometry/triangle_measures.h"
-#include "quality/compare_topology.h"
+#include "geometry/compare_topology.h"
 #include "quality/fidelity.h"
 #include "quality/summarise.h"
 #include "support/exact_intersections.h"

@@ -1,4 +1,4 @@
-#include "quality/compare_topology.h"
+#include "geometry/compare_topology.h"
 
 #include <algorithm>
 #include <iterator>
