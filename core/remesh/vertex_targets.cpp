@@ -10,8 +10,8 @@ namespace voxtet::remesh {
 namespace {
 
 constexpr double kHalfSqrt3 = 0.8660254037844386;
-constexpr double kOwnWeight = 0.1;     ///< of the vertex itself among the samples, where there are few
-constexpr double kLongestLift = 0.25;  ///< of the envelope, in one step
+constexpr double kOwnWeight = 0.1;    ///< of the vertex itself among the samples, where there are few
+constexpr double kLongestLift = 0.8;  ///< of the envelope, in one step
 
 }  // namespace
 
