@@ -24,7 +24,7 @@ struct AdaptParams {
   double envelope_voxels = 0.5;  ///< how far the result may be from the reference, and the reverse
   double min_angle_deg = 18;     ///< planar angles below this are not made
   double min_dihedral_deg = 25;  ///< nor angles between facets, unless the reference is as sharp there
-  double shape_weight = 0.6;     ///< relocation: 0 sizes alone, 1 shapes alone
+  double shape_weight = 0.7;     ///< relocation: 0 sizes alone, 1 shapes alone
   int passes = 3;
   bool verify = false;  ///< after every operation, look from scratch for intersections around it (slow)
 };
