@@ -103,14 +103,17 @@ bool LocalOperations::split(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t from = mesh.stratum(a) <= mesh.stratum(b) ? a : b;
   std::uint32_t hint = editor_.hint(from);
   Eigen::Vector3d on = middle;
-  if (!curve)
+  if (!curve) {
     for (const std::uint32_t t : mesh.star(a)) {
       if (!has_corner(mesh.triangle(t), b)) continue;
       on = editor_.reference().walk(middle, mesh.pair(t), hint);
       break;
     }
-  else if (mesh.stratum(from) == Stratum::kCurve)
+  } else {
+    if (mesh.stratum(from) == Stratum::kCorner)
+      editor_.samples().for_curve_samples(a, b, [&](std::uint32_t s) { hint = s; });
     on = editor_.reference().walk_curve(middle, hint);
+  }
   return split_at(a, b, on, hint, curve) || split_at(a, b, middle, hint, curve);
 }
 

@@ -84,6 +84,7 @@ Eigen::Vector3d ReferenceComplex::walk(const Eigen::Vector3d& p, PairId pair, st
 }
 
 Eigen::Vector3d ReferenceComplex::walk_curve(const Eigen::Vector3d& p, std::uint32_t& hint) const {
+  if (strata_[hint] != Stratum::kCurve) return p;
   double least = (points_[hint] - p).squaredNorm();
   for (int step = 0; step < kLongestWalk; ++step) {
     std::uint32_t next = hint;

@@ -29,7 +29,8 @@ class ReferenceComplex {
   /// triangle of the pair; `hint` becomes the vertex reached. It stays on the sheet where it starts, so it
   /// never jumps across a thin wall; its distance bounds the true one from above.
   Eigen::Vector3d walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint) const;
-  /// The same along the curve of `hint`.
+  /// The same along the curve of `hint`. A corner as a hint stands for a curve of one edge: p itself is
+  /// returned.
   Eigen::Vector3d walk_curve(const Eigen::Vector3d& p, std::uint32_t& hint) const;
 
  private:
