@@ -7,7 +7,8 @@ namespace voxtet::remesh {
 namespace {
 
 constexpr std::size_t kLargestStar =
-    48;  ///< triangles around a collapsed vertex; more would be slow to check
+    48;                              ///< triangles around a collapsed vertex; more would be slow to check
+constexpr double kLeastMove = 0.01;  ///< in wished lengths; a shorter way is not worth its checks
 constexpr double kFlipTurnCosine = 0.866;  ///< the two triangles of a flip are within 30 degrees
 
 }  // namespace
@@ -210,6 +211,8 @@ bool LocalOperations::move(std::uint32_t v, Demand demand, double step) {
   } else {
     change_.position = surface_target(v, demand, step, hint);
   }
+  const double least = kLeastMove * editor_.size(v);
+  if ((change_.position - mesh.point(v)).squaredNorm() < least * least) return false;
   for (const std::uint32_t t : mesh.star(v)) {
     change_.removed.push_back(t);
     change_.added.push_back({mesh.triangle(t), mesh.pair(t)});

@@ -80,6 +80,7 @@ Adapted adapt(const SurfaceMesh& reference, const SizingField& sizing, AdaptPara
   // The envelope holds at samples; between them a facet may go a little farther.
   EXPECT_LE(largest_distance(reference, *first), params.voxel_mm);
   EXPECT_LE(largest_distance(*first, reference), params.voxel_mm);
+  ::testing::Test::RecordProperty("digest", digest_of(*first));
   out.report = test::report_on(*first, sizing);
   return out;
 }
