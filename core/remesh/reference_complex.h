@@ -34,12 +34,19 @@ class ReferenceComplex {
   Eigen::Vector3d walk_curve(const Eigen::Vector3d& p, std::uint32_t& hint) const;
 
  private:
+  struct Foot {
+    Eigen::Vector3d on;
+    double distance2;
+    std::uint32_t triangle;
+  };
+  void try_star(const Eigen::Vector3d& p, PairId pair, std::uint32_t r, Foot& best) const;
   std::span<const std::uint32_t> star(std::uint32_t r) const {
     return {stars_.data() + first_[r], first_[r + 1] - first_[r]};
   }
 
   std::vector<Eigen::Vector3d> points_, normals_;
   std::vector<double> areas_;
+  double near2_ = 0;
   std::vector<Stratum> strata_;
   std::vector<Triangle> triangles_;
   std::vector<PairId> pairs_;
