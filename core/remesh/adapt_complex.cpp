@@ -7,6 +7,7 @@
 
 #include "remesh/complex_editor.h"
 #include "remesh/local_operations.h"
+#include "remesh/volume_lifts.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -33,7 +34,11 @@ struct Edge {
 class Adapter {
  public:
   Adapter(const SurfaceMesh& reference, const SizingField& sizing, const AdaptParams& params, RunContext& ctx)
-      : params_(params), ctx_(ctx), editor_(reference, sizing), operations_(editor_) {
+      : params_(params),
+        ctx_(ctx),
+        editor_(reference, sizing),
+        operations_(editor_),
+        volumes_(label_volumes(editor_.mesh())) {
     editor_.set_scale(kScale);
     operations_.shape_weight = params.shape_weight;
     EditLimits& limits = editor_.limits;
@@ -66,6 +71,7 @@ class Adapter {
   bool flip_all();
   bool relocate_all();
   bool polish();
+  bool balance();
   bool open_angles();
   void open_angle(std::uint32_t t);
   bool open_folds();
@@ -82,6 +88,7 @@ class Adapter {
   RunContext& ctx_;
   ComplexEditor editor_;
   LocalOperations operations_;
+  const std::vector<double> volumes_;  ///< of the reference, by label
 };
 
 /// Each edge once, ascending by its ends.
@@ -218,11 +225,24 @@ void Adapter::open_fold(const Edge& e, const std::vector<std::uint32_t>& around)
         return;
 }
 
+/// Lifts sheets until the labels have the reference's volumes.
+bool Adapter::balance() {
+  constexpr int kRounds = 2;
+  constexpr double kMostVoxels = 0.1;
+  for (int round = 0; round < kRounds; ++round) {
+    const std::vector<double> more = volume_lifts(editor_.mesh(), volumes_, kMostVoxels * params_.voxel_mm);
+    for (std::size_t pair = 0; pair < more.size(); ++pair) operations_.lifts[pair] += more[pair];
+    if (!relocate_all()) return false;
+  }
+  return true;
+}
+
 bool Adapter::polish() {
   constexpr int kRounds = 4;
+  if (!balance()) return false;
   for (int round = 0; round < kRounds; ++round) {
     if (!open_angles() || !open_folds()) return false;
-    if (round == 0 && !relocate_all()) return false;
+    if (round == 0 && !balance()) return false;
   }
   return true;
 }
@@ -264,22 +284,25 @@ bool Adapter::run_paper() {
   }
   for (int pass = 0; pass < params_.passes; ++pass) {
     if (!step(0.6 + 0.3 * pass / params_.passes)) return false;
-    if (!flip_all() || !relocate_all() || !relocate_all()) return false;
+    // Triangles that close the neighbours of those cut in four are small: the worst go.
+    if (!coarsen(0.75 * kShortest) || !refine() || !flip_all() || !relocate_all() || !relocate_all())
+      return false;
   }
   return polish();
 }
 
-/// Cuts triangles with too long an edge in four: their edges are split in any order, then each new edge from
+/// Cuts triangles with too long edges in four: their edges are split in any order, then each new edge from
 /// a new vertex to an old one is flipped if it lies between two new ones. Neighbours are closed by two or
 /// three triangles.
 bool Adapter::quarter() {
   const ComplexMesh& mesh = editor_.mesh();
+  constexpr double kSqrt2 =
+      1.4142135623730951;  // edges of this length are too long by as much as halves too short
   std::vector<CurveEdge> marked;
   for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
     if (!mesh.alive(t)) continue;
     const auto& [a, b, c] = mesh.triangle(t);
-    if (std::max({editor_.metric_length(a, b), editor_.metric_length(b, c), editor_.metric_length(c, a)}) <=
-        kLongest)
+    if (editor_.metric_length(a, b) + editor_.metric_length(b, c) + editor_.metric_length(c, a) <= 3 * kSqrt2)
       continue;
     for (const auto& [u, w] : {CurveEdge{a, b}, CurveEdge{b, c}, CurveEdge{c, a}})
       marked.push_back({std::min(u, w), std::max(u, w)});

@@ -13,7 +13,7 @@ namespace {
 /// A facet may turn by 60 degrees in one step; slivers, whose normals say little, by any angle.
 constexpr double kLeastTurnCosine = 0.5;
 /// Least cosine between facets and the reference's normals.
-constexpr double kNormalCosine = 0.5, kNormalCosineOfSlivers = 0.1;
+constexpr double kNormalCosine = 0.5, kNormalCosineOfSlivers = -0.3;
 /// Improvements of an angle's cosine below this are not worth a change.
 constexpr double kCosineStep = 1e-3;
 

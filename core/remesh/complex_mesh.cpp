@@ -142,7 +142,7 @@ Stratum ComplexMesh::stratum_of(std::uint32_t v, std::vector<std::uint32_t>& cur
 /// stops. Returns how many triangles were met.
 std::uint32_t ComplexMesh::walk_sheet(std::uint32_t v, std::uint32_t t, std::uint32_t over,
                                       std::uint32_t stop_a, std::uint32_t stop_b, std::uint32_t& end) const {
-  for (std::uint32_t met = 1;; ++met) {
+  for (std::uint32_t met = 1; met <= star(v).size(); ++met) {
     end = third_corner(triangles_[t], v, over);
     if (end == stop_a || end == stop_b) return met;
     for (const std::uint32_t next : star(v))
@@ -152,6 +152,7 @@ std::uint32_t ComplexMesh::walk_sheet(std::uint32_t v, std::uint32_t t, std::uin
       }
     over = end;
   }
+  return 0;
 }
 
 bool ComplexMesh::is_one_fan(std::uint32_t v) const {

@@ -7,7 +7,8 @@ namespace voxtet::remesh {
 namespace {
 
 constexpr std::size_t kLargestStar =
-    48;  ///< triangles around a collapsed vertex; more would be slow to check
+    48;                              ///< triangles around a collapsed vertex; more would be slow to check
+constexpr double kLeastMove = 0.01;  ///< in wished lengths; a shorter way is not worth its checks
 constexpr double kFlipTurnCosine = 0.866;  ///< the two triangles of a flip are within 30 degrees
 
 }  // namespace
@@ -103,14 +104,17 @@ bool LocalOperations::split(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t from = mesh.stratum(a) <= mesh.stratum(b) ? a : b;
   std::uint32_t hint = editor_.hint(from);
   Eigen::Vector3d on = middle;
-  if (!curve)
+  if (!curve) {
     for (const std::uint32_t t : mesh.star(a)) {
       if (!has_corner(mesh.triangle(t), b)) continue;
       on = editor_.reference().walk(middle, mesh.pair(t), hint);
       break;
     }
-  else if (mesh.stratum(from) == Stratum::kCurve)
+  } else {
+    if (mesh.stratum(from) == Stratum::kCorner)
+      editor_.samples().for_curve_samples(a, b, [&](std::uint32_t s) { hint = s; });
     on = editor_.reference().walk_curve(middle, hint);
+  }
   return split_at(a, b, on, hint, curve) || split_at(a, b, middle, hint, curve);
 }
 
@@ -207,6 +211,8 @@ bool LocalOperations::move(std::uint32_t v, Demand demand, double step) {
   } else {
     change_.position = surface_target(v, demand, step, hint);
   }
+  const double least = kLeastMove * editor_.size(v);
+  if ((change_.position - mesh.point(v)).squaredNorm() < least * least) return false;
   for (const std::uint32_t t : mesh.star(v)) {
     change_.removed.push_back(t);
     change_.added.push_back({mesh.triangle(t), mesh.pair(t)});

@@ -12,9 +12,10 @@ namespace voxtet::remesh {
 /// Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004, on a non-manifold complex.
 class LocalOperations {
  public:
-  explicit LocalOperations(ComplexEditor& editor) : editor_(editor) {}
+  explicit LocalOperations(ComplexEditor& editor) : lifts(editor.mesh().sides().size(), 0), editor_(editor) {}
 
-  double shape_weight = 0.6;
+  double shape_weight = 0.7;
+  std::vector<double> lifts;  ///< by pair of labels: how far above the reference its sheets shall be, mm
   std::array<std::uint64_t, 4> accepted{};  ///< splits, collapses, flips, relocations
 
   /// A new vertex in the middle, on the reference.
@@ -38,6 +39,8 @@ class LocalOperations {
   std::uint32_t other_curve_end(std::uint32_t v, std::uint32_t not_this) const;
   bool move(std::uint32_t v, Demand demand, double step);
   Eigen::Vector3d surface_target(std::uint32_t v, Demand demand, double step, std::uint32_t& hint) const;
+  double wished_area(const Triangle& t) const;
+  double projected_area(const Triangle& t, const Eigen::Vector3d& normal) const;
   Eigen::Vector3d curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, double step,
                                std::uint32_t& hint) const;
   Eigen::Vector3d fit_height(std::uint32_t v, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,

@@ -1,6 +1,7 @@
 #include "remesh/reference_complex.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "geometry/closest_point.h"
 #include "geometry/surface_measures.h"
@@ -9,6 +10,9 @@ namespace voxtet::remesh {
 namespace {
 
 constexpr int kLongestWalk = 256;  ///< downhill walks end by themselves; this bounds one check's time
+
+/// Feet nearer than this need no second look, in squares of the mean spacing of vertices.
+constexpr double kNearSpacing2 = 0.0625;
 
 }  // namespace
 
@@ -35,6 +39,8 @@ ReferenceComplex::ReferenceComplex(const ComplexMesh& mesh) {
       areas_[v] += cross.norm() / 6;
     }
   }
+  const double area = std::accumulate(areas_.begin(), areas_.end(), 0.0);
+  near2_ = kNearSpacing2 * area / static_cast<double>(std::max<std::size_t>(n, 1));
   for (std::uint32_t v = 0; v < n; ++v) {
     points_.push_back(mesh.point(v));
     strata_.push_back(mesh.stratum(v));
@@ -69,21 +75,32 @@ Eigen::Vector3d ReferenceComplex::walk(const Eigen::Vector3d& p, PairId pair, st
     if (next == hint) break;
     hint = next;
   }
-  Eigen::Vector3d best = points_[hint];
-  for (const std::uint32_t t : star(hint)) {
+  Foot best{points_[hint], least, kNone};
+  try_star(p, pair, hint, best);
+  // Where triangles are long, the nearest vertex need not have the nearest one: go on from triangle to
+  // triangle.
+  for (int step = 0; step < kLongestWalk && best.distance2 > near2_ && best.triangle != kNone; ++step) {
+    const std::uint32_t from = best.triangle;
+    for (const std::uint32_t v : triangles_[from])
+      if (v != hint) try_star(p, pair, v, best);
+    if (best.triangle == from) break;
+    hint = triangles_[best.triangle][0];
+  }
+  return best.on;
+}
+
+void ReferenceComplex::try_star(const Eigen::Vector3d& p, PairId pair, std::uint32_t r, Foot& best) const {
+  for (const std::uint32_t t : star(r)) {
     if (pairs_[t] != pair) continue;
     const auto& [a, b, c] = triangles_[t];
     const Eigen::Vector3d on = closest_on_triangle(p, points_[a], points_[b], points_[c]);
-    const double distance = (on - p).squaredNorm();
-    if (distance < least) {
-      least = distance;
-      best = on;
-    }
+    const double distance2 = (on - p).squaredNorm();
+    if (distance2 < best.distance2) best = {on, distance2, t};
   }
-  return best;
 }
 
 Eigen::Vector3d ReferenceComplex::walk_curve(const Eigen::Vector3d& p, std::uint32_t& hint) const {
+  if (strata_[hint] != Stratum::kCurve) return p;
   double least = (points_[hint] - p).squaredNorm();
   for (int step = 0; step < kLongestWalk; ++step) {
     std::uint32_t next = hint;

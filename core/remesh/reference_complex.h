@@ -29,16 +29,24 @@ class ReferenceComplex {
   /// triangle of the pair; `hint` becomes the vertex reached. It stays on the sheet where it starts, so it
   /// never jumps across a thin wall; its distance bounds the true one from above.
   Eigen::Vector3d walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint) const;
-  /// The same along the curve of `hint`.
+  /// The same along the curve of `hint`. A corner as a hint stands for a curve of one edge: p itself is
+  /// returned.
   Eigen::Vector3d walk_curve(const Eigen::Vector3d& p, std::uint32_t& hint) const;
 
  private:
+  struct Foot {
+    Eigen::Vector3d on;
+    double distance2;
+    std::uint32_t triangle;
+  };
+  void try_star(const Eigen::Vector3d& p, PairId pair, std::uint32_t r, Foot& best) const;
   std::span<const std::uint32_t> star(std::uint32_t r) const {
     return {stars_.data() + first_[r], first_[r + 1] - first_[r]};
   }
 
   std::vector<Eigen::Vector3d> points_, normals_;
   std::vector<double> areas_;
+  double near2_ = 0;
   std::vector<Stratum> strata_;
   std::vector<Triangle> triangles_;
   std::vector<PairId> pairs_;

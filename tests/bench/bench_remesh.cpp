@@ -1,10 +1,13 @@
 // The adapted surface of a heart-like volume of four labels, at three edge lengths.
 #include <benchmark/benchmark.h>
 
+#include "remesh/adapt_complex.h"
 #include "remesh/label_field.h"
 #include "remesh/remesh_surface.h"
 #include "support/label_bodies.h"
 #include "support/test_surfaces.h"
+#include "surface/extract_surface.h"
+#include "surface/smooth_surface.h"
 
 namespace voxtet {
 namespace {
@@ -41,6 +44,23 @@ BENCHMARK(BM_RemeshSurface)
     ->Arg(20)
     ->Arg(30)
     ->Unit(benchmark::kMillisecond);
+
+void BM_AdaptComplex(benchmark::State& state) {
+  const SizingField sizing = test::uniform_sizing(0.1 * static_cast<double>(state.range(0)));
+  RunContext ctx;
+  const SurfaceMesh raw = extract_surface(heart(), {}, ctx).value();
+  const SurfaceMesh reference = smooth_surface(raw, heart(), {}, ctx).value();
+  std::size_t triangles = 0;
+  for (auto _ : state) {
+    const SurfaceMesh surface = remesh::adapt_complex(reference, sizing, {}, ctx).value();
+    triangles = surface.triangles.size();
+    benchmark::DoNotOptimize(surface.points.data());
+  }
+  state.counters["triangles"] = static_cast<double>(triangles);
+  state.counters["input/s"] = benchmark::Counter(static_cast<double>(reference.triangles.size()),
+                                                 benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(BM_AdaptComplex)->ArgName("edge_tenths_mm")->Arg(20)->Arg(30)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace voxtet
