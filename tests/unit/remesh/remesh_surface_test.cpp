@@ -13,6 +13,7 @@
 #include "geometry/self_intersections.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
+#include "support/label_surface.h"
 #include "support/test_surfaces.h"
 #include "surface_report.h"
 
@@ -25,7 +26,7 @@ constexpr double kLeastPlanarDeg = 29.9;
 
 SurfaceMesh remesh(const LabelVolume& volume, const SizingField& sizing, const RemeshParams& params = {}) {
   RunContext ctx;
-  Result<SurfaceMesh> result = remesh_surface(volume, sizing, params, ctx);
+  Result<SurfaceMesh> result = remesh_surface(volume, test::label_surface(volume), sizing, params, ctx);
   EXPECT_TRUE(result.ok()) << result.error().message;
   return result.ok() ? std::move(*result) : SurfaceMesh{};
 }
@@ -258,19 +259,7 @@ TEST_P(RemeshBlobs, StayClosedConformingAndFreeOfIntersections) {
   const LabelVolume volume = blobs(22, labels, seed);
   const SizingField sizing = test::uniform_sizing(1.2 + 0.2 * (GetParam() % 8));
   const SurfaceMesh surface = remesh(volume, sizing);
-  ASSERT_FALSE(surface.triangles.empty());
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    ASSERT_GT(surface.sides[t][0], surface.sides[t][1]);
-  std::size_t bad_edges = 0, pinched = 0;
-  for (const test::LabelTopology& label : test::label_topologies(surface)) {
-    bad_edges += label.bad_edges;
-    pinched += label.pinched_points;
-    EXPECT_GT(label.volume_mm3, 0);
-  }
-  // Every label's boundary is closed by construction; that it is also a manifold is fought for, and counted
-  // here.
-  EXPECT_LE(bad_edges, 2U);
-  EXPECT_LE(pinched, 2U);
+  ASSERT_TRUE(test::is_valid_surface(surface));
   EXPECT_EQ(find_self_intersections(surface, 1).size(), 0U);
   const test::SurfaceReport report = test::report_on(surface, sizing);
   EXPECT_GE(report.least_planar_deg, 25);
@@ -285,8 +274,9 @@ TEST(RemeshSurface, RefusesMalformedInputInWords) {
   RunContext ctx;
   const LabelVolume good = test::ball_volume(12, 5.5, 4);
   const SizingField sizing = test::uniform_sizing(2);
+  const SurfaceMesh reference = test::label_surface(good);
   const auto code = [&](const LabelVolume& volume, const SizingField& field, const RemeshParams& params) {
-    const Result<SurfaceMesh> result = remesh_surface(volume, field, params, ctx);
+    const Result<SurfaceMesh> result = remesh_surface(volume, reference, field, params, ctx);
     EXPECT_FALSE(result.ok());
     if (result.ok()) return ErrorCode::kInternal;
     EXPECT_EQ(result.error().stage, "remesh");
@@ -308,6 +298,12 @@ TEST(RemeshSurface, RefusesMalformedInputInWords) {
   RemeshParams steep;
   steep.facet_angle_deg = 35;
   EXPECT_EQ(code(good, sizing, steep), ErrorCode::kBadInput);
+  RemeshParams close;
+  close.max_distance_voxels = 0;
+  EXPECT_EQ(code(good, sizing, close), ErrorCode::kBadInput);
+  RemeshParams heavy;
+  heavy.shape_weight = 1.1;
+  EXPECT_EQ(code(good, sizing, heavy), ErrorCode::kBadInput);
 }
 
 TEST(RemeshSurface, StopsWhenCancelledAndReportsRisingProgress) {
@@ -316,7 +312,8 @@ TEST(RemeshSurface, StopsWhenCancelledAndReportsRisingProgress) {
   RunContext ctx;
   int polls = 0;
   ctx.on_cancelled = [&] { return ++polls > 5; };
-  const Result<SurfaceMesh> stopped = remesh_surface(volume, sizing, {}, ctx);
+  const SurfaceMesh reference = test::label_surface(volume);
+  const Result<SurfaceMesh> stopped = remesh_surface(volume, reference, sizing, {}, ctx);
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().code, ErrorCode::kCancelled);
 
@@ -330,7 +327,7 @@ TEST(RemeshSurface, StopsWhenCancelledAndReportsRisingProgress) {
     last = fraction;
     ++calls;
   };
-  ASSERT_TRUE(remesh_surface(volume, sizing, {}, watching).ok());
+  ASSERT_TRUE(remesh_surface(volume, reference, sizing, {}, watching).ok());
   EXPECT_EQ(last, 1);
   EXPECT_GE(calls, 5);
 }
