@@ -19,15 +19,15 @@ constexpr double kRadius = 12.3, kBall = 4 * EIGEN_PI / 3 * kRadius * kRadius * 
 const Vector3d kCentre = Vector3d::Constant(15.5);
 
 LabelField ball_field() {
-  return {test::ball_volume(32, 15.5, kRadius), test::sphere(kCentre, kRadius, 4, 1, 0)};
+  return {test::ball_volume(32, 15.5, kRadius), test::sphere(kCentre, kRadius, 5, 1, 0)};
 }
 
 TEST(FitSurface, GivesCoarseFacetsOfASphereTheirVolume) {
-  SurfaceMesh coarse = test::sphere(kCentre, kRadius, 3, 1, 0);
+  SurfaceMesh coarse = test::sphere(kCentre, kRadius, 2, 1, 0);
   const SurfaceMesh before = coarse;
   const double lost = kBall - enclosed_volume_mm3(coarse, 1);
   const double thinnest = test::report_on(coarse, test::uniform_sizing(1)).least_planar_deg;
-  ASSERT_GT(lost, 0.005 * kBall);
+  ASSERT_GT(lost, 0.02 * kBall);
   ASSERT_GE(thinnest, 29.25);
   fit_surface(coarse, ball_field());
   EXPECT_LT(std::abs(kBall - enclosed_volume_mm3(coarse, 1)), lost / 5);
