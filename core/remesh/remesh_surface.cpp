@@ -127,6 +127,7 @@ Result<SurfaceMesh> adapt(const LabelVolume& volume, const SurfaceMesh& referenc
   adapt.voxel_mm = volume.spacing_mm().minCoeff();
   adapt.shape_weight = params.shape_weight;
   adapt.verify = params.verify;
+  ctx.note(kStage, "method remesh");
   return adapt_complex(reference, sizing, adapt, ctx);
 }
 

@@ -5,6 +5,7 @@
 #include "remesh/label_field.h"
 #include "remesh/remesh_surface.h"
 #include "support/label_bodies.h"
+#include "support/label_surface.h"
 #include "support/test_surfaces.h"
 #include "surface/extract_surface.h"
 #include "surface/smooth_surface.h"
@@ -17,9 +18,13 @@ const LabelVolume& heart() {
   return volume;
 }
 
+const SurfaceMesh& heart_surface() {
+  static const SurfaceMesh surface = test::label_surface(heart());
+  return surface;
+}
+
 void BM_BuildLabelField(benchmark::State& state) {
-  for (auto _ : state)
-    benchmark::DoNotOptimize(remesh::LabelField(heart(), RemeshParams{}.smoothing_voxels).size());
+  for (auto _ : state) benchmark::DoNotOptimize(remesh::LabelField(heart(), heart_surface()).size());
   state.counters["voxels/s"] = benchmark::Counter(static_cast<double>(heart().voxel_count()),
                                                   benchmark::Counter::kIsIterationInvariantRate);
 }
@@ -30,7 +35,7 @@ void BM_RemeshSurface(benchmark::State& state) {
   RunContext ctx;
   std::size_t triangles = 0;
   for (auto _ : state) {
-    const SurfaceMesh surface = remesh_surface(heart(), sizing, {}, ctx).value();
+    const SurfaceMesh surface = remesh_surface(heart(), heart_surface(), sizing, {}, ctx).value();
     triangles = surface.triangles.size();
     benchmark::DoNotOptimize(surface.points.data());
   }

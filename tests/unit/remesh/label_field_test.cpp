@@ -3,70 +3,108 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 
-#include "geometry/label_components.h"
 #include "support/label_bodies.h"
+#include "support/label_surface.h"
+#include "support/test_surfaces.h"
 
 namespace voxtet::remesh {
 namespace {
 
 using Eigen::Vector3d;
 
-Vector3d index_of(const LabelField& field, std::size_t voxel) {
-  const auto sx = static_cast<std::size_t>(field.size()[0]), sy = static_cast<std::size_t>(field.size()[1]);
-  return {static_cast<double>(voxel % sx), static_cast<double>(voxel / sx % sy),
-          static_cast<double>(voxel / (sx * sy))};
+LabelField field_of(const LabelVolume& volume) {
+  return {volume, test::label_surface(volume)};
 }
 
-TEST(LabelField, AgreesWithItsLabelsAtVoxelCentres) {
-  const LabelField field(test::random_volume(14, 4, 3), 0.7);
+/// A ball of radius 9 around (15, 15, 15), label 1, under a smooth sphere.
+LabelField ball_field() {
+  return {test::ball_volume(31, 15, 9), test::sphere(Vector3d::Constant(15), 9, 4, 1, 0)};
+}
+
+Vector3d random_direction(test::TestRandom& random) {
+  Vector3d d = Vector3d::Zero();
+  while (d.norm() < 0.1)
+    for (int i = 0; i < 3; ++i) d[i] = random.below(2001) / 1000.0 - 1;
+  return d.normalized();
+}
+
+TEST(LabelField, HasTheLabelsOfTheVolumeAtVoxelCentresAndBackgroundAround) {
+  const LabelVolume volume = test::random_volume(14, 4, 3);
+  const LabelField field = field_of(volume);
+  const int pad = LabelField::kPad;
   std::size_t wrong = 0;
-  for (std::size_t v = 0; v < field.centre_labels().size(); ++v) {
-    const Vector3d index = index_of(field, v);
-    if (index[0] + 1 >= field.size()[0] || index[1] + 1 >= field.size()[1] || index[2] + 1 >= field.size()[2])
-      continue;
-    wrong += field.at_index(index) != field.centre_labels()[v];
-  }
+  for (int k = 0; k < field.size()[2]; ++k)
+    for (int j = 0; j < field.size()[1]; ++j)
+      for (int i = 0; i < field.size()[0]; ++i) {
+        const auto v = static_cast<std::size_t>(i + field.size()[0] * (j + field.size()[1] * k));
+        const Label label = volume.at_or_background(i - pad, j - pad, k - pad);
+        wrong += field.centre_labels()[v] != label || field.at_index(Vector3d(i, j, k)) != label;
+      }
+  EXPECT_EQ(field.size()[0], 14 + 2 * pad);
   EXPECT_EQ(wrong, 0U);
 }
 
-TEST(LabelField, KeepsTheComponentsOfEveryLabelButSpecks) {
-  for (std::uint64_t seed = 0; seed < 10; ++seed) {
-    const LabelVolume volume = test::heart_volume(30 + static_cast<int>(seed), 28, 26);
-    const LabelField field(volume, 0.7);
-    const auto components = [](const std::array<int, 3>& size, const std::vector<Label>& labels) {
-      std::vector<std::uint32_t> sizes;
-      const std::vector<std::uint32_t> ids = label_components(size, labels, sizes);
-      std::vector<std::uint32_t> count(5, 0);
-      std::vector<bool> seen(sizes.size(), false);
-      for (std::size_t v = 0; v < ids.size(); ++v) {
-        if (seen[ids[v]] || labels[v] == kBackground) continue;
-        seen[ids[v]] = true;
-        if (sizes[ids[v]] >= kSpeckVoxels) ++count[labels[v]];
-      }
-      return count;
-    };
-    EXPECT_EQ(components(field.size(), field.centre_labels()), components(volume.size, volume.labels))
-        << seed;
+TEST(LabelField, ChangesItsLabelWhereTheSurfaceIs) {
+  const LabelField field = ball_field();
+  test::TestRandom random(7);
+  for (int trial = 0; trial < 500; ++trial) {
+    const Vector3d direction = random_direction(random), centre = Vector3d::Constant(15);
+    EXPECT_EQ(field.at(centre + 8.92 * direction), 1);
+    EXPECT_EQ(field.at(centre + 9.08 * direction), 0);
   }
 }
 
-TEST(LabelField, NeverLosesALabel) {
-  const LabelVolume volume = test::random_volume(10, 60, 5);
-  const LabelField field(volume, 1.0);
-  EXPECT_GT(field.ledger().retained_voxels, 0U);
-  for (const Label label : volume.labels)
-    EXPECT_NE(std::find(field.centre_labels().begin(), field.centre_labels().end(), label),
-              field.centre_labels().end());
+TEST(LabelField, KnowsDistanceAndDepthBesideAnInterface) {
+  const LabelField field = ball_field();
+  test::TestRandom random(8);
+  int known = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    const double inside = random.below(601) / 1000.0 - 0.3;
+    const Vector3d p = Vector3d::Constant(15) + (9 - inside) * random_direction(random);
+    const std::optional<double> distance = field.distance(p, 1, 0);
+    if (!distance) {
+      // A cell with one label at all corners: the interface is outside of it.
+      EXPECT_EQ(field.depth(p, 1), inside > 0 ? 1 : -1);
+      continue;
+    }
+    ++known;
+    EXPECT_NEAR(*distance, inside, 0.08);
+    EXPECT_NEAR(*field.distance(p, 0, 1), -*distance, 1e-12);
+    EXPECT_NEAR(field.depth(p, 1), inside, 0.08);
+    EXPECT_NEAR(field.depth(p, 0), -inside, 0.08);
+    EXPECT_FALSE(field.distance(p, 1, 5).has_value());
+  }
+  EXPECT_GT(known, 350);
+  EXPECT_FALSE(field.distance(Vector3d::Constant(15), 1, 0).has_value());
+  EXPECT_EQ(field.depth(Vector3d::Constant(15), 1), 1);
+  EXPECT_LT(field.depth(Vector3d::Constant(15), 0), 0);
+}
+
+TEST(LabelField, MeasuresInMillimetresOfObliqueFrames) {
+  // Slices of 3 mm with a wall across them, mirrored.
+  LabelVolume volume = test::make_volume(14, 14, 14, [](int, int, int k) {
+    return k < 2 || k > 11 ? 0 : k < 7 ? 1 : 2;
+  });
+  volume.index_to_mm.topLeftCorner<3, 3>() << 0, -1.5, 0, 1.5, 0, 0, 0, 0, 3;
+  volume.index_to_mm.topRightCorner<3, 1>() << -4, 90, 11;
+  const LabelField field = field_of(volume);
+  for (const double off : {-0.3, -0.1, 0.1, 0.3}) {
+    const Vector3d p = volume.to_mm({6.7, 7.2, 6.5 + off});
+    ASSERT_TRUE(field.distance(p, 2, 1).has_value());
+    EXPECT_NEAR(*field.distance(p, 2, 1), 3 * off, 0.03);
+    EXPECT_NEAR(field.depth(p, 2), 3 * off, 0.03);
+  }
+  EXPECT_EQ(field.smallest_spacing_mm(), 1.5);
 }
 
 TEST(LabelField, FindsCrossingsWhereTheLabelChanges) {
   LabelVolume volume = test::heart_volume(32, 30, 28);
   volume.index_to_mm.topLeftCorner<3, 3>() << 0, -0.8, 0.1, 0.9, 0.1, 0, 0, 0.2, 1.5;
   volume.index_to_mm.topRightCorner<3, 1>() << 5, -20, 100;
-  const LabelField field(volume, 0.7);
+  const LabelField field = field_of(volume);
   test::TestRandom random(4);
   int found = 0;
   for (int trial = 0; trial < 8000; ++trial) {
@@ -90,20 +128,10 @@ TEST(LabelField, FindsCrossingsWhereTheLabelChanges) {
 }
 
 TEST(LabelField, IsBackgroundFarAwayAndWhereThereIsNoNumber) {
-  const LabelField field(test::ball_volume(8, 3.5, 3), 0.7);
+  const LabelField field = field_of(test::ball_volume(8, 3.5, 3));
   EXPECT_EQ(field.at({1e300, -1e300, 5}), kBackground);
   EXPECT_EQ(field.at(Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())), kBackground);
   EXPECT_EQ(field.at({3.5, 3.5, 3.5}), 1);
-}
-
-TEST(LabelField, SmoothsWithKernelsThatSumToOne) {
-  for (const double sigma : {0.0, 0.2, 0.4, 0.7, 1.0, 2.0}) {
-    const HalfKernel kernel = gaussian_kernel(sigma);
-    int sum = kernel[0];
-    for (std::size_t i = 1; i < kernel.size(); ++i) sum += 2 * kernel[i];
-    EXPECT_EQ(sum, 1024) << sigma;
-    EXPECT_GT(kernel[0], 0);
-  }
 }
 
 }  // namespace

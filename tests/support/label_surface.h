@@ -1,0 +1,14 @@
+// The smoothed label surface of a volume, as the later stages take it.
+#pragma once
+
+#include "surface/extract_surface.h"
+#include "surface/smooth_surface.h"
+
+namespace voxtet::test {
+
+inline SurfaceMesh label_surface(const LabelVolume& volume) {
+  RunContext ctx;
+  return smooth_surface(extract_surface(volume, {}, ctx).value(), volume, {}, ctx).value();
+}
+
+}  // namespace voxtet::test

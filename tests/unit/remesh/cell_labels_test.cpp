@@ -1,0 +1,230 @@
+// What changes the labels of a complex: fragments dropped, pinches mended, wedges removed.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+
+#include "lattice_complex.h"
+#include "remesh/cell_stars.h"
+#include "remesh/drop_fragments.h"
+#include "remesh/extract_interface.h"
+#include "remesh/mend_pinches.h"
+#include "remesh/refine_delaunay.h"
+#include "remesh/relabel_cells.h"
+#include "remesh/seed_interfaces.h"
+#include "support/check_surface.h"
+#include "support/label_bodies.h"
+#include "support/label_surface.h"
+#include "support/random_labels.h"
+#include "support/test_surfaces.h"
+#include "surface_report.h"
+
+namespace voxtet::remesh {
+namespace {
+
+using Eigen::Vector3d;
+
+std::size_t all_defects(const CellComplex& cells) {
+  CellStars::Cells points(cells.points.size());
+  std::iota(points.begin(), points.end(), 0U);
+  return CellStars(cells).defects(points);
+}
+
+LabelField field_of(const LabelVolume& volume) {
+  return {volume, test::label_surface(volume)};
+}
+
+/// The refined complex of a field before anything is mended.
+CellComplex refined(const LabelField& field, double edge_mm) {
+  const SizingField sizing = test::uniform_sizing(edge_mm);
+  const Seeds seeds = seed_interfaces(field, sizing);
+  DelaunayRefiner refiner(field, sizing, {30, 0.5 * field.smallest_spacing_mm(), 1 / 1.3});
+  refiner.insert(seeds.points, 0.25 * field.smallest_spacing_mm());
+  RunContext ctx;
+  EXPECT_TRUE(refiner.refine(ctx, seeds.predicted_vertices));
+  return refiner.cells();
+}
+
+CellComplex cubes(const std::vector<std::array<int, 3>>& labelled) {
+  return test::lattice_complex(5, 0.4, 0, [&](int i, int j, int k) {
+    return std::find(labelled.begin(), labelled.end(), std::array{i, j, k}) != labelled.end() ? 1 : 0;
+  });
+}
+
+TEST(LatticeComplex, IsAPositiveComplexWithMutualNeighbours) {
+  const CellComplex cells = cubes({});
+  double volume = 0;
+  for (std::uint32_t c = 0; c < cells.vertices.size(); ++c) {
+    const auto& v = cells.vertices[c];
+    const Vector3d &a = cells.points[v[0]], &b = cells.points[v[1]];
+    const double six = (b - a).dot((cells.points[v[2]] - a).cross(cells.points[v[3]] - a));
+    EXPECT_GT(six, 0);
+    volume += six / 6;
+    for (const std::uint32_t n : cells.neighbours[c])
+      if (n != CellComplex::kNone) {
+        const auto& back = cells.neighbours[n];
+        EXPECT_NE(std::find(back.begin(), back.end(), c), back.end());
+      }
+  }
+  EXPECT_NEAR(volume, 8, 1e-12);
+}
+
+TEST(CellStars, CountTheGroupsOfALabelAroundEachPoint) {
+  EXPECT_EQ(all_defects(cubes({{2, 2, 2}})), 0U);
+  EXPECT_EQ(all_defects(cubes({{2, 2, 2}, {3, 2, 2}})), 0U);
+  // Cubes that share an edge: at its two ends the label falls into two groups, all else stays one; along the
+  // edge's inside there are no points.
+  EXPECT_GT(all_defects(cubes({{2, 2, 2}, {3, 3, 2}})), 0U);
+  const CellComplex touching = cubes({{1, 1, 1}, {2, 2, 2}});
+  const std::uint32_t point = 2 + 6 * (2 + 6 * 2);
+  const CellStars stars(touching);
+  EXPECT_EQ(stars.labels_at(point), (std::vector<Label>{0, 1}));
+  EXPECT_EQ(stars.groups_at(point, 1, false).size(), 2U);
+  EXPECT_EQ(stars.groups_at(point, 1, true).size(), 1U);
+  EXPECT_EQ(stars.groups_at(point, 0, false).size(), 1U);
+  EXPECT_EQ(stars.groups_at(point, 0, true).size(), 2U);
+  EXPECT_EQ(stars.defects(point), 2U);
+  EXPECT_EQ(all_defects(touching), 2U);
+  EXPECT_EQ(stars.points_of({0}).size(), 4U);
+}
+
+TEST(CellStars, SeeAHollowInALabelsStar) {
+  const CellComplex hollow = test::lattice_complex(
+      5, 0.4, 0, [](int i, int j, int k) { return i == 2 && j == 2 && k == 2 ? 0 : 1; });
+  EXPECT_EQ(all_defects(hollow), 0U);
+  const CellComplex gaps = test::lattice_complex(5, 0.4, 0, [](int i, int j, int k) {
+    return (i == 1 && j == 1 && k == 1) || (i == 2 && j == 2 && k == 2) ? 0 : 1;
+  });
+  EXPECT_EQ(all_defects(gaps), 2U);
+}
+
+TEST(MendPinches, PartsCellsThatTouchAtAnEdgeOrAPoint) {
+  // The field's body is elsewhere: nothing of the cubes lies deep in their label.
+  const LabelField field = field_of(test::ball_volume(20, 14, 3.5));
+  for (const auto& labelled : std::vector<std::vector<std::array<int, 3>>>{
+           {{1, 1, 1}, {2, 2, 2}},
+           {{2, 2, 2}, {3, 3, 2}},
+           {{1, 1, 2}, {2, 2, 2}, {1, 2, 1}},
+           {{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {3, 1, 1}, {1, 3, 3}}}) {
+    CellComplex cells = cubes(labelled);
+    ASSERT_GT(all_defects(cells), 0U);
+    const std::vector<Label> before = cells.labels;
+    const std::size_t changed = mend_pinches(cells, field);
+    EXPECT_EQ(all_defects(cells), 0U);
+    EXPECT_NE(std::find(cells.labels.begin(), cells.labels.end(), 1), cells.labels.end());
+    std::size_t differing = 0;
+    for (std::size_t c = 0; c < before.size(); ++c) differing += before[c] != cells.labels[c];
+    EXPECT_GT(changed, 0U);
+    EXPECT_LE(differing, changed);
+    EXPECT_TRUE(test::is_valid_surface(extract_interface(cells)));
+  }
+}
+
+TEST(MendPinches, LeavesAManifoldAlone) {
+  const LabelField field = field_of(test::ball_volume(20, 14, 3.5));
+  CellComplex cells = cubes({{2, 2, 2}, {3, 2, 2}});
+  const std::vector<Label> before = cells.labels;
+  EXPECT_EQ(mend_pinches(cells, field), 0U);
+  EXPECT_EQ(cells.labels, before);
+}
+
+TEST(MendPinches, ChangesNothingThatLiesDeepInItsLabel) {
+  // Two bodies of many voxels that touch in an edge: cubes of two voxels, so every cell there is deep.
+  const LabelVolume volume =
+      test::make_volume(20, 20, 20, [](int i, int j, int) { return (i < 10) == (j < 10) ? 1 : 2; });
+  const LabelField field = field_of(volume);
+  CellComplex cells =
+      test::lattice_complex(4, 5, -0.5, [](int i, int j, int) { return (i < 2) == (j < 2) ? 1 : 2; });
+  const std::vector<Label> before = cells.labels;
+  ASSERT_GT(all_defects(cells), 0U);
+  EXPECT_EQ(mend_pinches(cells, field), 0U);
+  EXPECT_EQ(cells.labels, before);
+}
+
+TEST(MendPinches, LeavesFewPinchesOfATriangulationAsCoarseAsTheBodies) {
+  std::size_t before = 0, after = 0;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    test::TestRandom random(seed);
+    test::LabelPainter paint({16, 16, 16}, 3, random);
+    paint.blobs(0);
+    const LabelField field = field_of(paint.take());
+    CellComplex cells = refined(field, 3);
+    drop_fragments(cells, field);
+    before += all_defects(cells);
+    mend_pinches(cells, field);
+    const std::size_t mended = all_defects(cells);
+    after += mended;
+    relabel_cells(cells);
+    EXPECT_LE(all_defects(cells), mended) << seed;
+  }
+  RecordProperty("before", static_cast<int>(before));
+  RecordProperty("after", static_cast<int>(after));
+  EXPECT_GT(before, 0U);
+  EXPECT_LE(10 * after, before);
+}
+
+TEST(RelabelCells, KeepsManifoldsAndBluntsWedges) {
+  const SizingField sizing = test::uniform_sizing(2);
+  double sharpest_before = 180, sharpest_after = 180;
+  for (int n = 0; n < 4; ++n) {
+    const LabelField field = field_of(test::heart_volume(26 + n, 22, 22 + n));
+    CellComplex cells = refined(field, 2);
+    drop_fragments(cells, field);
+    mend_pinches(cells, field);
+    ASSERT_EQ(all_defects(cells), 0U);
+    const std::vector<Label> labels = test::labels_of(extract_interface(cells));
+    sharpest_before =
+        std::min(sharpest_before, test::report_on(extract_interface(cells), sizing).least_dihedral_deg);
+    relabel_cells(cells);
+    sharpest_after =
+        std::min(sharpest_after, test::report_on(extract_interface(cells), sizing).least_dihedral_deg);
+    EXPECT_EQ(all_defects(cells), 0U);
+    EXPECT_EQ(test::labels_of(extract_interface(cells)), labels);
+    EXPECT_TRUE(test::is_valid_surface(extract_interface(cells)));
+  }
+  EXPECT_LT(sharpest_before, kSharpSectorDeg);
+  EXPECT_GT(sharpest_after, sharpest_before);
+}
+
+TEST(DropFragments, DropsWhatHoldsNoVoxelOfItsLabelUnlessItIsAllThatThereIs) {
+  // Cubes of half a voxel; those with three odd numbers hold a voxel centre.
+  const LabelVolume volume = test::make_volume(
+      10, 10, 10, [](int i, int j, int k) { return i < 4 || (i == 8 && j == 8 && k == 8) ? 1 : 0; });
+  for (const bool mirrored : {false, true}) {
+    LabelVolume framed = volume;
+    if (mirrored) framed.index_to_mm.topLeftCorner<3, 3>() << 0, 1, 0, 1, 0, 0, 0, 0, 1;
+    const LabelField field = field_of(framed);
+    CellComplex cells = test::lattice_complex(20, 0.5, -0.6, [&](int i, int j, int k) {
+      const std::array<int, 3> cube{i, j, k};
+      if (mirrored) std::swap(i, j);
+      if (cube == std::array{12, 14, 6}) return 1;   // no centre in it
+      if (cube == std::array{13, 13, 3}) return 1;   // a centre of background in it
+      if (cube == std::array{17, 17, 17}) return 1;  // the centre of the lone voxel
+      if (cube == std::array{16, 14, 4}) return 2;   // nothing else has this label
+      return i < 8 ? 1 : 0;
+    });
+    const auto label_of = [&](int i, int j, int k) {
+      return cells.labels[6 * static_cast<std::size_t>(i + 20 * (j + 20 * k))];
+    };
+    EXPECT_EQ(drop_fragments(cells, field), 12U);
+    EXPECT_EQ(label_of(12, 14, 6), 0);
+    EXPECT_EQ(label_of(13, 13, 3), 0);
+    EXPECT_EQ(label_of(17, 17, 17), 1);
+    EXPECT_EQ(label_of(16, 14, 4), 2);
+    EXPECT_EQ(drop_fragments(cells, field), 0U);
+  }
+}
+
+TEST(DropFragments, GivesACrumbToTheLabelWithMostOfItsRim) {
+  const CellComplex cells = test::lattice_complex(3, 1, 0, [](int i, int j, int k) {
+    return i == 1 && j == 1 && k == 1 ? 5 : i < 2 ? 3 : 4;
+  });
+  std::vector<std::uint32_t> group;
+  for (std::uint32_t c = 0; c < cells.labels.size(); ++c)
+    if (cells.labels[c] == 5) group.push_back(c);
+  EXPECT_EQ(label_around(cells, group), 3);
+}
+
+}  // namespace
+}  // namespace voxtet::remesh

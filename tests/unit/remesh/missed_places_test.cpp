@@ -1,0 +1,78 @@
+// Where an adapted surface fails to follow the label surface.
+#include "remesh/missed_places.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/label_bodies.h"
+#include "support/test_surfaces.h"
+
+namespace voxtet::remesh {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kLimit = 0.45, kSeparation = 0.5, kRadius = 4;
+const Vector3d kFirst(7, 8, 8), kSecond(20, 8, 8);
+
+LabelVolume two_balls(Label second) {
+  return test::make_volume(28, 17, 17, [&](int i, int j, int k) {
+    const Vector3d p(i, j, k);
+    return (p - kFirst).norm() <= kRadius ? 1 : (p - kSecond).norm() <= kRadius ? int{second} : 0;
+  });
+}
+
+SurfaceMesh both(Label second) {
+  SurfaceMesh surface = test::sphere(kFirst, kRadius, 3, 1, 0);
+  test::append(surface, test::sphere(kSecond, kRadius, 3, second, 0));
+  return surface;
+}
+
+TEST(MissedPlaces, AreNoneOfASurfaceThatIsTheReference) {
+  const SurfaceMesh reference = both(1);
+  EXPECT_TRUE(
+      missed_places(reference, reference, LabelField(two_balls(1), reference), kLimit, kSeparation).empty());
+}
+
+TEST(MissedPlaces, CoverABodyThatTheSurfaceLacks) {
+  for (const Label second : std::vector<Label>{1, 2, 65535}) {
+    const SurfaceMesh reference = both(second), one = test::sphere(kFirst, kRadius, 3, 1, 0);
+    const std::vector<Vector3d> missed =
+        missed_places(reference, one, LabelField(two_balls(second), reference), kLimit, kSeparation);
+    EXPECT_GT(missed.size(), 100U) << second;
+    Vector3d low = missed.front(), high = missed.front();
+    for (std::size_t p = 0; p < missed.size(); ++p) {
+      EXPECT_NEAR((missed[p] - kSecond).norm(), kRadius, 0.15);
+      low = low.cwiseMin(missed[p]);
+      high = high.cwiseMax(missed[p]);
+      for (std::size_t q = 0; q < p; ++q) EXPECT_GE((missed[p] - missed[q]).norm(), kSeparation);
+    }
+    EXPECT_GT((high - low).minCoeff(), 1.8 * kRadius) << second;
+  }
+}
+
+TEST(MissedPlaces, AreWhereTheSurfaceIsFartherThanTheLimit) {
+  const SurfaceMesh reference = both(1);
+  SurfaceMesh dented = reference;
+  const Vector3d top = kFirst + Vector3d(0, 0, kRadius);
+  for (Vector3d& p : dented.points)
+    if ((p - top).norm() < 1.5) p.z() -= 1;
+  const std::vector<Vector3d> missed =
+      missed_places(reference, dented, LabelField(two_balls(1), reference), kLimit, kSeparation);
+  ASSERT_FALSE(missed.empty());
+  for (const Vector3d& p : missed) EXPECT_LT((p - top).norm(), 2);
+}
+
+TEST(MissedPlaces, DoNotTakeTheInterfaceOfOtherLabelsForTheirOwn) {
+  const SurfaceMesh reference = both(1);
+  SurfaceMesh wrong = reference;
+  for (std::size_t t = wrong.sides.size() / 2; t < wrong.sides.size(); ++t) wrong.sides[t] = {3, 0};
+  const std::vector<Vector3d> missed =
+      missed_places(reference, wrong, LabelField(two_balls(1), reference), kLimit, kSeparation);
+  EXPECT_GT(missed.size(), 100U);
+  for (const Vector3d& p : missed) EXPECT_NEAR((p - kSecond).norm(), kRadius, 0.15);
+}
+
+}  // namespace
+}  // namespace voxtet::remesh

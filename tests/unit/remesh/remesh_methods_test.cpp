@@ -1,0 +1,163 @@
+// Which method makes the adapted surface, and that topology is kept as promised.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "geometry/digest.h"
+#include "geometry/label_topology.h"
+#include "geometry/self_intersections.h"
+#include "remesh/remesh_surface.h"
+#include "support/check_surface.h"
+#include "support/label_surface.h"
+#include "support/random_labels.h"
+#include "support/test_surfaces.h"
+#include "surface_report.h"
+
+namespace voxtet {
+namespace {
+
+using remesh::AdaptSchedule;
+
+struct Outcome {
+  SurfaceMesh surface;
+  std::vector<std::string> warnings, notes;
+
+  bool warned_of(const std::string& words) const {
+    return std::any_of(warnings.begin(), warnings.end(),
+                       [&](const std::string& w) { return w.find(words) != std::string::npos; });
+  }
+};
+
+Outcome remesh_with(const LabelVolume& volume, const SurfaceMesh& reference, double edge_mm,
+                    const RemeshParams& params) {
+  Outcome out;
+  RunContext ctx;
+  ctx.on_warning = [&](const std::string&, const std::string& message) { out.warnings.push_back(message); };
+  ctx.on_note = [&](const std::string&, const std::string& message) { out.notes.push_back(message); };
+  Result<SurfaceMesh> result = remesh_surface(volume, reference, test::uniform_sizing(edge_mm), params, ctx);
+  EXPECT_TRUE(result.ok()) << result.error().message;
+  if (result.ok()) out.surface = std::move(*result);
+  return out;
+}
+
+const char* const kFellBack = "the method remesh was taken instead";
+const std::vector<std::string> kDelaunayNote{"method delaunay"}, kRemeshNote{"method remesh"};
+
+TEST(RemeshMethods, FallBackWhereDelaunayWouldLoseOrPinchALabel) {
+  int fallen = 0;
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const LabelVolume volume = test::random_volume(9, 3, seed);
+    const SurfaceMesh reference = test::label_surface(volume);
+    const Outcome out = remesh_with(volume, reference, 4, {});
+    EXPECT_TRUE(test::is_valid_surface(out.surface)) << seed;
+    EXPECT_EQ(test::labels_of(out.surface), (std::vector<Label>{1, 2, 3}));
+    EXPECT_TRUE(find_self_intersections(out.surface, 1).empty()) << seed;
+    if (!out.warned_of(kFellBack)) continue;
+    ++fallen;
+    EXPECT_TRUE(out.warned_of("lost label ") || out.warned_of("left the boundary touching itself of label "));
+    EXPECT_EQ(out.notes, kRemeshNote);
+    EXPECT_EQ(label_topology(out.surface), label_topology(reference)) << seed;
+  }
+  EXPECT_GT(fallen, 0);
+}
+
+TEST(RemeshMethods, StayWithDelaunayWhereNothingNeedBeKept) {
+  const LabelVolume volume = test::random_volume(9, 3, 0);
+  RemeshParams params;
+  params.keep_topology = KeepTopology::kNothing;
+  const Outcome out = remesh_with(volume, test::label_surface(volume), 4, params);
+  EXPECT_FALSE(out.warned_of(kFellBack));
+  EXPECT_EQ(out.notes, kDelaunayNote);
+  EXPECT_FALSE(out.surface.triangles.empty());
+}
+
+TEST(RemeshMethods, KeepEveryPieceHandleAndContactOnDemand) {
+  constexpr int kVolumes = 16;
+  int fallen = 0, changed = 0;
+  for (int seed = 0; seed < kVolumes; ++seed) {
+    const LabelVolume volume = test::random_labels(static_cast<std::uint64_t>(seed)).volume;
+    const SurfaceMesh reference = test::label_surface(volume);
+    const double edge = 3 * volume.smallest_spacing_mm();
+    RemeshParams params;
+    params.keep_topology = KeepTopology::kAll;
+    const Outcome all = remesh_with(volume, reference, edge, params);
+    EXPECT_EQ(label_topology(all.surface), label_topology(reference)) << seed;
+    EXPECT_TRUE(find_self_intersections(all.surface, 1).empty()) << seed;
+    EXPECT_TRUE(test::is_valid_surface(all.surface)) << seed;
+    fallen += all.warned_of(kFellBack);
+    changed += all.warned_of("changed pieces, holes or contacts of labels");
+    EXPECT_EQ(all.notes, all.warned_of(kFellBack) ? kRemeshNote : kDelaunayNote);
+  }
+  EXPECT_GT(fallen, 0);
+  EXPECT_GT(changed, 0);
+  EXPECT_LT(fallen, kVolumes);
+}
+
+class RemeshSchedules : public ::testing::TestWithParam<AdaptSchedule> {};
+
+TEST_P(RemeshSchedules, KeepTopologyShapesAndEmbedding) {
+  RemeshParams params;
+  params.method = RemeshMethod::kRemesh;
+  params.schedule = GetParam();
+  const LabelVolume volume = test::heart_volume(30, 26, 26);
+  const SurfaceMesh reference = test::label_surface(volume);
+  const Outcome out = remesh_with(volume, reference, 2, params);
+  EXPECT_EQ(out.notes, kRemeshNote);
+  EXPECT_FALSE(out.warned_of(kFellBack));
+  ASSERT_TRUE(test::is_valid_surface(out.surface));
+  EXPECT_EQ(label_topology(out.surface), label_topology(reference));
+  EXPECT_TRUE(find_self_intersections(out.surface, 1).empty());
+  const test::SurfaceReport report = test::report_on(out.surface, test::uniform_sizing(2));
+  EXPECT_GE(report.least_planar_deg, 17);
+  EXPECT_NEAR(report.size_median, 0, 0.4);
+  RecordProperty("planar_deg", std::to_string(report.least_planar_deg));
+  RecordProperty("dihedral_deg", std::to_string(report.least_dihedral_deg));
+  RecordProperty("size_median", std::to_string(report.size_median));
+}
+
+TEST_P(RemeshSchedules, ChangeNothingThatIntersects) {
+  const LabelVolume volume = test::heart_volume(20, 18, 18);
+  remesh::AdaptParams params;
+  params.schedule = GetParam();
+  params.verify = true;
+  RunContext ctx;
+  remesh::AdaptRecord record;
+  ASSERT_TRUE(
+      remesh::adapt_complex(test::label_surface(volume), test::uniform_sizing(2), params, ctx, &record).ok());
+  EXPECT_EQ(record.violations, 0U);
+  EXPECT_GT(record.accepted[1], 0U);
+  EXPECT_GT(record.accepted[3], 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, RemeshSchedules,
+                         ::testing::Values(AdaptSchedule::kAdaptive, AdaptSchedule::kPaper),
+                         [](const auto& info) {
+                           return info.param == AdaptSchedule::kPaper ? "Paper" : "Adaptive";
+                         });
+
+TEST(RemeshMethods, GiveTheSameBytesOnEveryRunAndPlatform) {
+  const LabelVolume volume = test::heart_volume(28, 24, 24);
+  const SurfaceMesh reference = test::label_surface(volume);
+  RemeshParams params;
+  params.method = RemeshMethod::kRemesh;
+  const std::string first = digest_of(remesh_with(volume, reference, 2, params).surface);
+  EXPECT_EQ(digest_of(remesh_with(volume, reference, 2, params).surface), first);
+  EXPECT_EQ(first, "b9f830bc0513996f1650bfcb1e60be95eeac833da9dcdb6877ed36b4c7060f97");
+}
+
+TEST(RemeshMethods, StopWhenCancelled) {
+  const LabelVolume volume = test::ball_volume(30, 14.5, 12);
+  RemeshParams params;
+  params.method = RemeshMethod::kRemesh;
+  RunContext ctx;
+  int polls = 0;
+  ctx.on_cancelled = [&] { return ++polls > 3; };
+  const Result<SurfaceMesh> stopped =
+      remesh_surface(volume, test::label_surface(volume), test::uniform_sizing(2), params, ctx);
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().code, ErrorCode::kCancelled);
+}
+
+}  // namespace
+}  // namespace voxtet
