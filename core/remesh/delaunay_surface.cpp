@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "geometry/label_components.h"
 #include "geometry/untangle.h"
 #include "remesh/drop_fragments.h"
 #include "remesh/extract_interface.h"
@@ -73,14 +72,11 @@ std::size_t repair(DelaunayRefiner& refiner, const CellComplex& cells,
   return added;
 }
 
-/// The voxels' components as the reference has them: an extraction of many labels joins along diagonals.
-VoxelPieces find_pieces(const LabelField& field, const SurfaceMesh& reference) {
+/// How the reference joins voxels: an extraction of many labels along diagonals too.
+Connectivity connectivity_of(const SurfaceMesh& reference) {
   const bool many = std::any_of(reference.sides.begin(), reference.sides.end(),
                                 [&](const Sides& sides) { return sides != reference.sides.front(); });
-  VoxelPieces pieces;
-  pieces.ids = label_components(field.size(), field.centre_labels(), pieces.sizes,
-                                many ? Connectivity::kKuhn : Connectivity::kFaces);
-  return pieces;
+  return many ? Connectivity::kKuhn : Connectivity::kFaces;
 }
 
 }  // namespace
@@ -89,7 +85,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
                                      const SizingField& sizing, const DelaunayParams& params,
                                      RunContext& ctx) {
   const double voxel = field.smallest_spacing_mm();
-  const VoxelPieces pieces = find_pieces(field, reference);
+  const VoxelPieces pieces = find_pieces(field, connectivity_of(reference));
   const Seeds seeds = seed_interfaces(field, sizing);
   if (ctx.cancelled()) return cancelled_error("remesh");
   DelaunayRefiner refiner(field, sizing,

@@ -60,6 +60,12 @@ bool is_piece(const CellComplex& cells, const std::vector<std::uint32_t>& group,
 
 }  // namespace
 
+VoxelPieces find_pieces(const LabelField& field, Connectivity connectivity) {
+  VoxelPieces pieces;
+  pieces.ids = label_components(field.size(), field.centre_labels(), pieces.sizes, connectivity);
+  return pieces;
+}
+
 Label label_around(const CellComplex& cells, const std::vector<std::uint32_t>& group) {
   std::vector<Label> around;
   for (const std::uint32_t c : group)

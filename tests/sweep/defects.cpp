@@ -5,7 +5,7 @@
 #include <regex>
 
 #include "geometry/surface_measures.h"
-#include "pipeline/select_labels.h"
+#include "volume/select_labels.h"
 #include "support/caught_failures.h"
 #include "support/check_surface.h"
 #include "support/check_tets.h"

@@ -3,7 +3,7 @@
 
 #include "geometry/surface_measures.h"
 #include "phantom/make_phantom.h"
-#include "pipeline/select_labels.h"
+#include "volume/select_labels.h"
 #include "sweep/findings.h"
 #include "sweep/surface_figures.h"
 

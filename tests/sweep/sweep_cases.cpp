@@ -45,7 +45,7 @@ Status run_case(const Case& c, const std::string& path, const std::string& metho
   Result<Recipe> recipe = with_field(session.recipe(), "remesh.method", method);
   if (!recipe) return recipe.error();
   recipe->labels = c.labels;
-  recipe->merge = c.merge;
+  if (c.merge) recipe->merge = {c.labels};
   recipe->sizing.edge_mm = 2 * volume->smallest_spacing_mm();
   recipe->sizing.labels = c.sizes;
   if (Status set = session.set_recipe(*recipe); !set) return set;

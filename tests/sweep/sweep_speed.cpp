@@ -57,7 +57,7 @@ Status prepare(const Timed& t, Session& session) {
   Result<Recipe> recipe = with_field(session.recipe(), "remesh.method", t.method);
   if (!recipe) return recipe.error();
   recipe->labels = t.labels;
-  recipe->merge = t.merge;
+  if (t.merge) recipe->merge = {t.labels};
   recipe->sizing.edge_mm = kEdgeMm;
   return session.set_recipe(*recipe);
 }

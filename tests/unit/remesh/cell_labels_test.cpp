@@ -150,7 +150,7 @@ TEST(MendPinches, LeavesFewPinchesOfATriangulationAsCoarseAsTheBodies) {
     paint.blobs(0);
     const LabelField field = field_of(paint.take());
     CellComplex cells = refined(field, 3);
-    drop_fragments(cells, field);
+    drop_fragments(cells, field, find_pieces(field, Connectivity::kKuhn));
     before += all_defects(cells);
     mend_pinches(cells, field);
     const std::size_t mended = all_defects(cells);
@@ -170,7 +170,7 @@ TEST(RelabelCells, KeepsManifoldsAndBluntsWedges) {
   for (int n = 0; n < 4; ++n) {
     const LabelField field = field_of(test::heart_volume(26 + n, 22, 22 + n));
     CellComplex cells = refined(field, 2);
-    drop_fragments(cells, field);
+    drop_fragments(cells, field, find_pieces(field, Connectivity::kKuhn));
     mend_pinches(cells, field);
     ASSERT_EQ(all_defects(cells), 0U);
     const std::vector<Label> labels = test::labels_of(extract_interface(cells));
@@ -207,12 +207,12 @@ TEST(DropFragments, DropsWhatHoldsNoVoxelOfItsLabelUnlessItIsAllThatThereIs) {
     const auto label_of = [&](int i, int j, int k) {
       return cells.labels[6 * static_cast<std::size_t>(i + 20 * (j + 20 * k))];
     };
-    EXPECT_EQ(drop_fragments(cells, field), 12U);
+    EXPECT_EQ(drop_fragments(cells, field, find_pieces(field, Connectivity::kKuhn)), 12U);
     EXPECT_EQ(label_of(12, 14, 6), 0);
     EXPECT_EQ(label_of(13, 13, 3), 0);
     EXPECT_EQ(label_of(17, 17, 17), 1);
     EXPECT_EQ(label_of(16, 14, 4), 2);
-    EXPECT_EQ(drop_fragments(cells, field), 0U);
+    EXPECT_EQ(drop_fragments(cells, field, find_pieces(field, Connectivity::kKuhn)), 0U);
   }
 }
 
