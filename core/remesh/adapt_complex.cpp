@@ -21,8 +21,15 @@ constexpr double kGapShare = 0.25;
 constexpr double kPoorCosine = 0.9;  ///< 26 degrees: planar angles below this are polished
 constexpr const char* kStage = "remesh";
 
+/// Taylor's series: the same on every platform, as std::cos is not.
 double cosine_of_deg(double deg) {
-  return std::cos(deg * (EIGEN_PI / 180));
+  const double x = deg * (EIGEN_PI / 180);
+  double sum = 0, term = 1;
+  for (int k = 0; k < 20; ++k) {
+    sum += term;
+    term *= -x * x / ((2 * k + 1) * (2 * k + 2));
+  }
+  return sum;
 }
 
 struct Edge {
