@@ -4,11 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "geometry/compare_topology.h"
 #include "geometry/label_topology.h"
 #include "geometry/triangle_measures.h"
-#include "geometry/compare_topology.h"
-#include "quality/fidelity.h"
 #include "quality/summarise.h"
+#include "quality/surface_distance.h"
 #include "support/exact_intersections.h"
 #include "sweep/defects.h"
 #include "tetra/check_surface.h"
@@ -71,9 +71,12 @@ SurfaceFigures measure_surface(const Session& session) {
   measure_triangles(adapted, out);
   measure_edges(adapted, *session.sizing(), out);
   const double voxel = session.volume()->smallest_spacing_mm();
-  const TriangleSet from{adapted.points, adapted.triangles}, to{labels.points, labels.triangles};
-  const DistanceSummary there = measure_distance(from, to, voxel / 4),
-                        back = measure_distance(to, from, voxel / 4);
+  RunContext ctx;
+  const SurfaceDistances distances =
+      measure_distances({adapted.points, adapted.triangles, adapted.sides},
+                        {labels.points, labels.triangles, labels.sides}, {voxel / 4, voxel / 20}, ctx)
+          .value();
+  const DistanceSummary &there = distances.forth, &back = distances.back;
   out.mean_distance = there.mean_mm / voxel;
   out.max_distance = there.max_mm / voxel;
   out.mean_back = back.mean_mm / voxel;
