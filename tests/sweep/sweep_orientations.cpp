@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "io/read_volume.h"
-#include "quality/fidelity.h"
+#include "geometry/rasterise.h"
 #include "support/data.h"
 #include "support/random_labels.h"
 #include "sweep/findings.h"
@@ -73,7 +73,7 @@ struct Sweep {
       return;
     }
     const SurfaceFigures figures = measure_surface(session);
-    const std::vector<Label> sampled = rasterise(*session.mesh(), grid);
+    const std::vector<Label> sampled = rasterise(*session.mesh(), session.mesh()->labels, grid);
     if (reference.empty()) reference = sampled;
     const double dice = smallest_dice(reference, sampled, labels);
     std::vector<std::string> failures = check_distances(figures, limits_of(method));

@@ -73,7 +73,7 @@ Result<nlohmann::json> measure(const Timed& t) {
     row[std::string(kStageNames[static_cast<std::size_t>(stage)])] = *seconds;
   }
   row["label_field"] =
-      seconds_of([&] { remesh::LabelField(*session.volume(), session.recipe().remesh.smoothing_voxels); });
+      seconds_of([&] { remesh::LabelField(*session.volume(), *session.smooth()); });
   row["megavoxels_per_s"] =
       static_cast<double>(session.volume()->voxel_count()) / 1e6 / row["surface"].get<double>();
   row["triangles"] = session.remeshed()->triangles.size();
