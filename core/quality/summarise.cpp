@@ -1,8 +1,8 @@
 #include "quality/summarise.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <utility>
 
@@ -40,7 +40,9 @@ class Ranking {
  private:
   /// Grows with the value: of an IEEE float the bits do, once those of negative ones are turned around.
   static std::size_t bucket_of(float value) {
-    const auto bits = std::bit_cast<std::uint32_t>(value + 0.F);  // -0 as 0
+    const float number = value + 0.F;  // -0 as 0
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &number, sizeof bits);
     return (bits >> 31 ? ~bits : bits | 0x80000000U) >> 16;
   }
 
