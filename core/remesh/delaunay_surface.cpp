@@ -66,10 +66,11 @@ std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells) {
 /// Adds points where the surface misses the reference or a label touches itself; how many.
 std::size_t repair(DelaunayRefiner& refiner, const CellComplex& cells,
                    const std::vector<Eigen::Vector3d>& missed, double voxel_mm) {
-  std::size_t added = refiner.insert(missed, kRepairSeparation * voxel_mm);
+  std::size_t added = 0;
+  // First, because new points do away with cells.
   for (const InterfaceFacet& facet : facets_at_pinches(cells))
     added += refiner.request(facet.cell, facet.corner, kLeastPinchRadius * voxel_mm);
-  return added;
+  return added + refiner.insert(missed, kRepairSeparation * voxel_mm);
 }
 
 /// How the reference joins voxels: an extraction of many labels along diagonals too.

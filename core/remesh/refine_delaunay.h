@@ -37,8 +37,9 @@ class DelaunayRefiner {
   /// Refines until no facet is bad. False when cancelled.
   bool refine(RunContext& ctx, double predicted_vertices);
 
-  /// Marks the facet opposite `corner` of a cell of the last cells() for refinement, unless its surface ball
-  /// is smaller than `least_radius_mm` already. Returns whether it was marked; refine() does it.
+  /// Marks the facet opposite `corner` of a cell of the last cells(), since which nothing was inserted, for
+  /// refinement, unless its surface ball is smaller than `least_radius_mm` already. Returns whether it was
+  /// marked; refine() does it.
   bool request(std::uint32_t cell, std::uint32_t corner, double least_radius_mm);
 
   std::size_t vertex_count() const;

@@ -49,6 +49,19 @@ Status check_volume(const LabelVolume& volume) {
   return std::monostate{};
 }
 
+Status check_label_surface(const SurfaceMesh& surface) {
+  if (surface.triangles.empty() || surface.sides.size() != surface.triangles.size())
+    return bad_input("label_surface has " + std::to_string(surface.triangles.size()) + " triangles and " +
+                     std::to_string(surface.sides.size()) + " sides; expected as many of each, at least 1");
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const std::uint32_t p : surface.triangles[t])
+      if (p >= surface.points.size() || !surface.points[p].allFinite())
+        return bad_input("triangle " + std::to_string(t) + " of label_surface names point " +
+                         std::to_string(p) + " of " + std::to_string(surface.points.size()) +
+                         "; expected one that is there and finite");
+  return std::monostate{};
+}
+
 Status check_parameters(const SizingField& sizing, const RemeshParams& params) {
   const std::size_t count = static_cast<std::size_t>(std::max(0, sizing.size[0])) *
                             static_cast<std::size_t>(std::max(0, sizing.size[1])) *
@@ -158,6 +171,7 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
 Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& reference,
                                    const SizingField& sizing, const RemeshParams& params, RunContext& ctx) {
   if (Status status = check_volume(volume); !status) return status.error();
+  if (Status status = check_label_surface(reference); !status) return status.error();
   if (Status status = check_parameters(sizing, params); !status) return status.error();
   try {
     RunContext rising = with_rising_progress(ctx);

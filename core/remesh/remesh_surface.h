@@ -36,7 +36,8 @@ struct RemeshParams {
 /// The interfaces between all labels (background included) triangulated to the sizing field (median edge =
 /// wish): conforming between any number of labels, closed for each, free of self-intersections.
 /// `label_surface` is the smoothed boundary complex of the labels of `volume`; it defines the shape. Planar
-/// angles stay above about facet_angle_deg (delaunay) or 18 degrees (remesh). Where fidelity or a narrow
+/// angles stay above about facet_angle_deg (delaunay, but for a few facets where labels meet) or 18 degrees
+/// (remesh, unless the label surface itself has sharper ones there). Where fidelity or a narrow
 /// place demands it, triangles are smaller than wished: a warning tells the share. A note tells the method
 /// taken, a warning that and why the other one had to help out.
 ///

@@ -60,10 +60,9 @@ TEST_P(RemeshReal, IsClosedWellShapedCloseAndReadyToFill) {
 
   const SizingField sizing = test::uniform_sizing(real.edge_mm);
   const SurfaceMesh reference = test::label_surface(volume);
-  const auto record = [&](const std::string&, const std::string& message) {
-    RecordProperty("said", message);
-  };
-  ctx.on_note = ctx.on_warning = record;
+  std::string said;
+  ctx.on_note =
+      ctx.on_warning = [&](const std::string&, const std::string& message) { said += message + "; "; };
   const Result<SurfaceMesh> surface = remesh_surface(volume, reference, sizing, {}, ctx);
   ASSERT_TRUE(surface.ok()) << surface.error().message;
 
@@ -86,6 +85,7 @@ TEST_P(RemeshReal, IsClosedWellShapedCloseAndReadyToFill) {
     EXPECT_LE(way.p95_mm, 0.4 * voxel);
     EXPECT_LE(way.max_mm, real.farthest_voxels * voxel);
   }
+  RecordProperty("said", said);
   RecordProperty("digest", digest_of(*surface));
   RecordProperty("triangles", static_cast<int>(surface->triangles.size()));
   RecordProperty("planar_deg", std::to_string(report.least_planar_deg));

@@ -94,6 +94,15 @@ TEST(RemeshMethods, KeepEveryPieceHandleAndContactOnDemand) {
   EXPECT_LT(fallen, kVolumes);
 }
 
+TEST(RemeshMethods, RepairPinchesAndMissedPlacesInOneRound) {
+  // A round of repair that both refines facets at pinches and adds points where the surface missed some.
+  const LabelVolume volume = test::random_labels(105).volume;
+  const SurfaceMesh reference = test::label_surface(volume);
+  const Outcome out = remesh_with(volume, reference, 3 * volume.smallest_spacing_mm(), {});
+  EXPECT_TRUE(test::is_valid_surface(out.surface));
+  EXPECT_EQ(test::labels_of(out.surface), test::labels_of(reference));
+}
+
 class RemeshSchedules : public ::testing::TestWithParam<AdaptSchedule> {};
 
 TEST_P(RemeshSchedules, KeepTopologyShapesAndEmbedding) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -282,7 +283,7 @@ TEST(RemeshSurface, RefusesMalformedInputInWords) {
   RunContext ctx;
   const LabelVolume good = test::ball_volume(12, 5.5, 4);
   const SizingField sizing = test::uniform_sizing(2);
-  const SurfaceMesh reference = test::label_surface(good);
+  SurfaceMesh reference = test::label_surface(good);
   const auto code = [&](const LabelVolume& volume, const SizingField& field, const RemeshParams& params) {
     const Result<SurfaceMesh> result = remesh_surface(volume, reference, field, params, ctx);
     EXPECT_FALSE(result.ok());
@@ -312,6 +313,17 @@ TEST(RemeshSurface, RefusesMalformedInputInWords) {
   RemeshParams heavy;
   heavy.shape_weight = 1.1;
   EXPECT_EQ(code(good, sizing, heavy), ErrorCode::kBadInput);
+  const SurfaceMesh whole = reference;
+  reference.triangles[3][1] = static_cast<std::uint32_t>(reference.points.size());
+  EXPECT_EQ(code(good, sizing, {}), ErrorCode::kBadInput);
+  reference = whole;
+  reference.sides.pop_back();
+  EXPECT_EQ(code(good, sizing, {}), ErrorCode::kBadInput);
+  reference = whole;
+  reference.points[0][2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(code(good, sizing, {}), ErrorCode::kBadInput);
+  reference = {};
+  EXPECT_EQ(code(good, sizing, {}), ErrorCode::kBadInput);
 }
 
 TEST(RemeshSurface, StopsWhenCancelledAndReportsRisingProgress) {
