@@ -1,17 +1,20 @@
-import type { LabelFidelity, Report } from '../engine/contract';
-import { volume } from '../store/input';
+import type { LabelFidelity, LookedUpLabel, Report } from '../engine/contract';
+import { nameOf } from '../store/input';
 import { colourOf } from '../store/view';
 import { distanceText, topologyRow, type TopologyCell } from './fidelity_text';
 import { short } from './format';
 
+function percent(value: number): string {
+  return `${value >= 0 ? '+' : ''}${value.toFixed(2)} %`;
+}
+
 function LabelName({ label }: { label: number }) {
-  const name = volume.value?.labels.find((entry) => entry.label === label)?.name || `Label ${label}`;
   return (
     <th scope="row">
       <svg class="dot" viewBox="0 0 8 8" aria-hidden="true">
         <circle cx="4" cy="4" r="4" fill={colourOf.value(label)} />
       </svg>
-      {name}
+      {nameOf(label)}
     </th>
   );
 }
@@ -44,8 +47,7 @@ function LabelTable({ labels }: { labels: LabelFidelity[] }) {
                 class="num"
                 title={`${short(row.mesh_mm3 / 1000)} ml meshed, ${short(row.voxel_mm3 / 1000)} ml in voxels`}
               >
-                {row.volume_error_percent >= 0 ? '+' : ''}
-                {row.volume_error_percent.toFixed(2)} %
+                {percent(row.volume_error_percent)}
               </td>
               <td class="num" title="the mesh sampled at voxel centres against the voxels">
                 {row.dice.toFixed(3)}
@@ -107,6 +109,38 @@ function TopologyTable({ found }: { found: Report['fidelity']['topology'] }) {
   );
 }
 
+function LookUpTable({ labels }: { labels: LookedUpLabel[] }) {
+  const cell = (found: { error_percent: number; dice?: number }) => (
+    <td class="num" title={found.dice === undefined ? undefined : `Dice ${found.dice.toFixed(3)}`}>
+      {percent(found.error_percent)}
+    </td>
+  );
+  return (
+    <>
+      <h3>Looked up in the image</h3>
+      <div class="table-scroll" tabIndex={0} role="region" aria-label="Labels looked up">
+        <table class="measures" data-testid="lookup">
+          <Heads numbers={['Shares', 'Centroid', 'Majority']} />
+          <tbody>
+            {labels.map((row) => (
+              <tr key={row.label}>
+                <LabelName label={row.label} />
+                {cell(row.by_fraction)}
+                {cell(row.by_centroid)}
+                {cell(row.by_majority)}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="facts">
+        Volume that the tetrahedra give a label by its share of each, or whole by the label at the centroid or
+        of most of it; against its voxels.
+      </p>
+    </>
+  );
+}
+
 export function FidelitySection({ found }: { found: Report }) {
   const { labels, topology, mesh_to_surface: there, surface_to_mesh: back } = found.fidelity;
   return (
@@ -118,6 +152,7 @@ export function FidelitySection({ found }: { found: Report }) {
         {distanceText(back)}.
       </p>
       <TopologyTable found={topology} />
+      {found.lookup && <LookUpTable labels={found.lookup} />}
     </section>
   );
 }
