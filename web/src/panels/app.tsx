@@ -25,7 +25,11 @@ function Notices() {
             <strong>{notice.title}</strong>
             <p>{notice.text}</p>
             {notice.place && (
-              <button type="button" class="button small" onClick={() => notice.place && showPlace(notice.place)}>
+              <button
+                type="button"
+                class="button small"
+                onClick={() => notice.place && showPlace(notice.place)}
+              >
                 Show where
               </button>
             )}

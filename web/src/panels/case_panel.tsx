@@ -1,14 +1,15 @@
 import type { Recipe } from '../engine/contract';
 import { previewSoon } from '../store/actions';
-import { awaitedFile, nameOf, volume } from '../store/input';
-import { groupsOf, mergesAll } from '../store/labels';
+import { awaitedFile, volume } from '../store/input';
+import { carrierOf, dropIdleSizes, groupsOf } from '../store/labels';
 import { editRecipe, recipe } from '../store/recipe';
 import { activity } from '../store/run';
 import { colourOf, hiddenLabels, ownColours } from '../store/view';
-import { CheckField, Field, fieldOf, NumberInput } from './fields';
+import { Field, fieldOf, NumberInput } from './fields';
 import { whole } from './format';
 import { Icon } from './icons';
 import { LookUpFields } from './look_up_fields';
+import { MergeFields } from './merge_fields';
 import { RegionList } from './region_list';
 import { SourceSection } from './source_section';
 import { StageSection } from './stage_section';
@@ -28,6 +29,7 @@ function LabelTable({ current }: { current: Recipe }) {
         .filter((one) => (one === label ? !chosen.has(one) : chosen.has(one)));
       draft.labels = next.length === known.labels.length ? [] : next;
       draft.merge = groupsOf(draft.merge, [...chosen], next);
+      dropIdleSizes(draft, next);
     });
     previewSoon();
   };
@@ -50,96 +52,85 @@ function LabelTable({ current }: { current: Recipe }) {
   return (
     <section class="section">
       <h2>Labels</h2>
-      <div class="label-scroll"><table class="labels">
-        <thead>
-          <tr>
-            <th scope="col">
-              <span class="sr">Colour</span>
-            </th>
-            <th scope="col">Label</th>
-            <th scope="col" class="num">
-              Voxels
-            </th>
-            <th scope="col">Mesh</th>
-            <th scope="col">Edge mm</th>
-            <th scope="col">
-              <span class="sr">Show</span>
-            </th>
-          </tr>
-        </thead>
-        <tbody>
-          {known.labels.map(({ label, name, voxels }) => {
-            const meshed = chosen.has(label);
-            const text = name || `Label ${label}`;
-            const hidden = hiddenLabels.value.has(label);
-            return (
-              <tr key={label} class={meshed ? '' : 'off'}>
-                <td>
-                  <input
-                    type="color"
-                    class="swatch"
-                    aria-label={`Colour of ${text}`}
-                    value={colour(label)}
-                    onInput={(event) =>
-                      (ownColours.value = { ...ownColours.value, [label]: event.currentTarget.value })
-                    }
-                  />
-                </td>
-                <td class="label-name" title={`${text} (${label})`}>
-                  {text}
-                </td>
-                <td class="num">{whole(voxels)}</td>
-                <td class="centre">
-                  <input
-                    type="checkbox"
-                    aria-label={`Mesh ${text}`}
-                    checked={meshed}
-                    disabled={meshed && last}
-                    onChange={() => toggleMesh(label)}
-                  />
-                </td>
-                <td>
-                  <NumberInput
-                    label={`Edge length of ${text}`}
-                    path="sizing.labels.edge_mm"
-                    step={0.1}
-                    value={wished.get(label) ?? null}
-                    placeholder={String(current.sizing.edge_mm)}
-                    disabled={!meshed}
-                    onChange={(edge) => setEdge(label, edge)}
-                  />
-                </td>
-                <td>
-                  <button
-                    type="button"
-                    class="icon-button small"
-                    aria-pressed={!hidden}
-                    aria-label={`Show ${text} in the view`}
-                    title={hidden ? 'Show in the view' : 'Hide in the view'}
-                    onClick={() => toggleSeen(label)}
-                  >
-                    <Icon name={hidden ? 'eye_off' : 'eye'} size={15} />
-                  </button>
-                </td>
-              </tr>
-            );
-          })}
-        </tbody>
-      </table></div>
-      <CheckField
-        label="Mesh the labels as one region"
-        checked={mergesAll(current.merge, [...chosen])}
-        onChange={(merge) => {
-          editRecipe('Merge labels', (draft) => void (draft.merge = merge ? [[...chosen]] : []));
-          previewSoon();
-        }}
-      />
-      {!mergesAll(current.merge, [...chosen]) &&
-        current.merge.map((group) => (
-          <p key={group.join()} class="facts">
-            One region: {group.map(nameOf).join(', ')}
-          </p>
-        ))}
+      <div class="label-scroll">
+        <table class="labels">
+          <thead>
+            <tr>
+              <th scope="col">
+                <span class="sr">Colour</span>
+              </th>
+              <th scope="col">Label</th>
+              <th scope="col" class="num">
+                Voxels
+              </th>
+              <th scope="col">Mesh</th>
+              <th scope="col">Edge mm</th>
+              <th scope="col">
+                <span class="sr">Show</span>
+              </th>
+            </tr>
+          </thead>
+          <tbody>
+            {known.labels.map(({ label, name, voxels }) => {
+              const meshed = chosen.has(label);
+              const text = name || `Label ${label}`;
+              const hidden = hiddenLabels.value.has(label);
+              return (
+                <tr key={label} class={meshed ? '' : 'off'}>
+                  <td>
+                    <input
+                      type="color"
+                      class="swatch"
+                      aria-label={`Colour of ${text}`}
+                      value={colour(label)}
+                      onInput={(event) =>
+                        (ownColours.value = { ...ownColours.value, [label]: event.currentTarget.value })
+                      }
+                    />
+                  </td>
+                  <td class="label-name" title={`${text} (${label})`}>
+                    {text}
+                  </td>
+                  <td class="num">{whole(voxels)}</td>
+                  <td class="centre">
+                    <input
+                      type="checkbox"
+                      aria-label={`Mesh ${text}`}
+                      checked={meshed}
+                      disabled={meshed && last}
+                      onChange={() => toggleMesh(label)}
+                    />
+                  </td>
+                  <td>
+                    <NumberInput
+                      label={`Edge length of ${text}`}
+                      path="sizing.labels.edge_mm"
+                      step={0.1}
+                      value={wished.get(label) ?? null}
+                      placeholder={String(current.sizing.edge_mm)}
+                      disabled={!meshed || carrierOf(current.merge, label) !== label}
+                      onChange={(edge) => setEdge(label, edge)}
+                    />
+                  </td>
+                  <td>
+                    <button
+                      type="button"
+                      class="icon-button small"
+                      aria-pressed={!hidden}
+                      aria-label={`Show ${text} in the view`}
+                      title={hidden ? 'Show in the view' : 'Hide in the view'}
+                      onClick={() => toggleSeen(label)}
+                    >
+                      <Icon name={hidden ? 'eye_off' : 'eye'} size={15} />
+                    </button>
+                  </td>
+                </tr>
+              );
+            })}
+          </tbody>
+        </table>
+      </div>
+      <MergeFields current={current} chosen={[...chosen]} />
       <LookUpFields current={current} />
     </section>
   );

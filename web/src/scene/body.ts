@@ -90,7 +90,8 @@ function tetPainter(by: ColourBy, measures: StageArrays['quality'] | undefined):
     return { paint: labelPainter(values), legend: null };
   const label = fractionLabel(by);
   if (label === null) return scalePainter(values, measureScales[by as Measure]);
-  return scalePainter(values, { title: `Share of ${nameOf(label)}`, unit: '', map: 'viridis', range: [0, 1] });
+  const title = `Share of ${nameOf(label)}`;
+  return scalePainter(values, { title, unit: '', map: 'viridis', range: [0, 1] });
 }
 
 export function surfaceBody(stage: 'surface' | 'smooth' | 'remesh', mesh: SurfaceArrays): Body {

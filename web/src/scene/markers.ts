@@ -11,7 +11,7 @@ import {
 } from 'three';
 import type { ErrorPlace, SurfaceArrays } from '../engine/contract';
 
-const red = { color: 0xd93025, depthTest: false, transparent: true, opacity: 0.85 };
+const marking = { color: 0xff00b8, depthTest: false, transparent: true, opacity: 0.85 };
 
 function corners(surface: SurfaceArrays, triangle: number): Vector3[] {
   return [0, 1, 2].map((c) =>
@@ -31,7 +31,7 @@ export function buildMarkers(place: ErrorPlace, surface: SurfaceArrays | undefin
   const group = new Group();
   const triangles = trianglesOf(place, surface);
   const add = (geometry: BufferGeometry) => {
-    const mesh = new Mesh(geometry, new MeshBasicMaterial({ ...red, side: DoubleSide }));
+    const mesh = new Mesh(geometry, new MeshBasicMaterial({ ...marking, side: DoubleSide }));
     mesh.renderOrder = 5;
     group.add(mesh);
     return mesh;
