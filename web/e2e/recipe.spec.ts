@@ -51,7 +51,7 @@ test('a label is looked up instead of meshed, coloured by its share and compared
   await expect(page.getByTestId('lookup').locator('tbody tr')).toHaveCount(1);
   await page.getByLabel('Colour by').selectOption({ label: 'Share of scar core' });
   await expect(page.locator('.legend')).toContainText('Share of scar core');
-  await page.getByLabel('Colour by').selectOption({ label: 'Label of most of it' });
+  await page.getByLabel('Colour by').selectOption({ label: 'Majority label' });
   await expect(page.locator('.legend')).toHaveCount(0);
 });
 

@@ -1,12 +1,8 @@
 import type { LabelFidelity, LookedUpLabel, Report } from '../engine/contract';
 import { nameOf } from '../store/input';
 import { colourOf } from '../store/view';
-import { distanceText, topologyRow, type TopologyCell } from './fidelity_text';
+import { distanceText, percent, topologyRow, type TopologyCell } from './fidelity_text';
 import { short } from './format';
-
-function percent(value: number): string {
-  return `${value >= 0 ? '+' : ''}${value.toFixed(2)} %`;
-}
 
 function LabelName({ label }: { label: number }) {
   return (

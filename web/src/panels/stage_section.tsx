@@ -1,7 +1,8 @@
-import type { Recipe } from '../engine/contract';
+import type { Recipe, SchemaField } from '../engine/contract';
 import { previewSoon } from '../store/actions';
 import { editRecipe } from '../store/recipe';
-import { CheckField, Field, fieldOf, NumberInput, SelectField } from './fields';
+import { schema } from '../store/run';
+import { CheckField, Field, NumberInput, SelectField } from './fields';
 import { choiceWords, fieldUnit, fieldWords } from './stage_words';
 
 type StageGroup = 'volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'quality';
@@ -18,25 +19,26 @@ const groups: readonly (readonly [StageGroup, string])[] = [
 const previewed = new Set<StageGroup>(['volume', 'surface', 'smooth']);
 
 /** One field as the engine's table has it: number, flag or choice. */
-function StageField(props: { group: StageGroup; title: string; name: string; value: unknown }) {
-  const { group, title, name, value } = props;
-  const path = `${group}.${name}`;
-  const field = fieldOf(path);
+function StageField(props: { group: StageGroup; title: string; field: SchemaField; current: Recipe }) {
+  const { group, title, field, current } = props;
+  const { path } = field;
+  const name = path.slice(group.length + 1);
+  const value = (current[group] as Record<string, unknown>)[name];
   const label = fieldWords(path);
   const set = (next: unknown) => {
     editRecipe(label, (draft) => void ((draft[group] as Record<string, unknown>)[name] = next), path);
     if (previewed.has(group)) previewSoon();
   };
   if (typeof value === 'boolean')
-    return <CheckField label={label} checked={value} hint={field?.description} onChange={set} />;
+    return <CheckField label={label} checked={value} hint={field.description} onChange={set} />;
   if (typeof value === 'string') {
-    const options = (field?.values ?? [value]).map((choice) => [choice, choiceWords(path, choice)] as const);
+    const options = (field.values ?? [value]).map((choice) => [choice, choiceWords(path, choice)] as const);
     return (
-      <SelectField label={label} value={value} options={options} hint={field?.description} onChange={set} />
+      <SelectField label={label} value={value} options={options} hint={field.description} onChange={set} />
     );
   }
   return (
-    <Field label={label} unit={fieldUnit(path, field?.unit)} hint={field?.description}>
+    <Field label={label} unit={fieldUnit(path, field.unit)} hint={field.description}>
       <NumberInput
         label={`${title}: ${label}`}
         path={path}
@@ -55,9 +57,11 @@ export function StageSection({ current }: { current: Recipe }) {
         {groups.map(([group, title]) => (
           <fieldset key={group} class="stage-fields">
             <legend>{title}</legend>
-            {Object.entries(current[group]).map(([name, value]) => (
-              <StageField key={name} group={group} title={title} name={name} value={value} />
-            ))}
+            {schema.value?.fields
+              .filter(({ path }) => path.startsWith(`${group}.`))
+              .map((field) => (
+                <StageField key={field.path} group={group} title={title} field={field} current={current} />
+              ))}
           </fieldset>
         ))}
       </details>

@@ -9,9 +9,9 @@ const words: Record<string, string> = {
   'remesh.method': 'Made by',
   'remesh.method=delaunay': 'Delaunay refinement',
   'remesh.method=remesh': 'remeshing',
-  'remesh.keep_topology': 'Else remesh if',
-  'remesh.keep_topology=labels': 'a label is lost or pinched',
-  'remesh.keep_topology=all': 'any topology changes',
+  'remesh.keep_topology': 'Else remesh at',
+  'remesh.keep_topology=labels': 'label lost or pinched',
+  'remesh.keep_topology=all': 'any topology change',
   'remesh.keep_topology=nothing': 'never',
   'remesh.facet_angle_deg': 'Smallest angle',
   'remesh.max_distance_voxels': 'Distance to the labels',
@@ -38,5 +38,5 @@ export function choiceWords(path: string, value: string): string {
 }
 
 export function fieldUnit(path: string, unit = ''): string {
-  return path === 'volume.slice_ratio' ? '× pixel' : (units[unit] ?? unit);
+  return path === 'volume.slice_ratio' ? '×' : (units[unit] ?? unit);
 }

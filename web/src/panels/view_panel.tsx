@@ -32,8 +32,8 @@ const cutAxes: [string, string, Vec3][] = [
 function lookedUpOptions(): [ColourBy, string][] {
   const arrays = Object.keys(shownResult('quality') ?? {}) as ColourBy[];
   return arrays.flatMap((name): [ColourBy, string][] => {
-    if (name === 'centroid_label') return [[name, 'Label at the centroid']];
-    if (name === 'majority_label') return [[name, 'Label of most of it']];
+    if (name === 'centroid_label') return [[name, 'Centroid label']];
+    if (name === 'majority_label') return [[name, 'Majority label']];
     const label = fractionLabel(name);
     return label === null ? [] : [[name, `Share of ${nameOf(label)}`]];
   });
