@@ -91,11 +91,14 @@ function TopologyTable({ found }: { found: Report['fidelity']['topology'] }) {
         </table>
       </div>
       {!kept && (
-        <ul class="warnings">
-          {found.differences.map((difference) => (
-            <li key={difference}>{difference}</li>
-          ))}
-        </ul>
+        <details class="more">
+          <summary>Every difference in words</summary>
+          <ul class="warnings">
+            {found.differences.map((difference) => (
+              <li key={difference}>{difference}</li>
+            ))}
+          </ul>
+        </details>
       )}
       <p class="facts">
         Label surface → mesh. The label surface joins voxels over 14 neighbours (marching tetrahedra), or over

@@ -1,3 +1,4 @@
+import { useState } from 'preact/hooks';
 import type { Recipe } from '../engine/contract';
 import { previewSoon } from '../store/actions';
 import { nameOf } from '../store/input';
@@ -8,6 +9,7 @@ import { CheckField, SelectField } from './fields';
 /** Which labels share a region of the mesh. */
 export function MergeFields({ current, chosen }: { current: Recipe; chosen: readonly number[] }) {
   const groups = current.merge;
+  const [open, setOpen] = useState(groups.length > 0);
   const set = (merge: number[][]) => {
     editRecipe('Merge labels', (draft) => {
       draft.merge = merge;
@@ -34,17 +36,20 @@ export function MergeFields({ current, chosen }: { current: Recipe; chosen: read
         onChange={(merge) => set(merge ? [[...chosen]] : [])}
       />
       {!all && chosen.length > 2 && (
-        <details class="more" open={groups.length > 0}>
+        <details class="more" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
           <summary>Join labels to regions</summary>
-          {chosen.map((label) => (
-            <SelectField
-              key={label}
-              label={nameOf(label)}
-              value={String(carrierOf(groups, label))}
-              options={choicesOf(label)}
-              onChange={(other) => set(groupedWith(groups, label, Number(other)))}
-            />
-          ))}
+          <div class="label-scroll">
+            {open &&
+              chosen.map((label) => (
+                <SelectField
+                  key={label}
+                  label={nameOf(label)}
+                  value={String(carrierOf(groups, label))}
+                  options={choicesOf(label)}
+                  onChange={(other) => set(groupedWith(groups, label, Number(other)))}
+                />
+              ))}
+          </div>
         </details>
       )}
     </>
