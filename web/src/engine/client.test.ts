@@ -116,6 +116,20 @@ describe('EngineClient', () => {
     expect(neighbours).toBe(4 * (result.report?.tets ?? 0));
   });
 
+  it('hands over what was looked up in the image, and nothing where no label was asked for', async () => {
+    const client = start();
+    const arraysOf = async (labels: number[]) => {
+      const names: string[] = [];
+      const recipe = JSON.stringify({ ...phantom, lookup: { labels } });
+      await client.run(recipe, phantom.source, 'quality', {
+        onStage: (summary, arrays) => summary.name === 'quality' && names.push(...Object.keys(arrays)),
+      });
+      return names.filter((name) => name.endsWith('_label') || name.startsWith('fraction'));
+    };
+    expect(await arraysOf([5, 6])).toEqual(['centroid_label', 'majority_label', 'fraction_5', 'fraction_6']);
+    expect(await arraysOf([])).toEqual([]);
+  });
+
   it('rejects a damaged file with its name and reason, and keeps the earlier volume', async () => {
     const client = start();
     const good = await client.openVolume(file('good.nii'));

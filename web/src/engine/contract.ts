@@ -9,11 +9,17 @@ export type Vec3 = [number, number, number];
 export type ErrorCode =
   'usage' | 'bad_input' | 'meshing' | 'differs' | 'out_of_memory' | 'cancelled' | 'internal';
 
+/** Where an error is. Elements are triangles of the adapted surface, and the points their centroids. */
+export interface ErrorPlace {
+  points: Vec3[];
+  elements: number[];
+}
+
 export interface ErrorInfo {
   code: ErrorCode;
   stage: string;
   message: string;
-  where?: { points?: Vec3[]; elements?: number[] };
+  where?: Partial<ErrorPlace>;
   /** The engine instance can no longer be trusted; its worker must be replaced. */
   fatal?: boolean;
 }
@@ -34,6 +40,8 @@ export interface VolumeSummary {
   index_to_mm: number[];
   digest: string;
   labels: LabelSummary[];
+  /** The grid that is meshed; known once the volume has been prepared. */
+  prepared?: { size: Vec3; spacing_mm: Vec3 };
 }
 
 export interface StageSummary {
@@ -217,9 +225,12 @@ export interface Recipe {
   };
   remesh: {
     method: string;
-    smoothing_voxels: number;
+    keep_topology: string;
     facet_angle_deg: number;
     max_distance_voxels: number;
+    schedule: string;
+    shape_weight: number;
+    verify: boolean;
   };
   tetra: { backend: string; radius_edge: number; min_dihedral_deg: number; max_dihedral_deg: number };
   lookup: { labels: number[]; samples_min: number; samples_max: number };
@@ -283,6 +294,9 @@ export const tetMeasures = [
 ] as const;
 export type TetMeasure = (typeof tetMeasures)[number];
 
+/** What was looked up in the image: a label, or a label's share, per tet. */
+export type LookedUpArray = 'centroid_label' | 'majority_label' | `fraction_${number}`;
+
 export interface StageArrays {
   volume: { labels: Uint16Array };
   surface: SurfaceArrays;
@@ -290,7 +304,7 @@ export interface StageArrays {
   sizing: { h_mm: Float32Array };
   remesh: SurfaceArrays;
   tetra: TetArrays;
-  quality: Record<TetMeasure, Float32Array>;
+  quality: Record<TetMeasure, Float32Array> & Partial<Record<LookedUpArray, Float32Array>>;
 }
 
 /** What the worker answers; every call is one message there and one back. */
@@ -312,13 +326,13 @@ export interface EngineInfo {
 export class EngineError extends Error {
   readonly code: ErrorCode;
   readonly stage: string;
-  readonly where: { points?: Vec3[]; elements?: number[] };
+  readonly where: ErrorPlace;
 
   constructor(info: ErrorInfo) {
     super(info.message);
     this.name = 'EngineError';
     this.code = info.code;
     this.stage = info.stage;
-    this.where = info.where ?? {};
+    this.where = { points: info.where?.points ?? [], elements: info.where?.elements ?? [] };
   }
 }

@@ -1,5 +1,5 @@
 import { tetNeighbours } from '../geometry/tet_neighbours';
-import type { EngineApi, ErrorInfo, ExportedFile, Reply, StageName } from './contract';
+import type { EngineApi, ErrorInfo, ExportedFile, LookedUpArray, Reply, StageName } from './contract';
 import { stageNames, tetMeasures } from './contract';
 
 type View = Float32Array | Uint32Array | Uint16Array;
@@ -31,6 +31,11 @@ const arrayNames: Record<StageName, readonly string[]> = {
   tetra: ['points', 'tets', 'labels'],
   quality: tetMeasures,
 };
+
+function lookedUpArrays(labels: readonly number[]): LookedUpArray[] {
+  if (labels.length === 0) return [];
+  return ['centroid_label', 'majority_label', ...labels.map((label) => `fraction_${label}` as const)];
+}
 
 function isShownStage(name: string): name is StageName {
   return (stageNames as readonly string[]).includes(name);
@@ -68,11 +73,17 @@ function copied(view: View): View {
 
 /** One session as plain values: texts parsed, views copied once, failures turned into typed errors. */
 export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
+  let lookedUp: readonly number[] = [];
   return {
     loadVolume: (file) =>
       guarded('volume', () => JSON.parse(session.loadVolume(file.name, file.bytes, file.siblings))),
 
-    setRecipe: (json) => guarded('recipe', () => JSON.parse(session.setRecipe(json))),
+    setRecipe: (json) =>
+      guarded('recipe', () => {
+        const reply = JSON.parse(session.setRecipe(json)) as ReturnType<EngineApi['setRecipe']>;
+        if (reply.ok) lookedUp = reply.value.recipe.lookup.labels;
+        return reply;
+      }),
 
     run: (stage, onProgress) => {
       let current: string = stage;
@@ -93,10 +104,14 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
     arrays: (stage) =>
       guarded(stage, () => {
         const arrays: Record<string, View | Int32Array> = {};
-        for (const name of arrayNames[stage]) {
-          const view = session.view(stage, name);
-          if (view) arrays[name] = copied(view);
-        }
+        const keep = (from: string, names: readonly string[]) => {
+          for (const name of names) {
+            const view = session.view(from, name);
+            if (view) arrays[name] = copied(view);
+          }
+        };
+        keep(stage, arrayNames[stage]);
+        if (stage === 'quality') keep('lookup', lookedUpArrays(lookedUp));
         if (stage === 'tetra' && arrays.tets) {
           arrays.neighbours = tetNeighbours(arrays.tets as Uint32Array, arrays.points.length / 3);
         }

@@ -2,7 +2,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { cancelRun, openFiles, openFragment, redoEdit, runAll, undoEdit } from '../store/actions';
 import { isCaseFragment } from '../link/codec';
 import { activity, announcement, dismiss, lastCancelMs, notices } from '../store/run';
-import { command, markers } from '../store/view';
+import { showPlace } from '../store/view';
 import { CasePanel } from './case_panel';
 import { Dialogs } from './dialogs';
 import { EvidencePanel } from './evidence_panel';
@@ -24,14 +24,11 @@ function Notices() {
           <div>
             <strong>{notice.title}</strong>
             <p>{notice.text}</p>
-            {notice.points.length > 0 && (
+            {notice.place && (
               <button
                 type="button"
                 class="button small"
-                onClick={() => {
-                  markers.value = notice.points;
-                  command.value = { kind: 'fly', to: notice.points[0], radius: 12 };
-                }}
+                onClick={() => notice.place && showPlace(notice.place)}
               >
                 Show where
               </button>

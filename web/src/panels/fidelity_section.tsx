@@ -1,17 +1,16 @@
-import type { LabelFidelity, Report } from '../engine/contract';
-import { volume } from '../store/input';
+import type { LabelFidelity, LookedUpLabel, Report } from '../engine/contract';
+import { nameOf } from '../store/input';
 import { colourOf } from '../store/view';
-import { distanceText, topologyRow, type TopologyCell } from './fidelity_text';
+import { distanceText, percent, topologyRow, type TopologyCell } from './fidelity_text';
 import { short } from './format';
 
 function LabelName({ label }: { label: number }) {
-  const name = volume.value?.labels.find((entry) => entry.label === label)?.name || `Label ${label}`;
   return (
     <th scope="row">
       <svg class="dot" viewBox="0 0 8 8" aria-hidden="true">
         <circle cx="4" cy="4" r="4" fill={colourOf.value(label)} />
       </svg>
-      {name}
+      {nameOf(label)}
     </th>
   );
 }
@@ -44,8 +43,7 @@ function LabelTable({ labels }: { labels: LabelFidelity[] }) {
                 class="num"
                 title={`${short(row.mesh_mm3 / 1000)} ml meshed, ${short(row.voxel_mm3 / 1000)} ml in voxels`}
               >
-                {row.volume_error_percent >= 0 ? '+' : ''}
-                {row.volume_error_percent.toFixed(2)} %
+                {percent(row.volume_error_percent)}
               </td>
               <td class="num" title="the mesh sampled at voxel centres against the voxels">
                 {row.dice.toFixed(3)}
@@ -93,15 +91,50 @@ function TopologyTable({ found }: { found: Report['fidelity']['topology'] }) {
         </table>
       </div>
       {!kept && (
-        <ul class="warnings">
-          {found.differences.map((difference) => (
-            <li key={difference}>{difference}</li>
-          ))}
-        </ul>
+        <details class="more">
+          <summary>Every difference in words</summary>
+          <ul class="warnings">
+            {found.differences.map((difference) => (
+              <li key={difference}>{difference}</li>
+            ))}
+          </ul>
+        </details>
       )}
       <p class="facts">
         Label surface → mesh. The label surface joins voxels over 14 neighbours (marching tetrahedra), or over
         6 (marching cubes, a single label).
+      </p>
+    </>
+  );
+}
+
+function LookUpTable({ labels }: { labels: LookedUpLabel[] }) {
+  const cell = (found: { error_percent: number; dice?: number }) => (
+    <td class="num" title={found.dice === undefined ? undefined : `Dice ${found.dice.toFixed(3)}`}>
+      {percent(found.error_percent)}
+    </td>
+  );
+  return (
+    <>
+      <h3>Looked up in the image</h3>
+      <div class="table-scroll" tabIndex={0} role="region" aria-label="Labels looked up">
+        <table class="measures" data-testid="lookup">
+          <Heads numbers={['Shares', 'Centroid', 'Majority']} />
+          <tbody>
+            {labels.map((row) => (
+              <tr key={row.label}>
+                <LabelName label={row.label} />
+                {cell(row.by_fraction)}
+                {cell(row.by_centroid)}
+                {cell(row.by_majority)}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="facts">
+        Volume that the tetrahedra give a label by its share of each, or whole by the label at the centroid or
+        of most of it; against its voxels.
       </p>
     </>
   );
@@ -118,6 +151,7 @@ export function FidelitySection({ found }: { found: Report }) {
         {distanceText(back)}.
       </p>
       <TopologyTable found={topology} />
+      {found.lookup && <LookUpTable labels={found.lookup} />}
     </section>
   );
 }

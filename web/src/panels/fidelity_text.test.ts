@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { LabelTopology, Report } from '../engine/contract';
-import { distanceText, notesOf, topologyRow } from './fidelity_text';
+import { distanceText, notesOf, percent, topologyRow } from './fidelity_text';
 
 const kept: LabelTopology = {
   label: 5,
@@ -24,6 +24,12 @@ describe('topologyRow', () => {
     expect(row.components.changed).toBe(false);
     expect(row.handles).toEqual({ text: '2 → 0', changed: true });
     expect(row.pinched).toEqual({ text: '4', changed: true });
+  });
+});
+
+describe('percent', () => {
+  it('has a sign where there is something to it', () => {
+    expect([1.234, -0.861, -0.001].map(percent)).toEqual(['+1.23 %', '−0.86 %', '0.00 %']);
   });
 });
 

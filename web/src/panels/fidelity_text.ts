@@ -32,6 +32,13 @@ export function topologyRow(found: LabelTopology): TopologyRow {
   };
 }
 
+/** With its sign, unless it rounds to nothing. */
+export function percent(value: number): string {
+  const digits = Math.abs(value).toFixed(2);
+  const sign = Number(digits) === 0 ? '' : value < 0 ? '−' : '+';
+  return `${sign}${digits} %`;
+}
+
 /** "mean 0.06 mm, 95 % below 0.18 mm, largest 0.85 to 0.9 mm": the largest with what its search left open. */
 export function distanceText(found: DistanceSummary): string {
   const most = found.max_mm + found.uncertainty_mm;

@@ -2,8 +2,8 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Vec3 } from '../engine/contract';
 import { colourStops } from '../geometry/colours';
 import { openSample } from '../store/actions';
-import { awaitedFile, volume } from '../store/input';
-import { shownDigests } from '../store/results';
+import { awaitedFile, nameOf, volume } from '../store/input';
+import { shownDigests, shownResult } from '../store/results';
 import { activity, report } from '../store/run';
 import {
   brush,
@@ -11,6 +11,7 @@ import {
   command,
   cut,
   focusTet,
+  fractionLabel,
   legend,
   picked,
   showEdges,
@@ -18,15 +19,25 @@ import {
   stageShown,
   type ColourBy,
 } from '../store/view';
-import { FileButton } from './case_panel';
 import { short } from './format';
 import { Icon } from './icons';
+import { FileButton } from './source_section';
 
 const cutAxes: [string, string, Vec3][] = [
   ['R', 'Cut from right to left', [1, 0, 0]],
   ['A', 'Cut from front to back', [0, 1, 0]],
   ['S', 'Cut from head to feet', [0, 0, 1]],
 ];
+
+function lookedUpOptions(): [ColourBy, string][] {
+  const arrays = Object.keys(shownResult('quality') ?? {}) as ColourBy[];
+  return arrays.flatMap((name): [ColourBy, string][] => {
+    if (name === 'centroid_label') return [[name, 'Centroid label']];
+    if (name === 'majority_label') return [[name, 'Majority label']];
+    const label = fractionLabel(name);
+    return label === null ? [] : [[name, `Share of ${nameOf(label)}`]];
+  });
+}
 
 function ColourChoice() {
   const stage = stageShown.value;
@@ -44,6 +55,7 @@ function ColourChoice() {
         ['label', 'Label'],
         ['edge_mm', 'Edge length'],
       ];
+  if (onTets) options.push(...lookedUpOptions());
   const chosen = options.some(([value]) => value === colourBy.value) ? colourBy.value : 'label';
   return (
     <label class="tool-field">

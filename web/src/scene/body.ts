@@ -1,5 +1,5 @@
 /** From what the store shows to triangles with colours: pure choices, no three.js. */
-import type { StageName, SurfaceArrays, TetArrays } from '../engine/contract';
+import type { LookedUpArray, StageArrays, StageName, SurfaceArrays, TetArrays } from '../engine/contract';
 import { colourTable, rgbOf, type ColourMapName } from '../geometry/colours';
 import {
   keptTets,
@@ -11,8 +11,17 @@ import {
   type Painter,
   type TetFilter,
 } from '../geometry/faces';
+import { nameOf } from '../store/input';
 import { shownResult } from '../store/results';
-import { brush, colourBy, colourOf, hiddenLabels, type ColourBy, type Legend } from '../store/view';
+import {
+  brush,
+  colourBy,
+  colourOf,
+  fractionLabel,
+  hiddenLabels,
+  type ColourBy,
+  type Legend,
+} from '../store/view';
 
 export interface Body {
   faces: Faces;
@@ -24,20 +33,29 @@ export interface Body {
   count: number;
 }
 
-const measureTitles: Record<
-  Exclude<ColourBy, 'label'>,
-  { title: string; unit: string; map: ColourMapName }
-> = {
+interface Scale {
+  title: string;
+  unit: string;
+  map: ColourMapName;
+  /** Its ends; else they come from the values. */
+  range?: [number, number];
+}
+
+type Measure = Exclude<ColourBy, 'label' | LookedUpArray>;
+
+const measureScales: Record<Measure, Scale> = {
   edge_mm: { title: 'Mean edge length', unit: 'mm', map: 'viridis' },
   min_dihedral_deg: { title: 'Smallest dihedral angle', unit: '°', map: 'cividis' },
   radius_ratio: { title: 'Radius ratio', unit: '', map: 'cividis' },
   size_log2: { title: 'Achieved over prescribed edge', unit: 'log₂', map: 'viridis' },
 };
 
-function labelPainter(): Painter {
+/** Colours of the elements' own labels, or of those given for each. */
+function labelPainter(given?: Float32Array): Painter {
   const colour = colourOf.value;
-  const cache = new Map<number, [number, number, number]>();
-  return (_, label, out, at) => {
+  const cache = new Map<number, [number, number, number]>([[0, [150, 150, 150]]]);
+  return (element, own, out, at) => {
+    const label = given ? given[element] : own;
     let rgb = cache.get(label);
     if (!rgb) cache.set(label, (rgb = rgbOf(colour(label))));
     out[at] = rgb[0];
@@ -46,13 +64,14 @@ function labelPainter(): Painter {
   };
 }
 
-function scalePainter(
-  values: Float32Array,
-  by: Exclude<ColourBy, 'label'>,
-): { paint: Painter; legend: Legend } {
-  const { title, unit, map } = measureTitles[by];
+interface Paint {
+  paint: Painter;
+  legend: Legend | null;
+}
+
+function scalePainter(values: Float32Array, { title, unit, map, range }: Scale): Paint {
   const table = colourTable(map);
-  const [lo, hi] = robustRange(values);
+  const [lo, hi] = range ?? robustRange(values);
   return {
     legend: { title, unit, lo, hi, map },
     paint: (element, _, out, at) => {
@@ -64,18 +83,30 @@ function scalePainter(
   };
 }
 
+function tetPainter(by: ColourBy, measures: StageArrays['quality'] | undefined): Paint {
+  const values = by === 'label' ? undefined : measures?.[by];
+  if (by === 'label' || !values) return { paint: labelPainter(), legend: null };
+  if (by === 'centroid_label' || by === 'majority_label')
+    return { paint: labelPainter(values), legend: null };
+  const label = fractionLabel(by);
+  if (label === null) return scalePainter(values, measureScales[by as Measure]);
+  const title = `Share of ${nameOf(label)}`;
+  return scalePainter(values, { title, unit: '', map: 'viridis', range: [0, 1] });
+}
+
 export function surfaceBody(stage: 'surface' | 'smooth' | 'remesh', mesh: SurfaceArrays): Body {
-  const scaled =
-    colourBy.value === 'edge_mm' ? scalePainter(triangleEdges(mesh.points, mesh.triangles), 'edge_mm') : null;
+  const { paint, legend } =
+    colourBy.value === 'edge_mm'
+      ? scalePainter(triangleEdges(mesh.points, mesh.triangles), measureScales.edge_mm)
+      : { paint: labelPainter(), legend: null };
   const smooth = stage === 'smooth';
-  const faces = surfaceFaces(mesh, { hidden: hiddenLabels.value, smooth }, scaled?.paint ?? labelPainter());
-  return { faces, smooth, legend: scaled?.legend ?? null, count: faces.owners.length };
+  const faces = surfaceFaces(mesh, { hidden: hiddenLabels.value, smooth }, paint);
+  return { faces, smooth, legend, count: faces.owners.length };
 }
 
 export function tetBody(mesh: TetArrays, plane: TetFilter['plane'], ball: TetFilter['ball']): Body {
   const measures = shownResult('quality');
-  const by = colourBy.value;
-  const scaled = by !== 'label' && measures ? scalePainter(measures[by], by) : null;
+  const { paint, legend } = tetPainter(colourBy.value, measures);
   const range = brush.value;
   const filter: TetFilter = { hidden: hiddenLabels.value, plane, ball };
   if (range && measures) {
@@ -87,9 +118,9 @@ export function tetBody(mesh: TetArrays, plane: TetFilter['plane'], ball: TetFil
   }
   const { kept, count } = keptTets(mesh.points, mesh.tets, mesh.labels, filter);
   const body: Body = {
-    faces: outerFaces(mesh, kept, scaled?.paint ?? labelPainter()),
+    faces: outerFaces(mesh, kept, paint),
     smooth: false,
-    legend: scaled?.legend ?? null,
+    legend,
     count,
   };
   if (filter.ranges || ball) {

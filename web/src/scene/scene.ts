@@ -4,9 +4,7 @@ import {
   BufferAttribute,
   BufferGeometry,
   Mesh,
-  MeshBasicMaterial,
   Raycaster,
-  SphereGeometry,
   Vector2,
   Vector3,
   type Group,
@@ -16,7 +14,7 @@ import { MeshBVH } from 'three-mesh-bvh';
 import type { StageName, TetArrays, Vec3 } from '../engine/contract';
 import { colourTable, rgbOf } from '../geometry/colours';
 import { robustRange, type Faces } from '../geometry/faces';
-import { volume } from '../store/input';
+import { nameOf, volume } from '../store/input';
 import { recipe } from '../store/recipe';
 import { shownResult } from '../store/results';
 import { stages } from '../store/run';
@@ -29,7 +27,7 @@ import {
   focusTet,
   hiddenLabels,
   legend,
-  markers,
+  marked,
   picked,
   showEdges,
   slicePlaces,
@@ -37,6 +35,8 @@ import {
 } from '../store/view';
 import { pointsOf, surfaceBody, tetBody, type Body } from './body';
 import { elementMaterial } from './element_material';
+import { lookedUpLines } from './looked_up';
+import { buildMarkers, disposeMarkers, sightOf } from './markers';
 import { addScaleBar, addTriad } from './overlay';
 import { addRegions } from './regions';
 import { buildSlices, disposeSlices } from './slices';
@@ -245,22 +245,22 @@ export function mountScene(container: HTMLElement): () => void {
       untracked(() => describe(stageShown.value, tet));
     }),
     effect(() => {
-      for (const old of viewer.scene.children.filter((child) => child.name === 'marker'))
-        viewer.scene.remove(old);
-      const radius = viewer.bounds.getSize(new Vector3()).length() / 120;
-      for (const point of markers.value) {
-        const dot = new Mesh(
-          new SphereGeometry(radius, 16, 12),
-          new MeshBasicMaterial({ color: 0xd93025, depthTest: false }),
-        );
-        dot.name = 'marker';
-        dot.renderOrder = 5;
-        dot.position.set(...point);
-        viewer.add(dot);
-      }
+      const place = marked.value;
+      if (!place) return;
+      const group = buildMarkers(place, shownResult('remesh'), dotRadius());
+      viewer.add(group);
       viewer.invalidate();
+      return () => {
+        viewer.scene.remove(group);
+        disposeMarkers(group);
+        viewer.invalidate();
+      };
     }),
   ];
+
+  function dotRadius(): number {
+    return viewer.bounds.getSize(new Vector3()).length() / 120;
+  }
 
   function highlight(faces: Faces, tet: number): void {
     faces.owners.forEach((owner, face) => {
@@ -277,8 +277,11 @@ export function mountScene(container: HTMLElement): () => void {
       case 'look':
         viewer.look(order.from);
         break;
-      case 'fly':
-        viewer.flyTo(new Vector3(...order.to), order.radius);
+      case 'marked':
+        if (marked.value) {
+          const { center, radius } = sightOf(marked.value, shownResult('remesh'), dotRadius());
+          viewer.flyTo(center, radius);
+        }
         break;
       case 'cut_facing_me': {
         const towards = viewer.camera.position.clone().sub(viewer.controls.target).normalize();
@@ -289,9 +292,6 @@ export function mountScene(container: HTMLElement): () => void {
   }
 
   function describe(stage: StageName, element: number): void {
-    const colour = volume.value?.labels;
-    const nameOf = (label: number) =>
-      colour?.find((entry) => entry.label === label)?.name || `label ${label}`;
     if (stage === 'tetra' || stage === 'quality') {
       const mesh = shownResult('tetra');
       const measures = shownResult('quality');
@@ -305,6 +305,7 @@ export function mountScene(container: HTMLElement): () => void {
           ],
           ['Mean edge', `${measures.edge_mm[element].toFixed(2)} mm`],
           ['Radius ratio', measures.radius_ratio[element].toFixed(3)],
+          ...lookedUpLines(measures, element),
         );
       }
       picked.value = { title: `Tetrahedron ${element.toLocaleString('en')}`, lines };
@@ -314,7 +315,7 @@ export function mountScene(container: HTMLElement): () => void {
       const [behind, front] = [mesh.sides[2 * element], mesh.sides[2 * element + 1]];
       picked.value = {
         title: `Triangle ${element.toLocaleString('en')}`,
-        lines: [['Between', `${nameOf(behind)} and ${front === 0 ? 'background' : nameOf(front)}`]],
+        lines: [['Between', `${nameOf(behind)} and ${nameOf(front)}`]],
       };
     }
   }

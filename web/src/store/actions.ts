@@ -14,16 +14,16 @@ import {
 import { decodeFragment, LinkError, parseCase } from '../link/codec';
 import { autosave, savedCase } from './autosave';
 import { estimateTets } from './estimate';
+import { fitRecipe } from './fit_recipe';
 import { awaitedFile, volume } from './input';
 import { amendRecipe, editRecipe, recipe, redo, startRecipe, undo } from './recipe';
-import { dropResults, keepResult, shownDigests } from './results';
+import { keepResult, shownDigests } from './results';
 import {
   activity,
   announcement,
-  blankStages,
   defaults,
-  elapsedSeconds,
   expectation,
+  forgetResults,
   lastCancelMs,
   meshedMinimal,
   meshedRecipe,
@@ -31,10 +31,12 @@ import {
   schema,
   setStage,
   stages,
+  startClock,
+  stopClock,
   tell,
   tellFailure,
 } from './run';
-import { brush, command, focusTet, markers, picked, resetView, stageShown } from './view';
+import { brush, command, focusTet, marked, picked, resetView, stageShown } from './view';
 
 /** A case that a link or a file offers, checked and waiting for the user's word. */
 export interface OfferedCase {
@@ -48,7 +50,6 @@ export const offered = signal<OfferedCase | null>(null);
 /** The engine of this page; there is none before startEngine. */
 export let engine: EngineClient;
 let previewTimer: ReturnType<typeof setTimeout> | undefined;
-let clock: ReturnType<typeof setInterval> | undefined;
 /** Actions that were overtaken by newer ones leave the store alone. */
 let turn = 0;
 
@@ -161,14 +162,6 @@ function startingEdge(summary: VolumeSummary): number {
   return Number((2 * Math.cbrt(x * y * z)).toPrecision(2));
 }
 
-function forgetResults(): void {
-  stages.value = blankStages();
-  report.value = null;
-  meshedRecipe.value = null;
-  meshedMinimal.value = null;
-  dropResults(stageNames);
-}
-
 /** The label surface, as soon as it exists. Runs by itself after whatever changes it. */
 export async function preview(fit: boolean): Promise<void> {
   clearTimeout(previewTimer);
@@ -194,7 +187,7 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
   if (engine.busy) await engine.cancel();
   if (mine !== turn) return;
   activity.value = kind;
-  markers.value = [];
+  marked.value = null;
   if (kind === 'run') {
     for (const name of names) setStage(name, { state: 'waiting', fraction: 0 });
     announcement.value = 'Meshing started';
@@ -301,13 +294,19 @@ export async function resumeCase(): Promise<void> {
       const { saved, interrupted } = found;
       const digest = saved.recipe.source.file?.sha256;
       if (digest && saved.file) engine.keepVolume(digest, saved.file);
-      await engine.checkRecipe(saved.recipe);
-      offered.value = { recipe: saved.recipe, expected: saved.expected, origin: 'interrupted' };
+      const { fitted, left } = fitRecipe(saved.recipe, defaults.value ?? {});
+      const accepted = withoutPromise((await engine.checkRecipe(fitted)).recipe);
+      const expected = left.length === 0 ? saved.expected : null;
+      offered.value = { recipe: accepted, expected, origin: 'interrupted' };
+      if (left.length > 0)
+        tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
       if (!interrupted) acceptOffer(false);
     }
-  } catch {
-    // A case that this engine does not take, or a browser without storage: begin afresh.
+  } catch (error) {
+    // Without storage there is nothing to take up, and nothing to say.
     offered.value = null;
+    if (error instanceof EngineError)
+      tell('error', 'Your last case cannot be taken up', `The engine refuses it: ${error.message}.`);
   }
 }
 
@@ -387,15 +386,4 @@ export function tellError(error: unknown): void {
   } else {
     tell('error', 'Something went wrong', error instanceof Error ? error.message : String(error));
   }
-}
-
-function startClock(): void {
-  const begin = performance.now();
-  elapsedSeconds.value = 0;
-  stopClock();
-  clock = setInterval(() => (elapsedSeconds.value = (performance.now() - begin) / 1000), 100);
-}
-
-function stopClock(): void {
-  clearInterval(clock);
 }

@@ -4,5 +4,10 @@ import type { VolumeSummary } from '../engine/contract';
 /** The label volume that the case stands on, once it has been read or generated. */
 export const volume = signal<VolumeSummary | null>(null);
 
+export function nameOf(label: number): string {
+  if (label === 0) return 'background';
+  return volume.value?.labels.find((entry) => entry.label === label)?.name || `label ${label}`;
+}
+
 /** A file that the recipe needs and that has not been dropped in yet. */
 export const awaitedFile = signal<{ name: string; sha256: string } | null>(null);

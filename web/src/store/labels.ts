@@ -1,4 +1,6 @@
-/** Groups of labels that are meshed as one region: `merge` of the recipe. */
+import type { Recipe } from '../engine/contract';
+
+/** Groups of labels that are meshed as one region, which carries the smallest: `merge` of the recipe. */
 type Groups = readonly (readonly number[])[];
 
 /** Whether all chosen labels are one group. */
@@ -12,4 +14,26 @@ export function groupsOf(groups: Groups, before: readonly number[], chosen: read
   return groups
     .map((group) => group.filter((label) => chosen.includes(label)))
     .filter((group) => group.length > 0);
+}
+
+/** The label that the region of `label` carries. */
+export function carrierOf(groups: Groups, label: number): number {
+  return Math.min(...(groups.find((group) => group.includes(label)) ?? [label]));
+}
+
+/** The groups once `label` shares the region of `other`; with itself as the other, it has its own. */
+export function groupedWith(groups: Groups, label: number, other: number): number[][] {
+  const left = groups.map((group) => group.filter((one) => one !== label));
+  const at = left.findIndex((group) => group.includes(other));
+  const joined = [...(at < 0 ? [other] : left[at]), label].sort((a, b) => a - b);
+  const rest = left.filter((group, index) => index !== at && group.length > 1);
+  return other === label ? rest : [...rest, joined].sort((a, b) => a[0] - b[0]);
+}
+
+/** Takes away sizes wished for labels that have no region of their own among those chosen. */
+export function dropIdleSizes(draft: Recipe, chosen: readonly number[]): void {
+  const carries = ({ label }: { label: number }) =>
+    chosen.includes(label) && carrierOf(draft.merge, label) === label;
+  draft.sizing.labels = draft.sizing.labels.filter(carries);
+  draft.sizing.distances = draft.sizing.distances.filter(carries);
 }

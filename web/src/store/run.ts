@@ -2,6 +2,7 @@ import { computed, signal } from '@preact/signals';
 import {
   stageNames,
   type EngineError,
+  type ErrorPlace,
   type Expected,
   type Recipe,
   type Report,
@@ -11,6 +12,8 @@ import {
 } from '../engine/contract';
 import { verdictOf } from '../link/verdict';
 import { recipe } from './recipe';
+import { dropResults } from './results';
+import { showPlace } from './view';
 
 export type StageState = 'waiting' | 'running' | 'done' | 'stale' | 'failed';
 
@@ -28,7 +31,7 @@ export interface Notice {
   tone: 'error' | 'news';
   title: string;
   text: string;
-  points: [number, number, number][];
+  place?: ErrorPlace;
 }
 
 export const schema = signal<Schema | null>(null);
@@ -69,10 +72,31 @@ export function setStage(name: StageName, change: Partial<StageStatus>): void {
   stages.value = { ...stages.value, [name]: { ...stages.value[name], ...change } };
 }
 
+export function forgetResults(): void {
+  stages.value = blankStages();
+  report.value = null;
+  meshedRecipe.value = null;
+  meshedMinimal.value = null;
+  dropResults(stageNames);
+}
+
+let clock: ReturnType<typeof setInterval> | undefined;
+
+export function startClock(): void {
+  const begin = performance.now();
+  elapsedSeconds.value = 0;
+  stopClock();
+  clock = setInterval(() => (elapsedSeconds.value = (performance.now() - begin) / 1000), 100);
+}
+
+export function stopClock(): void {
+  clearInterval(clock);
+}
+
 let noticeCount = 0;
 
-export function tell(tone: Notice['tone'], title: string, text: string, points: Notice['points'] = []): void {
-  const notice = { id: ++noticeCount, tone, title, text, points };
+export function tell(tone: Notice['tone'], title: string, text: string, place?: ErrorPlace): void {
+  const notice = { id: ++noticeCount, tone, title, text, place };
   const kept = notices.value.filter((old) => old.title !== title || old.text !== text);
   notices.value = [...kept, notice].slice(-4);
   if (tone === 'news') setTimeout(() => dismiss(notice.id), 6000);
@@ -93,5 +117,7 @@ const errorTitles: Record<EngineError['code'], string> = {
 };
 
 export function tellFailure(error: EngineError): void {
-  tell('error', errorTitles[error.code], error.message, error.where.points ?? []);
+  const place = error.where.points.length > 0 ? error.where : undefined;
+  tell('error', errorTitles[error.code], error.message, place);
+  if (place) showPlace(place);
 }

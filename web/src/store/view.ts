@@ -1,9 +1,16 @@
 import { computed, signal } from '@preact/signals';
-import type { StageName, TetMeasure, Vec3 } from '../engine/contract';
+import type { ErrorPlace, LookedUpArray, StageName, TetMeasure, Vec3 } from '../engine/contract';
 import { labelColour } from '../geometry/colours';
 import { volume } from './input';
 
-export type ColourBy = 'label' | 'edge_mm' | 'min_dihedral_deg' | 'radius_ratio' | 'size_log2';
+export type ColourBy =
+  'label' | 'edge_mm' | 'min_dihedral_deg' | 'radius_ratio' | 'size_log2' | LookedUpArray;
+/** The label whose share an array holds, or null. */
+export function fractionLabel(name: string): number | null {
+  const found = /^fraction_(\d+)$/.exec(name);
+  return found ? Number(found[1]) : null;
+}
+
 export type ThemeChoice = 'system' | 'light' | 'dark';
 
 export interface Cut {
@@ -41,7 +48,7 @@ export type SceneCommand =
   | { kind: 'fit' }
   | { kind: 'look'; from: ViewDirection }
   | { kind: 'cut_facing_me' }
-  | { kind: 'fly'; to: Vec3; radius: number };
+  | { kind: 'marked' };
 
 export const stageShown = signal<StageName>('smooth');
 export const colourBy = signal<ColourBy>('label');
@@ -60,8 +67,15 @@ export const ownColours = signal<Readonly<Record<number, string>>>({});
 export const theme = signal<ThemeChoice>('system');
 export const dark = signal(false);
 export const command = signal<SceneCommand | null>(null);
-/** Places that an error points at. */
-export const markers = signal<Vec3[]>([]);
+/** What an error points at. */
+export const marked = signal<ErrorPlace | null>(null);
+
+/** Marks the places of an error on the surface that it speaks of, and flies there. */
+export function showPlace(place: ErrorPlace): void {
+  if (place.elements.length > 0) stageShown.value = 'remesh';
+  marked.value = place;
+  command.value = { kind: 'marked' };
+}
 
 export const colourOf = computed(() => {
   const own = ownColours.value;
@@ -74,7 +88,7 @@ export function resetView(): void {
   focusTet.value = null;
   picked.value = null;
   regionShown.value = null;
-  markers.value = [];
+  marked.value = null;
   hiddenLabels.value = new Set();
   ownColours.value = {};
   colourBy.value = 'label';

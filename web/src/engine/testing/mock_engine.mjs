@@ -1,7 +1,7 @@
 /** A small engine of the same surface as the wasm module: a ball in a ball, cut into five tetrahedra a cube. */
 import { oppositeFace, tetNeighbours } from '../../geometry/tet_neighbours';
 
-const stages = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'tetra', 'quality'];
+const stages = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'tetra', 'lookup', 'quality'];
 const cubeTets = [
   [0, 1, 3, 5],
   [0, 3, 2, 6],
@@ -25,8 +25,17 @@ const defaults = {
     edge_max_mm: 50,
     gradation: 0.3,
   },
-  remesh: { method: 'delaunay', smoothing_voxels: 0.7, facet_angle_deg: 30, max_distance_voxels: 0.25 },
+  remesh: {
+    method: 'delaunay',
+    keep_topology: 'labels',
+    facet_angle_deg: 30,
+    max_distance_voxels: 0.25,
+    schedule: 'adaptive',
+    shape_weight: 0.6,
+    verify: false,
+  },
   tetra: { backend: 'tetgen', radius_edge: 1.414, min_dihedral_deg: 14, max_dihedral_deg: 145 },
+  lookup: { labels: [], samples_min: 4, samples_max: 64 },
   quality: { histogram_bins: 64, sample_spacing_voxels: 0.25 },
 };
 
@@ -243,6 +252,7 @@ class Session {
   view(stage, array) {
     if (!this.done.has(stage)) return undefined;
     if (stage === 'volume') return new Uint16Array(12 ** 3).map((_, i) => (i % 12 > 3 && i % 12 < 8 ? 1 : 0));
+    if (stage === 'lookup') return new Float32Array(this.mesh.labels.length).fill(0.5);
     if (stage === 'sizing') return new Float32Array(12 ** 3).map((_, i) => 1 + 3 * ((i % 12) / 12));
     if (stage === 'quality') {
       return new Float32Array(this.mesh.labels.length).map((_, i) =>

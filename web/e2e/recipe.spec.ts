@@ -1,0 +1,86 @@
+/** Cases of other versions, labels that are looked up, errors that have a place. */
+import { expect, idle, link, meshed, smallHeart, stage, test } from './support';
+
+test('a saved case of another version is taken up without the fields that are gone, which are named', async ({
+  page,
+}) => {
+  await page.goto(link(smallHeart));
+  await page.getByRole('button', { name: 'Open', exact: true }).click();
+  await idle(page);
+  await page.getByLabel('Edge length', { exact: true }).fill('4.5');
+  await page.waitForTimeout(1500);
+  await page.evaluate(
+    () =>
+      new Promise<void>((done, failed) => {
+        const request = indexedDB.open('voxtet', 1);
+        request.onerror = () => failed(request.error);
+        request.onsuccess = () => {
+          const store = request.result.transaction('case', 'readwrite').objectStore('case');
+          const reading = store.get('recipe');
+          reading.onsuccess = () => {
+            const kept = reading.result;
+            delete kept.recipe.lookup;
+            kept.recipe.merge = true;
+            kept.recipe.remesh.smoothing_voxels = 0.7;
+            const writing = store.put(kept, 'recipe');
+            writing.onsuccess = () => done();
+          };
+        };
+      }),
+  );
+  await page.reload();
+  await page.goto('./');
+  await expect(page.getByRole('alert')).toContainText('merge, remesh.smoothing_voxels');
+  await expect(page.getByLabel('Edge length', { exact: true })).toHaveValue('4.5');
+  await expect(stage(page, 'smooth')).toHaveAttribute('data-state', 'done');
+});
+
+test('a label is looked up instead of meshed, coloured by its share and compared with its voxels', async ({
+  page,
+}) => {
+  await page.goto(link(smallHeart));
+  await page.getByRole('button', { name: 'Open', exact: true }).click();
+  await idle(page);
+  await page.getByText('Join labels to regions').click();
+  for (const name of ['scar core', 'border zone'])
+    await page.getByLabel(name, { exact: true }).selectOption({ label: 'with LV myocardium' });
+  await page.getByText('Look up in the image').click();
+  await page.getByLabel('Look up scar core').check();
+  await page.getByTestId('run').click();
+  await meshed(page);
+  await expect(page.getByTestId('lookup').locator('tbody tr')).toHaveCount(1);
+  await page.getByLabel('Colour by').selectOption({ label: 'Share of scar core' });
+  await expect(page.locator('.legend')).toContainText('Share of scar core');
+  await page.getByLabel('Colour by').selectOption({ label: 'Majority label' });
+  await expect(page.locator('.legend')).toHaveCount(0);
+});
+
+test('an error of the mesher shows its triangles on the adapted surface', async ({ page }) => {
+  await page.route('**/engine/voxtet_engine.mjs', async (route) => {
+    const response = await route.fetch();
+    const failing = `const createFailing = async (options) => {
+        const engine = await createVoxtet(options);
+        const run = engine.Session.prototype.run;
+        engine.Session.prototype.run = function (stage, progress) {
+          if (stage !== 'tetra') return run.call(this, stage, progress);
+          const points = this.view('remesh', 'points');
+          const where = { points: [Array.from(points.slice(0, 3))], elements: [0, 1] };
+          const message = 'the surface intersects itself: 2 triangles';
+          return JSON.stringify({ ok: false, error: { code: 'meshing', stage, message, where } });
+        };
+        return engine;
+      };
+      export default createFailing;`;
+    const body = (await response.text()).replace(/export default createVoxtet;?/, failing);
+    await route.fulfill({ response, body });
+  });
+  await page.goto(link(smallHeart));
+  await page.getByRole('button', { name: 'Open and run' }).click();
+  await expect(page.getByRole('alert')).toContainText('the surface intersects itself');
+  await idle(page);
+  await expect(stage(page, 'tetra')).toHaveAttribute('data-state', 'failed');
+  await expect(stage(page, 'remesh')).toHaveAttribute('aria-current', 'step');
+  await stage(page, 'surface').click();
+  await page.getByRole('button', { name: 'Show where' }).click();
+  await expect(stage(page, 'remesh')).toHaveAttribute('aria-current', 'step');
+});

@@ -1,0 +1,70 @@
+import type { Recipe, SchemaField } from '../engine/contract';
+import { previewSoon } from '../store/actions';
+import { editRecipe } from '../store/recipe';
+import { schema } from '../store/run';
+import { CheckField, Field, NumberInput, SelectField } from './fields';
+import { choiceWords, fieldUnit, fieldWords } from './stage_words';
+
+type StageGroup = 'volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'quality';
+
+const groups: readonly (readonly [StageGroup, string])[] = [
+  ['volume', 'Volume'],
+  ['surface', 'Label surface'],
+  ['smooth', 'Smoothing'],
+  ['remesh', 'Adapted surface'],
+  ['tetra', 'Tetrahedra'],
+  ['quality', 'Evidence'],
+];
+
+const previewed = new Set<StageGroup>(['volume', 'surface', 'smooth']);
+
+/** One field as the engine's table has it: number, flag or choice. */
+function StageField(props: { group: StageGroup; title: string; field: SchemaField; current: Recipe }) {
+  const { group, title, field, current } = props;
+  const { path } = field;
+  const name = path.slice(group.length + 1);
+  const value = (current[group] as Record<string, unknown>)[name];
+  const label = fieldWords(path);
+  const set = (next: unknown) => {
+    editRecipe(label, (draft) => void ((draft[group] as Record<string, unknown>)[name] = next), path);
+    if (previewed.has(group)) previewSoon();
+  };
+  if (typeof value === 'boolean')
+    return <CheckField label={label} checked={value} hint={field.description} onChange={set} />;
+  if (typeof value === 'string') {
+    const options = (field.values ?? [value]).map((choice) => [choice, choiceWords(path, choice)] as const);
+    return (
+      <SelectField label={label} value={value} options={options} hint={field.description} onChange={set} />
+    );
+  }
+  return (
+    <Field label={label} unit={fieldUnit(path, field.unit)} hint={field.description}>
+      <NumberInput
+        label={`${title}: ${label}`}
+        path={path}
+        value={value as number}
+        onChange={(next) => next !== null && set(next)}
+      />
+    </Field>
+  );
+}
+
+export function StageSection({ current }: { current: Recipe }) {
+  return (
+    <section class="section">
+      <details class="more">
+        <summary>Stage parameters</summary>
+        {groups.map(([group, title]) => (
+          <fieldset key={group} class="stage-fields">
+            <legend>{title}</legend>
+            {schema.value?.fields
+              .filter(({ path }) => path.startsWith(`${group}.`))
+              .map((field) => (
+                <StageField key={field.path} group={group} title={title} field={field} current={current} />
+              ))}
+          </fieldset>
+        ))}
+      </details>
+    </section>
+  );
+}
