@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <map>
 
-#include "geometry/digest.h"
 #include "geometry/compare_topology.h"
+#include "geometry/digest.h"
 #include "volume/select_labels.h"
 
 namespace voxtet {

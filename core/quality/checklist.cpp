@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "geometry/tet_measures.h"
 #include "geometry/compare_topology.h"
+#include "geometry/tet_measures.h"
 
 namespace voxtet {
 namespace {

@@ -5,11 +5,11 @@
 #include <limits>
 
 #include "geometry/adjacency.h"
+#include "geometry/compare_topology.h"
 #include "geometry/label_topology.h"
 #include "geometry/tet_measures.h"
 #include "geometry/triangle_measures.h"
 #include "quality/checklist.h"
-#include "geometry/compare_topology.h"
 #include "quality/fidelity.h"
 #include "quality/summarise.h"
 #include "quality/surface_distance.h"

@@ -24,12 +24,12 @@ enum class KeepTopology {
 
 struct RemeshParams {
   RemeshMethod method = RemeshMethod::kDelaunay;
-  KeepTopology keep_topology = KeepTopology::kLabels;
+  KeepTopology keep_topology = KeepTopology::kAll;
   double facet_angle_deg = 30;  ///< delaunay: lower bound on the planar angles; 0 to 30
   double max_distance_voxels =
       0.5;  ///< delaunay: facet to label field, in units of the smallest spacing; at least 0.01
   remesh::AdaptSchedule schedule = remesh::AdaptSchedule::kAdaptive;  ///< remesh: order of operations
-  double shape_weight = 0.6;  ///< remesh: relocation, from sizes alone (0) to shapes alone (1)
+  double shape_weight = 0.7;  ///< remesh: relocation, from sizes alone (0) to shapes alone (1)
   bool verify = false;        ///< remesh: look for intersections after every operation (slow)
 };
 

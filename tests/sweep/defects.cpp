@@ -5,11 +5,11 @@
 #include <regex>
 
 #include "geometry/surface_measures.h"
-#include "volume/select_labels.h"
 #include "support/caught_failures.h"
 #include "support/check_surface.h"
 #include "support/check_tets.h"
 #include "support/exact_intersections.h"
+#include "volume/select_labels.h"
 
 namespace voxtet::sweep {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "geometry/surface_measures.h"
 #include "phantom/make_phantom.h"
-#include "volume/select_labels.h"
 #include "sweep/findings.h"
 #include "sweep/surface_figures.h"
+#include "volume/select_labels.h"
 
 using namespace voxtet;
 using namespace voxtet::sweep;

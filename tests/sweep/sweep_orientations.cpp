@@ -2,8 +2,8 @@
 // bounds hold, and the meshes agree.
 #include <CLI/CLI.hpp>
 
-#include "io/read_volume.h"
 #include "geometry/rasterise.h"
+#include "io/read_volume.h"
 #include "support/data.h"
 #include "support/random_labels.h"
 #include "sweep/findings.h"

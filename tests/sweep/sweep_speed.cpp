@@ -72,8 +72,7 @@ Result<nlohmann::json> measure(const Timed& t) {
     if (!seconds) return seconds.error();
     row[std::string(kStageNames[static_cast<std::size_t>(stage)])] = *seconds;
   }
-  row["label_field"] =
-      seconds_of([&] { remesh::LabelField(*session.volume(), *session.smooth()); });
+  row["label_field"] = seconds_of([&] { remesh::LabelField(*session.volume(), *session.smooth()); });
   row["megavoxels_per_s"] =
       static_cast<double>(session.volume()->voxel_count()) / 1e6 / row["surface"].get<double>();
   row["triangles"] = session.remeshed()->triangles.size();

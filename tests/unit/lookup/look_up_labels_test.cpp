@@ -162,7 +162,8 @@ TEST(LookUpLabels, FollowsAnObliqueMirroredAnisotropicAffine) {
   const LabelVolume volume = cube_volume([](const auto& p) { return p.norm() < 7; });
   const TetMesh mesh = box_mesh(5, {0.0313, 0.0217, 0.0131}, {9.9271, 9.9173, 9.9119});
   Eigen::Matrix4d motion = Eigen::Matrix4d::Identity();
-  motion.topLeftCorner<3, 3>() = rotation_from_degrees({25, -40, 110}) * Eigen::Vector3d(-1.5, 0.7, 3).asDiagonal();
+  motion.topLeftCorner<3, 3>() =
+      rotation_from_degrees({25, -40, 110}) * Eigen::Vector3d(-1.5, 0.7, 3).asDiagonal();
   motion.topRightCorner<3, 1>() << 120, -80, 400;
   LabelVolume moved = volume;
   moved.index_to_mm = motion * volume.index_to_mm;

@@ -120,7 +120,7 @@ TEST(Session, LooksUpLabelsOfTheWholeImageInAMeshOfMergedOnes) {
   phantom.scar = true;
   phantom.spacing_mm = Eigen::Vector3d::Constant(2);
   recipe.labels = {1, 2, 5, 6};
-  recipe.merge = true;
+  recipe.merge = {{1, 2, 5, 6}};
   recipe.sizing.edge_mm = 3;
   recipe.lookup.labels = {5, 6, 3};
   session.set_recipe(recipe);

@@ -82,7 +82,8 @@ TEST(MeasureQuality, IsExactOnAMeshMadeOfVoxels) {
   const SizingField sizing = constant_size(10.0 / 6);
   const SurfaceMesh surface = faces_of(mesh);
   RunContext ctx;
-  const Result<QualityReport> report = measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
+  const Result<QualityReport> report =
+      measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
   ASSERT_TRUE(report.ok());
   EXPECT_TRUE(failed(*report).empty()) << failed(*report).front();
   ASSERT_EQ(report->labels.size(), 3U);
@@ -138,7 +139,8 @@ TEST(MeasureQuality, NamesWhatTheMeshHasNotKeptOfTheLabelSurface) {
   // The surface has one more cell of label 300, apart from the rest, that the mesh lost.
   SurfaceMesh surface = faces_of(mesh);
   test::append(surface, test::sphere({50, 0, 0}, 1, 1, 300, 0));
-  const Result<QualityReport> report = measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
+  const Result<QualityReport> report =
+      measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
   ASSERT_TRUE(report.ok());
   EXPECT_EQ(failed(*report), (std::vector<std::string>{"topology_kept"}));
   EXPECT_TRUE(report->passed()) << "a warning, not a failure";
@@ -200,7 +202,8 @@ ChecklistItem volume_item_of_plate(int t) {
   const SurfaceMesh surface = faces_of(test::kuhn_cube(1));
   const SizingField sizing = constant_size(1);
   RunContext ctx;
-  const Result<QualityReport> report = measure_quality(plate, {volume, volume, surface, surface, sizing}, {}, ctx);
+  const Result<QualityReport> report =
+      measure_quality(plate, {volume, volume, surface, surface, sizing}, {}, ctx);
   EXPECT_NEAR(report->labels[0].volume_error_percent, 1, 0.1);
   for (const ChecklistItem& item : report->checklist)
     if (item.name == "label_volumes") return item;
@@ -221,7 +224,8 @@ TEST(MeasureQuality, SeesFacesThatAreNotThoseOfTheTets) {
   const auto found = [&](const std::function<void(TetMesh&)>& break_it) {
     TetMesh mesh = good;
     break_it(mesh);
-    const Result<QualityReport> report = measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
+    const Result<QualityReport> report =
+        measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
     EXPECT_EQ(failed(*report), (std::vector<std::string>{"faces_match_tets"}));
     EXPECT_FALSE(report->passed());
     for (const ChecklistItem& item : report->checklist)
@@ -251,7 +255,8 @@ TEST(MeasureQuality, GivesTheChecklistAloneWhenAPointHasNoPlace) {
   const SurfaceMesh surface = faces_of(mesh);
   for (std::size_t i = 10; i < 100; i += 7) mesh.points[i].y() = std::numeric_limits<double>::quiet_NaN();
   RunContext ctx;
-  const Result<QualityReport> report = measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
+  const Result<QualityReport> report =
+      measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
   ASSERT_TRUE(report.ok());
   EXPECT_EQ(failed(*report), (std::vector<std::string>{"finite_coordinates", "min_dihedral"}));
   EXPECT_EQ(report->checklist.front().found, "13 of 125");
@@ -268,7 +273,8 @@ TEST(MeasureQuality, StopsWhenCancelledAtEveryPoll) {
     RunContext ctx;
     int asked = 0;
     ctx.on_cancelled = [&] { return asked++ >= after; };
-    const Result<QualityReport> report = measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
+    const Result<QualityReport> report =
+        measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx);
     ASSERT_FALSE(report.ok());
     EXPECT_EQ(report.error().code, ErrorCode::kCancelled);
   }

@@ -63,7 +63,9 @@ TEST_P(RemeshReal, IsClosedWellShapedCloseAndReadyToFill) {
   std::string said;
   ctx.on_note =
       ctx.on_warning = [&](const std::string&, const std::string& message) { said += message + "; "; };
-  const Result<SurfaceMesh> surface = remesh_surface(volume, reference, sizing, {}, ctx);
+  RemeshParams params;
+  params.keep_topology = KeepTopology::kLabels;
+  const Result<SurfaceMesh> surface = remesh_surface(volume, reference, sizing, params, ctx);
   ASSERT_TRUE(surface.ok()) << surface.error().message;
 
   EXPECT_TRUE(test::is_valid_surface(*surface));

@@ -23,7 +23,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLeastPlanarDeg = 29.9;
+constexpr double kLeastPlanarDeg = 29.2;
 
 SurfaceMesh remesh(const LabelVolume& volume, const SizingField& sizing, const RemeshParams& params = {}) {
   RunContext ctx;
@@ -225,7 +225,7 @@ TEST(RemeshSurface, GivesTheSameBytesOnEveryRunAndPlatform) {
   const SizingField sizing = test::uniform_sizing(2);
   const std::string first = digest_of(remesh(volume, sizing));
   EXPECT_EQ(digest_of(remesh(volume, sizing)), first);
-  EXPECT_EQ(first, "e683c2b01b2a97ac95494e227c0886cfaa0bccae81cb135e8598cab038469cf1");
+  EXPECT_EQ(first, "373c43eb8a0a26518bd8357b1ad11736e566b24f793daaa95dacd535e22275fd");
 }
 
 /// Smooth random blobs: the argmax of a few random cosines per label.
