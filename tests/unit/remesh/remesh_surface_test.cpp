@@ -263,7 +263,9 @@ TEST_P(RemeshBlobs, StayClosedConformingAndFreeOfIntersections) {
   std::string method;
   RunContext ctx;
   ctx.on_note = [&](const std::string&, const std::string& message) { method = message; };
-  const Result<SurfaceMesh> made = remesh_surface(volume, reference, sizing, {}, ctx);
+  RemeshParams params;
+  params.keep_topology = KeepTopology::kLabels;
+  const Result<SurfaceMesh> made = remesh_surface(volume, reference, sizing, params, ctx);
   ASSERT_TRUE(made.ok()) << made.error().message;
   const SurfaceMesh& surface = *made;
   ASSERT_TRUE(test::is_valid_surface(surface));
