@@ -237,7 +237,12 @@ bool Adapter::balance() {
   constexpr int kRounds = 2;
   constexpr double kMostVoxels = 0.1;
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<double> more = volume_lifts(editor_.mesh(), volumes_, kMostVoxels * params_.voxel_mm);
+    const ComplexMesh& mesh = editor_.mesh();
+    std::vector<double> lacking = volumes_;
+    const std::vector<double> now = label_volumes(mesh);
+    for (std::size_t l = 0; l < lacking.size(); ++l) lacking[l] -= now[l];
+    const std::vector<double> more =
+        volume_lifts(mesh.sides(), pair_areas(mesh), lacking, kMostVoxels * params_.voxel_mm);
     for (std::size_t pair = 0; pair < more.size(); ++pair) operations_.lifts[pair] += more[pair];
     if (!relocate_all()) return false;
   }

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "geometry/surface_measures.h"
 #include "geometry/untangle.h"
 #include "remesh/drop_fragments.h"
 #include "remesh/extract_interface.h"
@@ -87,6 +88,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
                                      RunContext& ctx) {
   const double voxel = field.smallest_spacing_mm();
   const VoxelPieces pieces = find_pieces(field, connectivity_of(reference));
+  const std::vector<double> volumes = enclosed_volumes_mm3(reference);
   const Seeds seeds = seed_interfaces(field, sizing);
   if (ctx.cancelled()) return cancelled_error("remesh");
   DelaunayRefiner refiner(field, sizing,
@@ -102,7 +104,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     drop_fragments(cells, field, pieces);
     SurfaceMesh surface = extract_interface(cells);
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
-    fit_surface(surface, field);
+    fit_surface(surface, field, volumes);
     const std::vector<Eigen::Vector3d> missed =
         missed_places(reference, surface, field, kMissed * voxel, kRepairSeparation * voxel);
     if (ctx.cancelled()) return cancelled_error("remesh");

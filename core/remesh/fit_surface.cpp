@@ -8,6 +8,9 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/surface_measures.h"
+#include "remesh/volume_lifts.h"
+
 namespace voxtet::remesh {
 namespace {
 
@@ -19,7 +22,7 @@ constexpr double kTangentialWeight = 0.05;
 constexpr double kLeastPlanarCosine = 0.8724960070727971;    // cos 29.25 deg
 constexpr double kLeastDihedralCosine = 0.6427876096865394;  // cos 50 deg
 constexpr int kRounds = 12;
-constexpr int kSteps = 2;
+constexpr int kSteps = 3;
 
 /// Mean distance of a facet whose corners lie on the interface: the rule of the edge midpoints is exact for
 /// quadratics.
@@ -116,8 +119,30 @@ class Shifts {
   const std::vector<Wing> wings_;
 };
 
-/// One step of all points.
-void fit_once(SurfaceMesh& surface, const LabelField& field, double most) {
+/// By triangle, the lift along its normal that its pair of labels needs for their volumes.
+std::vector<double> lifts_of(const SurfaceMesh& surface, const std::vector<double>& wished_mm3, double most) {
+  std::vector<Sides> pairs = surface.sides;
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::vector<std::size_t> pair_of;
+  std::vector<double> areas(pairs.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto [a, b, c] = surface.triangles[t];
+    pair_of.push_back(static_cast<std::size_t>(
+        std::lower_bound(pairs.begin(), pairs.end(), surface.sides[t]) - pairs.begin()));
+    areas[pair_of.back()] += triangle_area_mm2(surface.points[a], surface.points[b], surface.points[c]);
+  }
+  std::vector<double> lacking = wished_mm3;
+  const std::vector<double> now = enclosed_volumes_mm3(surface);
+  for (std::size_t l = 0; l < std::min(now.size(), lacking.size()); ++l) lacking[l] -= now[l];
+  const std::vector<double> by_pair = volume_lifts(pairs, areas, lacking, most);
+  std::vector<double> lifts;
+  for (const std::size_t pair : pair_of) lifts.push_back(by_pair[pair]);
+  return lifts;
+}
+
+/// One step of all points. `lifts`: by triangle, what its mean distance is to be besides 0; may be empty.
+void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& lifts, double most) {
   std::vector<Matrix3d> normal(surface.points.size(), Matrix3d::Zero());
   std::vector<Vector3d> right(surface.points.size(), Vector3d::Zero());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -127,7 +152,7 @@ void fit_once(SurfaceMesh& surface, const LabelField& field, double most) {
     const double area = across.norm();
     if (!(area > 0)) continue;
     const Vector3d n = across / area;
-    const double distance = mean_distance(surface, t, field);
+    const double distance = mean_distance(surface, t, field) + (lifts.empty() ? 0 : lifts[t]);
     for (const std::uint32_t corner : corners) {
       normal[corner] += area * n * n.transpose();
       right[corner] += area * distance * n;
@@ -148,9 +173,15 @@ void fit_once(SurfaceMesh& surface, const LabelField& field, double most) {
 
 }  // namespace
 
-void fit_surface(SurfaceMesh& surface, const LabelField& field) {
+void fit_surface(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& volumes_mm3) {
   const double most = kMostShiftVoxels * field.smallest_spacing_mm();
-  for (int step = 0; step < kSteps; ++step) fit_once(surface, field, most / (1 << step));
+  std::vector<double> lifts;
+  for (int step = 0; step < kSteps; ++step) {
+    fit_once(surface, field, lifts, most / (1 << step));
+    const std::vector<double> more = lifts_of(surface, volumes_mm3, most);
+    lifts.resize(more.size(), 0);
+    for (std::size_t t = 0; t < lifts.size(); ++t) lifts[t] = std::clamp(lifts[t] + more[t], -most, most);
+  }
 }
 
 }  // namespace voxtet::remesh

@@ -1,6 +1,8 @@
 // Small shifts of an adapted surface's points that take out the error of its chords.
 #pragma once
 
+#include <vector>
+
 #include "remesh/label_field.h"
 #include "types/surface_mesh.h"
 
@@ -13,7 +15,7 @@ namespace voxtet::remesh {
 /// becomes thinner than 29 degrees that was not, no angle between two of them sharper than 50 degrees. Points
 /// near which the field does not know the distance of a facet count it as 0. Intersections are not looked
 /// for.
-void fit_surface(SurfaceMesh& surface, const LabelField& field);
+void fit_surface(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& volumes_mm3);
 
 inline constexpr double kMostShiftVoxels = 0.25;
 

@@ -22,33 +22,36 @@ std::vector<double> label_volumes(const ComplexMesh& mesh) {
   return volumes;
 }
 
-std::vector<double> volume_lifts(const ComplexMesh& mesh, const std::vector<double>& wished_mm3,
-                                 double most_mm) {
-  constexpr int kSweeps = 200;  // of damped Jacobi; the system is the graph Laplacian of the labels
-  const std::vector<Sides>& sides = mesh.sides();
-  std::vector<double> areas(sides.size(), 0), lifts(sides.size(), 0);
+std::vector<double> pair_areas(const ComplexMesh& mesh) {
+  std::vector<double> areas(mesh.sides().size(), 0);
   for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
     if (!mesh.alive(t)) continue;
     const Corners p = mesh.corners(mesh.triangle(t));
     areas[mesh.pair(t)] += triangle_area_mm2(p[0], p[1], p[2]);
   }
-  const std::vector<double> volumes = label_volumes(mesh);
-  std::vector<double> lambda(volumes.size(), 0), sums(volumes.size()), weights(volumes.size());
+  return areas;
+}
+
+std::vector<double> volume_lifts(const std::vector<Sides>& pairs, const std::vector<double>& areas_mm2,
+                                 const std::vector<double>& lacking_mm3, double most_mm) {
+  constexpr int kSweeps = 200;  // of damped Jacobi; the system is the graph Laplacian of the labels
+  const std::size_t count = lacking_mm3.size();
+  std::vector<double> lifts(pairs.size(), 0), lambda(count, 0), sums(count), weights(count);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (std::size_t l = 0; l < sums.size(); ++l) {
-      sums[l] = wished_mm3[l] - volumes[l];
+      sums[l] = lacking_mm3[l];
       weights[l] = 0;
     }
-    for (std::size_t pair = 0; pair < sides.size(); ++pair)
+    for (std::size_t pair = 0; pair < pairs.size(); ++pair)
       for (const std::size_t end : {0, 1}) {
-        sums[sides[pair][end]] += areas[pair] * lambda[sides[pair][1 - end]];
-        weights[sides[pair][end]] += areas[pair];
+        sums[pairs[pair][end]] += areas_mm2[pair] * lambda[pairs[pair][1 - end]];
+        weights[pairs[pair][end]] += areas_mm2[pair];
       }
     for (std::size_t l = 1; l < lambda.size(); ++l)
       if (weights[l] > 0) lambda[l] = 0.5 * (lambda[l] + sums[l] / weights[l]);
   }
-  for (std::size_t pair = 0; pair < sides.size(); ++pair)
-    lifts[pair] = std::clamp(lambda[sides[pair][0]] - lambda[sides[pair][1]], -most_mm, most_mm);
+  for (std::size_t pair = 0; pair < pairs.size(); ++pair)
+    lifts[pair] = std::clamp(lambda[pairs[pair][0]] - lambda[pairs[pair][1]], -most_mm, most_mm);
   return lifts;
 }
 

@@ -10,10 +10,13 @@ namespace voxtet::remesh {
 /// Volume by label, mm^3, relative to one point of the complex; entry 0 (background) means nothing.
 std::vector<double> label_volumes(const ComplexMesh& mesh);
 
-/// By pair of labels, a lift in mm along the normals that to first order gives each label the volume wished:
-/// lambda_behind - lambda_front, which of all such lifts has the least area-weighted square. At most
-/// `most_mm`.
-std::vector<double> volume_lifts(const ComplexMesh& mesh, const std::vector<double>& wished_mm3,
-                                 double most_mm);
+/// Area by pair of labels, mm^2.
+std::vector<double> pair_areas(const ComplexMesh& mesh);
+
+/// By pair of labels, a lift in mm along the normals that to first order gives each label the volume it
+/// lacks: lambda_behind - lambda_front, which of all such lifts has the least area-weighted square. At most
+/// `most_mm`. `lacking_mm3` by label; entry 0 (background) means nothing.
+std::vector<double> volume_lifts(const std::vector<Sides>& pairs, const std::vector<double>& areas_mm2,
+                                 const std::vector<double>& lacking_mm3, double most_mm);
 
 }  // namespace voxtet::remesh

@@ -44,6 +44,7 @@ Status run_case(const Case& c, const std::string& path, const std::string& metho
   if (Status loaded = load_labels(*volume, session); !loaded) return loaded;
   Result<Recipe> recipe = with_field(session.recipe(), "remesh.method", method);
   if (!recipe) return recipe.error();
+  recipe->remesh.keep_topology = KeepTopology::kNothing;  // each method on its own
   recipe->labels = c.labels;
   if (c.merge) recipe->merge = {c.labels};
   recipe->sizing.edge_mm = 2 * volume->smallest_spacing_mm();

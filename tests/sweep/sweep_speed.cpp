@@ -56,6 +56,7 @@ Status prepare(const Timed& t, Session& session) {
   if (Status loaded = load_labels(*volume, session); !loaded) return loaded;
   Result<Recipe> recipe = with_field(session.recipe(), "remesh.method", t.method);
   if (!recipe) return recipe.error();
+  recipe->remesh.keep_topology = KeepTopology::kNothing;  // each method on its own
   recipe->labels = t.labels;
   if (t.merge) recipe->merge = {t.labels};
   recipe->sizing.edge_mm = kEdgeMm;
