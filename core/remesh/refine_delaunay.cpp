@@ -30,7 +30,7 @@ using Triangulation =
 using Point = Kernel::Point_3;
 using Cell = Triangulation::Cell_handle;
 
-/// A facet whose normal is more than 60 degrees off the field's is refined, unless its ball is this small.
+/// A facet whose normal is more than 75 degrees off the field's is refined, unless its ball is this small.
 constexpr double kAstrayCosine = 0.25;
 constexpr double kLeastAstrayVoxels = 0.35;
 
