@@ -105,10 +105,12 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     SurfaceMesh surface = extract_interface(cells);
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
     fit_surface(surface, field, volumes);
-    const std::vector<Eigen::Vector3d> missed =
-        missed_places(reference, surface, field, kMissed * voxel, kRepairSeparation * voxel);
     if (ctx.cancelled()) return cancelled_error("remesh");
-    if (round < kRepairRounds && repair(refiner, cells, missed, voxel) > 0) continue;
+    if (round < kRepairRounds) {
+      const std::vector<Eigen::Vector3d> missed =
+          missed_places(reference, surface, field, kMissed * voxel, kRepairSeparation * voxel);
+      if (repair(refiner, cells, missed, voxel) > 0) continue;
+    }
     if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error("remesh");
     return surface;
   }

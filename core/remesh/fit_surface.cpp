@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/surface_measures.h"
+#include "remesh/triangle_contact.h"
 #include "remesh/volume_lifts.h"
 
 namespace voxtet::remesh {
@@ -33,14 +34,6 @@ double mean_distance(const SurfaceMesh& surface, std::size_t t, const LabelField
   for (const Vector3d& middle : {Vector3d(0.5 * (p + q)), Vector3d(0.5 * (q + r)), Vector3d(0.5 * (r + p))})
     sum += field.distance(middle, surface.sides[t][0], surface.sides[t][1]).value_or(0);
   return sum / 3;
-}
-
-/// Largest cosine of the angles of a triangle.
-double sharpest_cosine(const Vector3d& p, const Vector3d& q, const Vector3d& r) {
-  const Vector3d u = q - p, v = r - q, w = p - r;
-  const double uu = u.squaredNorm(), vv = v.squaredNorm(), ww = w.squaredNorm();
-  return std::max(
-      {-u.dot(w) / std::sqrt(uu * ww), -u.dot(v) / std::sqrt(uu * vv), -v.dot(w) / std::sqrt(vv * ww)});
 }
 
 /// A triangle at one of its edges.
@@ -88,7 +81,7 @@ class Shifts {
     bool changed = false;
     for (const Triangle& t : surface_.triangles) {
       const auto cosine = [&](double scale) {
-        return sharpest_cosine(at(t[0], scale), at(t[1], scale), at(t[2], scale));
+        return sharpest_cosine({at(t[0], scale), at(t[1], scale), at(t[2], scale)});
       };
       if (!worsens(cosine(0), cosine(1), kLeastPlanarCosine)) continue;
       changed = true;
@@ -176,11 +169,12 @@ void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<d
 void fit_surface(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& volumes_mm3) {
   const double most = kMostShiftVoxels * field.smallest_spacing_mm();
   std::vector<double> lifts;
-  for (int step = 0; step < kSteps; ++step) {
-    fit_once(surface, field, lifts, most / (1 << step));
+  fit_once(surface, field, lifts, most);
+  lifts.assign(surface.triangles.size(), 0);
+  for (int step = 1; step < kSteps; ++step) {
     const std::vector<double> more = lifts_of(surface, volumes_mm3, most);
-    lifts.resize(more.size(), 0);
     for (std::size_t t = 0; t < lifts.size(); ++t) lifts[t] = std::clamp(lifts[t] + more[t], -most, most);
+    fit_once(surface, field, lifts, most / (1 << step));
   }
 }
 

@@ -25,11 +25,9 @@ struct Crossing {
   std::uint32_t axis;
 };
 
-std::vector<Crossing> find_crossings(const LabelField& field, Seeds& seeds) {
-  const std::vector<std::uint32_t> ids =
-      label_components(field.size(), field.centre_labels(), seeds.component_sizes);
-  seeds.component_labels.resize(seeds.component_sizes.size());
-  for (std::size_t v = 0; v < ids.size(); ++v) seeds.component_labels[ids[v]] = field.centre_labels()[v];
+std::vector<Crossing> find_crossings(const LabelField& field) {
+  std::vector<std::uint32_t> sizes;
+  const std::vector<std::uint32_t> ids = label_components(field.size(), field.centre_labels(), sizes);
   const std::array<int, 3>& size = field.size();
   const std::array<std::size_t, 3> step{
       1, static_cast<std::size_t>(size[0]),
@@ -137,7 +135,7 @@ class PointBuckets {
 
 Seeds seed_interfaces(const LabelField& field, const SizingField& sizing) {
   Seeds out;
-  std::vector<Crossing> crossings = find_crossings(field, out);
+  std::vector<Crossing> crossings = find_crossings(field);
   const std::array<int, 3>& size = field.size();
   const auto index_of = [&](std::size_t v) {
     const std::size_t sx = static_cast<std::size_t>(size[0]), sy = static_cast<std::size_t>(size[1]);
@@ -163,8 +161,6 @@ Seeds seed_interfaces(const LabelField& field, const SizingField& sizing) {
     while (end < crossings.size() && crossings[end].pair == crossings[begin].pair) ++end;
     shuffler.shuffle(crossings.begin() + static_cast<std::ptrdiff_t>(begin),
                      crossings.begin() + static_cast<std::ptrdiff_t>(end));
-    const std::array<std::uint32_t, 2> pair{static_cast<std::uint32_t>(crossings[begin].pair >> 32),
-                                            static_cast<std::uint32_t>(crossings[begin].pair)};
     std::size_t found = 0;
     double shrink = 1;
     for (int round = 0; round <= kShrinkRounds && (round == 0 || found < kEnough); ++round, shrink *= kShrink)
@@ -183,7 +179,6 @@ Seeds seed_interfaces(const LabelField& field, const SizingField& sizing) {
         if (buckets.occupied(p, group, distance, separation)) continue;
         buckets.add(p, group);
         out.points.push_back(p);
-        out.components.push_back(pair);
         ++found;
       }
     begin = end;

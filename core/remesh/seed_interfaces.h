@@ -2,8 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstdint>
 #include <vector>
 
 #include "remesh/label_field.h"
@@ -12,11 +10,8 @@
 namespace voxtet::remesh {
 
 struct Seeds {
-  std::vector<Eigen::Vector3d> points;                   ///< mm, on the interfaces
-  std::vector<std::array<std::uint32_t, 2>> components;  ///< per point, the two that touch there
-  std::vector<Label> component_labels;         ///< per 6-connected component of the field's voxel centres
-  std::vector<std::uint32_t> component_sizes;  ///< voxels
-  double predicted_vertices = 0;               ///< rough size of the finished surface, for progress
+  std::vector<Eigen::Vector3d> points;  ///< mm, on the interfaces
+  double predicted_vertices = 0;        ///< rough size of the finished surface, for progress
 };
 
 /// Poisson-spaced points (kSeedSpacing wished edge lengths apart) on the interface of every pair of touching
