@@ -4,6 +4,7 @@
 #include "io/read_volume.h"
 #include "support/data.h"
 #include "support/random_labels.h"
+#include "support/test_random.h"
 #include "sweep/command_line.h"
 #include "sweep/findings.h"
 #include "sweep/load_labels.h"

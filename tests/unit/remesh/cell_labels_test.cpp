@@ -17,6 +17,7 @@
 #include "support/label_bodies.h"
 #include "support/label_surface.h"
 #include "support/random_labels.h"
+#include "support/test_random.h"
 #include "support/test_surfaces.h"
 #include "surface_report.h"
 

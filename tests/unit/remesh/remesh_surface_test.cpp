@@ -15,6 +15,7 @@
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
 #include "support/label_surface.h"
+#include "support/test_random.h"
 #include "support/test_surfaces.h"
 #include "surface_report.h"
 
