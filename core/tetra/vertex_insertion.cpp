@@ -1,0 +1,119 @@
+#include "tetra/vertex_insertion.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace voxtet::tetra {
+namespace {
+
+/// Tets of a cavity, at most.
+constexpr std::size_t kMostTets = 50;
+/// Tets dug in vain before giving up.
+constexpr std::size_t kPatience = 12;
+constexpr int kSmoothingSteps = 8;
+/// The lowest quality has to grow by this factor to be worth a vertex.
+constexpr double kLeastGain = 1.02;
+
+}  // namespace
+
+void VertexInserter::absorb(std::uint32_t t, const Point& at) {
+  cavity_.push_back(t);
+  for (std::uint32_t c = 0; c < 4; ++c) {
+    const Facet facet = complex_.across(t, c);
+    const auto met = facet == kNone ? sides_.end()
+                                    : std::find_if(sides_.begin(), sides_.end(), [facet](const Side& s) {
+                                        return 4 * s.tet + s.corner == facet;
+                                      });
+    if (met != sides_.end()) {
+      *met = sides_.back();
+      sides_.pop_back();
+      continue;
+    }
+    const Tet& corners = complex_.corners(t);
+    const auto& side = kSideCorners[c];
+    sides_.push_back({t, c,
+                      quality(at, complex_.point(corners[side[0]]), complex_.point(corners[side[1]]),
+                              complex_.point(corners[side[2]]))});
+  }
+}
+
+/// Absorbs the tet behind the worst side, again and again, and goes back to the best cavity on the way.
+void VertexInserter::dig(const Point& at) {
+  std::vector<std::uint32_t> start = std::move(cavity_);
+  cavity_.clear();
+  sides_.clear();
+  for (const std::uint32_t t : start) absorb(t, at);
+  double best = -1;
+  std::size_t best_size = cavity_.size();
+  while (true) {
+    const auto worst = std::min_element(
+        sides_.begin(), sides_.end(), [](const Side& p, const Side& q) { return p.quality < q.quality; });
+    if (worst->quality > best) {
+      best = worst->quality;
+      best_size = cavity_.size();
+    }
+    const std::uint32_t next = complex_.behind(worst->tet, worst->corner);
+    if (next == kNone || cavity_.size() == kMostTets || cavity_.size() == best_size + kPatience) break;
+    absorb(next, at);
+  }
+  start.assign(cavity_.begin(), cavity_.begin() + static_cast<std::ptrdiff_t>(best_size));
+  cavity_.clear();
+  sides_.clear();
+  for (const std::uint32_t t : start) absorb(t, at);
+}
+
+double VertexInserter::lowest_before() const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t t : cavity_) lowest = std::min(lowest, complex_.quality_of(t));
+  return lowest;
+}
+
+Apex VertexInserter::smooth(const Point& at) {
+  star_.clear();
+  for (const Side& s : sides_) {
+    const Tet& corners = complex_.corners(s.tet);
+    const auto& side = kSideCorners[s.corner];
+    star_.push_back(
+        {complex_.point(corners[side[0]]), complex_.point(corners[side[1]]), complex_.point(corners[side[2]])});
+  }
+  return ascend(at, star_, kSmoothingSteps);
+}
+
+bool VertexInserter::sizes_allow(const Point& at, std::uint32_t t) const {
+  double before = 1;
+  const Tet& c = complex_.corners(t);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      before = std::max(before, guard_.misfit(complex_.point(c[i]), complex_.point(c[j])));
+  return std::all_of(star_.begin(), star_.end(), [&](const StarSide& side) {
+    return std::all_of(side.begin(), side.end(),
+                       [&](const Point& p) { return guard_.allows(at, p, before); });
+  });
+}
+
+bool VertexInserter::commit(const Point& at) {
+  const std::uint32_t vertex = complex_.add_point(at);
+  made_.clear();
+  for (const Side& s : sides_) {
+    const Tet& corners = complex_.corners(s.tet);
+    const auto& side = kSideCorners[s.corner];
+    made_.push_back({vertex, corners[side[0]], corners[side[1]], corners[side[2]]});
+  }
+  if (complex_.replace(cavity_, made_)) return true;
+  complex_.drop_point();
+  return false;
+}
+
+bool VertexInserter::insert(std::uint32_t t) {
+  const Tet& c = complex_.corners(t);
+  Apex apex{(complex_.point(c[0]) + complex_.point(c[1]) + complex_.point(c[2]) + complex_.point(c[3])) / 4, 0};
+  cavity_.assign(1, t);
+  for (int round = 0; round < 2; ++round) {
+    dig(apex.at);
+    apex = smooth(apex.at);
+    if (!(apex.quality > 0)) return false;
+  }
+  return apex.quality > kLeastGain * lowest_before() && sizes_allow(apex.at, t) && commit(apex.at);
+}
+
+}  // namespace voxtet::tetra
