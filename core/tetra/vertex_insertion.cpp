@@ -13,6 +13,9 @@ constexpr std::size_t kPatience = 12;
 constexpr int kSmoothingSteps = 8;
 /// The lowest quality has to grow by this factor to be worth a vertex.
 constexpr double kLeastGain = 1.02;
+/// New edges may be out of the range of sizes by this factor more than those of the cavity: between two walls
+/// that are near each other a vertex has no other place.
+constexpr double kSizeSlack = 1.5;
 
 }  // namespace
 
@@ -79,16 +82,14 @@ Apex VertexInserter::smooth(const Point& at) {
   return ascend(at, star_, kSmoothingSteps);
 }
 
-bool VertexInserter::sizes_allow(const Point& at, std::uint32_t t) const {
-  double before = 1;
-  const Tet& c = complex_.corners(t);
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      before = std::max(before, guard_.misfit(complex_.point(c[i]), complex_.point(c[j])));
-  return std::all_of(star_.begin(), star_.end(), [&](const StarSide& side) {
-    return std::all_of(side.begin(), side.end(),
-                       [&](const Point& p) { return guard_.allows(at, p, before); });
-  });
+bool VertexInserter::sizes_allow(const Point& at) const {
+  double before = 1, after = 0;
+  for (const StarSide& side : star_)
+    for (std::size_t i = 0; i < 3; ++i) {
+      before = std::max(before, guard_.misfit(side[i], side[(i + 1) % 3]));
+      after = std::max(after, guard_.misfit(at, side[i]));
+    }
+  return after <= kSizeSlack * before;
 }
 
 bool VertexInserter::commit(const Point& at) {
@@ -104,16 +105,26 @@ bool VertexInserter::commit(const Point& at) {
   return false;
 }
 
-bool VertexInserter::insert(std::uint32_t t) {
-  const Tet& c = complex_.corners(t);
-  Apex apex{(complex_.point(c[0]) + complex_.point(c[1]) + complex_.point(c[2]) + complex_.point(c[3])) / 4, 0};
+bool VertexInserter::insert_at(const Point& start, std::uint32_t t) {
+  Apex apex{start, 0};
   cavity_.assign(1, t);
   for (int round = 0; round < 2; ++round) {
     dig(apex.at);
     apex = smooth(apex.at);
     if (!(apex.quality > 0)) return false;
   }
-  return apex.quality > kLeastGain * lowest_before() && sizes_allow(apex.at, t) && commit(apex.at);
+  return apex.quality > kLeastGain * lowest_before() && sizes_allow(apex.at) && commit(apex.at);
+}
+
+bool VertexInserter::insert(std::uint32_t t) {
+  const Tet c = complex_.corners(t);
+  const std::array<Point, 4> p{complex_.point(c[0]), complex_.point(c[1]), complex_.point(c[2]),
+                               complex_.point(c[3])};
+  if (insert_at((p[0] + p[1] + p[2] + p[3]) / 4, t)) return true;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (insert_at((p[i] + p[j]) / 2, t)) return true;
+  return false;
 }
 
 }  // namespace voxtet::tetra

@@ -27,10 +27,11 @@ class VertexInserter {
     std::uint32_t tet, corner;
     double quality;  ///< of the tet it makes with the new vertex
   };
+  bool insert_at(const Point& start, std::uint32_t t);
   void dig(const Point& at);
   void absorb(std::uint32_t t, const Point& at);
   double lowest_before() const;
-  bool sizes_allow(const Point& at, std::uint32_t t) const;
+  bool sizes_allow(const Point& at) const;
   Apex smooth(const Point& at);
   bool commit(const Point& at);
 

@@ -123,11 +123,13 @@ Point nearest_in_hull(std::span<const Point> points) {
   return best;
 }
 
-Apex ascend(const Point& start, std::span<StarSide> sides, int steps) {
+Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Track* track) {
   Apex apex{start, lowest_quality(start, sides, 0)};
   std::vector<Slope> slopes;
   for (int s = 0; s < steps; ++s) {
     find_slopes(apex.at, sides, apex.quality, slopes);
+    if (track != nullptr)
+      for (Slope& slope : slopes) slope.gradient -= track->normal() * track->normal().dot(slope.gradient);
     const Point direction = find_direction(slopes, apex.quality);
     const double rise = direction.squaredNorm();
     const double longest = 0.5 * shortest_side(apex.at, sides) / std::sqrt(rise);
@@ -136,7 +138,7 @@ Apex ascend(const Point& start, std::span<StarSide> sides, int steps) {
     const double before = apex.quality;
     for (int h = 0; h <= kHalvings; ++h, step /= 2) {
       const double wanted = before + std::max(kArmijo * step * rise, kLeastGain * before);
-      const Point to = apex.at + step * direction;
+      const Point ahead = apex.at + step * direction, to = track == nullptr ? ahead : track->pull(ahead);
       const double reached = lowest_quality(to, sides, wanted);
       if (!(reached > wanted)) continue;
       apex = {to, reached};

@@ -21,9 +21,19 @@ struct Apex {
   double quality = 0;  ///< the lowest of the star's tets
 };
 
-/// Climbs from `start`, whose star has positive tets only, by at most so many steps. Each raises the lowest
-/// quality of the star; reorders `sides`.
-Apex ascend(const Point& start, std::span<StarSide> sides, int steps);
+/// A surface that an apex stays on.
+class Track {
+ public:
+  virtual ~Track() = default;
+  /// Of unit length, where the climb starts.
+  virtual Point normal() const = 0;
+  /// The place on the surface for a point near it; the start itself where that is too far from it.
+  virtual Point pull(const Point& to) const = 0;
+};
+
+/// Climbs from `start`, whose star has positive tets only, by at most so many steps, anywhere or on a track.
+/// Each raises the lowest quality of the star; reorders `sides`.
+Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Track* track = nullptr);
 
 /// The point nearest to the origin in the convex hull of one to four.
 Point nearest_in_hull(std::span<const Point> points);
