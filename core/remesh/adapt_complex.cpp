@@ -5,6 +5,7 @@
 #include <new>
 #include <numeric>
 
+#include "geometry/triangle_measures.h"
 #include "remesh/complex_editor.h"
 #include "remesh/local_operations.h"
 #include "remesh/volume_lifts.h"

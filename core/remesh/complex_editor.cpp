@@ -6,6 +6,8 @@
 #include "geometry/closest_point.h"
 #include "geometry/self_intersections.h"
 #include "geometry/surface_measures.h"
+#include "geometry/triangle_intersection.h"
+#include "geometry/triangle_measures.h"
 
 namespace voxtet::remesh {
 namespace {

@@ -12,7 +12,6 @@
 #include "remesh/complex_mesh.h"
 #include "remesh/reference_complex.h"
 #include "remesh/sample_hosts.h"
-#include "remesh/triangle_contact.h"
 #include "remesh/triangle_hash.h"
 #include "types/sizing_field.h"
 

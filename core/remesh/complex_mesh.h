@@ -8,13 +8,14 @@
 #include <span>
 #include <vector>
 
+#include "geometry/triangle_measures.h"
 #include "types/surface_mesh.h"
 
 namespace voxtet::remesh {
 
 inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 using PairId = std::uint32_t;  ///< which two labels a triangle separates: an entry of ComplexMesh::sides()
-using Corners = std::array<Eigen::Vector3d, 3>;
+using Corners = TriangleCorners;
 
 /// The manifold of highest order that a vertex is on (Dey, Edelsbrunner, Guha and Nekhayev, "Topology
 /// preserving edge contraction", 1999).

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geometry/surface_measures.h"
-#include "remesh/triangle_contact.h"
+#include "geometry/triangle_measures.h"
 #include "remesh/volume_lifts.h"
 
 namespace voxtet::remesh {

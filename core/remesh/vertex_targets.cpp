@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/surface_measures.h"
+#include "geometry/triangle_measures.h"
 #include "remesh/local_operations.h"
 
 namespace voxtet::remesh {

@@ -102,5 +102,20 @@ TEST(MeasureTriangle, MatchesClosedForms) {
       std::isinf(measure_triangle({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(2, 0, 0)}).aspect_ratio));
 }
 
+TEST(MeasureTriangle, GivesCosinesOfAnglesAndFolds) {
+  EXPECT_NEAR(sharpest_cosine({Vector3d(0, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)}), std::sqrt(0.5),
+              1e-15);
+  EXPECT_EQ(sharpest_cosine({Vector3d(1, 0, 0), Vector3d(1, 0, 0), Vector3d(0, 1, 0)}), 1);
+  EXPECT_NEAR(fold_cosine({0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, 0, 3}), 0, 1e-15);
+  EXPECT_NEAR(fold_cosine({0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {0, -2, 0}), -1, 1e-15);
+}
+
+TEST(MeasureTriangle, GivesTheDistanceOfACornerToAnother) {
+  const TriangleCorners flat{Vector3d(0, 0, 0), Vector3d(4, 0, 0), Vector3d(0, 4, 0)};
+  const TriangleCorners above{Vector3d(1, 1, 3), Vector3d(1, 1, 5), Vector3d(2, 1, 5)};
+  EXPECT_NEAR(corner_distance2(flat, above), 9, 1e-14);
+  EXPECT_NEAR(corner_distance2(above, flat), 9, 1e-14);
+}
+
 }  // namespace
 }  // namespace voxtet

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "geometry/half_space.h"
 #include "support/exact_intersection.h"
@@ -21,6 +22,20 @@ Triangle random_triangle(test::TestRandom& random, int points) {
   return {a, b, c};
 }
 
+/// The corners in turn, beginning with `first`.
+TriangleCorners corners_from(const Points& points, const Triangle& t, std::uint32_t first) {
+  const auto i = static_cast<std::size_t>(std::find(t.begin(), t.end(), first) - t.begin());
+  return {points[t[i]], points[t[(i + 1) % 3]], points[t[(i + 2) % 3]]};
+}
+
+/// What the tests by corners say of triangles with at most one common corner.
+bool corners_meet(const Points& points, const Triangle& a, const Triangle& b) {
+  for (const std::uint32_t v : a)
+    if (std::find(b.begin(), b.end(), v) != b.end())
+      return triangles_meet_beyond_corner(corners_from(points, a, v), corners_from(points, b, v));
+  return triangles_meet(corners_from(points, a, a[0]), corners_from(points, b, b[0]));
+}
+
 /// Pairs by the oracle's word.
 struct Tally {
   int meeting = 0, apart = 0;
@@ -37,6 +52,9 @@ void compare(test::TestRandom& random, const Points& points, int pairs, std::arr
     const bool expected = test::meet_beyond_shared(points, a, b);
     ASSERT_EQ(triangles_intersect(points, a, b), expected);
     ASSERT_EQ(triangles_intersect(points, b, a), expected);
+    if (shared < 2) {
+      ASSERT_EQ(corners_meet(points, a, b), expected);
+    }
     ++(expected ? tally[shared].meeting : tally[shared].apart);
   }
 }
