@@ -10,6 +10,7 @@
 #include "tetra/tet_complex.h"
 #include "tetra/vertex_insertion.h"
 #include "tetra/vertex_smoothing.h"
+#include "tetra/wall_sliding.h"
 
 namespace voxtet {
 namespace {
@@ -20,11 +21,12 @@ constexpr int kSmoothingSteps = 5;
 
 class Optimiser {
  public:
-  Optimiser(TetMesh mesh, const SizingField& sizing, const OptimiseParams& params)
+  Optimiser(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing, const OptimiseParams& params)
       : complex_(std::move(mesh)),
         guard_(sizing),
         smoother_(complex_, guard_),
         inserter_(complex_, guard_),
+        slider_(complex_, smoother_, reference),
         goal_(quality_of_angle(params.min_dihedral_deg)),
         insertion_goal_(quality_of_angle(params.insertion_deg)) {}
 
@@ -61,6 +63,21 @@ class Optimiser {
       requeue(queue, insertion_goal_);
     }
   }
+  void slide_pass(double goal) {
+    Queue queue = bad_tets(goal);
+    seen_.assign(complex_.point_count(), 0);
+    std::vector<std::uint32_t> vertices;
+    while (!queue.empty()) {
+      const std::uint32_t t = queue.top().second;
+      queue.pop();
+      for (const std::uint32_t v : complex_.corners(t)) {
+        if (!complex_.on_wall(v) || seen_[v]) continue;
+        seen_[v] = 1;
+        vertices.push_back(v);
+      }
+    }
+    slid += slider_.slide(vertices);
+  }
   TetMesh release() { return std::move(complex_).release(); }
   double lowest() const {
     double q = 1;
@@ -68,7 +85,7 @@ class Optimiser {
       if (complex_.alive(t)) q = std::min(q, complex_.quality_of(t));
     return q;
   }
-  std::size_t edges = 0, faces = 0, smoothed = 0, inserted = 0;
+  std::size_t edges = 0, faces = 0, smoothed = 0, inserted = 0, slid = 0;
 
  private:
   using Entry = std::pair<double, std::uint32_t>;
@@ -97,6 +114,7 @@ class Optimiser {
   SizeGuard guard_;
   VertexSmoother smoother_;
   VertexInserter inserter_;
+  WallSlider slider_;
   double goal_, insertion_goal_;
   std::vector<std::uint8_t> seen_;
 };
@@ -105,16 +123,17 @@ class Optimiser {
 
 Result<TetMesh> optimise_tets(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
                               const OptimiseParams& params, RunContext& ctx) {
-  (void)reference;
-  Optimiser o(std::move(mesh), sizing, params);
+  Optimiser o(std::move(mesh), reference, sizing, params);
   for (int round = 0; round < params.rounds; ++round) {
     o.swap_pass();
     double a = o.lowest();
     o.smooth_pass();
     double b = o.lowest();
     if (round > 0) o.insert_pass();
+    double c = o.lowest();
+    if (round > 0) o.slide_pass(quality_of_angle(getenv("SL")?atof(getenv("SL")):31));
     char text[200];
-    snprintf(text, 200, "round %d: swap %.4f smooth %.4f insert %.4f; edges %zu faces %zu smoothed %zu inserted %zu", round, a, b, o.lowest(), o.edges, o.faces, o.smoothed, o.inserted);
+    snprintf(text, 200, "round %d: swap %.4f smooth %.4f insert %.4f slide %.4f; edges %zu faces %zu smoothed %zu inserted %zu slid %zu", round, a, b, c, o.lowest(), o.edges, o.faces, o.smoothed, o.inserted, o.slid);
     ctx.note("optimise", text);
   }
   return o.release();

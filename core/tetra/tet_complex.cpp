@@ -1,26 +1,15 @@
 #include "tetra/tet_complex.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "geometry/adjacency.h"
+#include "geometry/orientation.h"
 
 namespace voxtet::tetra {
 namespace {
 
 constexpr Tet kGone{kNone, kNone, kNone, kNone};
-
-/// Proven for the exact volume: Shewchuk's error bound of the determinant.
-bool is_positive(const Point& a, const Point& b, const Point& c, const Point& d) {
-  constexpr double kErrorBound = 8e-16;
-  const Point u = b - a, v = c - a, w = d - a;
-  const Point normal = v.cross(w);
-  const Point most{std::abs(v.y() * w.z()) + std::abs(v.z() * w.y()),
-                   std::abs(v.z() * w.x()) + std::abs(v.x() * w.z()),
-                   std::abs(v.x() * w.y()) + std::abs(v.y() * w.x())};
-  return u.dot(normal) > kErrorBound * u.cwiseAbs().dot(most);
-}
 
 std::array<std::uint32_t, 3> ascending(std::array<std::uint32_t, 3> c) {
   if (c[0] > c[1]) std::swap(c[0], c[1]);
@@ -63,6 +52,10 @@ TetComplex::TetComplex(TetMesh mesh)
     cells_[face.first].across[corner_of(sides[0])] = sides[1];
     cells_[face.second].across[corner_of(sides[1])] = sides[0];
   }
+}
+
+bool TetComplex::is_positive(const Tet& t) const {
+  return orientation(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]) > 0;
 }
 
 TetMesh TetComplex::release() && {
@@ -161,7 +154,7 @@ void TetComplex::link(std::uint32_t t) {
 
 bool TetComplex::replace(std::span<const std::uint32_t> gone, std::span<const Tet> made) {
   for (const Tet& t : made)
-    if (!is_positive(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]])) return false;
+    if (!is_positive(t)) return false;
   const Label label = cells_[gone[0]].label;
   link_outside(gone);
   for (const std::uint32_t t : gone) {
@@ -196,10 +189,8 @@ void TetComplex::drop_point() {
 
 bool TetComplex::move_point(std::uint32_t vertex, const Point& to, std::span<const std::uint32_t> star) {
   const Point from = std::exchange(points_[vertex], to);
-  const bool positive = std::all_of(star.begin(), star.end(), [this](std::uint32_t t) {
-    const auto& [a, b, c, d] = corners(t);
-    return is_positive(points_[a], points_[b], points_[c], points_[d]);
-  });
+  const bool positive =
+      std::all_of(star.begin(), star.end(), [this](std::uint32_t t) { return is_positive(corners(t)); });
   if (!positive)
     points_[vertex] = from;
   else

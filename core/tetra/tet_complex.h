@@ -86,6 +86,10 @@ class TetComplex {
   bool replace(std::span<const std::uint32_t> gone, std::span<const Tet> made);
   const std::vector<std::uint32_t>& made() const { return made_; }
 
+  /// The walls, as TetMesh lists them.
+  const std::vector<Triangle>& walls() const { return faces_; }
+  const std::vector<Sides>& wall_sides() const { return face_sides_; }
+
   /// Adds a point that no tet uses yet.
   std::uint32_t add_point(const Point& at);
   /// Forgets the point added last, which no tet uses.
@@ -102,6 +106,7 @@ class TetComplex {
     std::uint32_t mark;  ///< of the walk that met it last
     Label label;
   };
+  bool is_positive(const Tet& t) const;
   void link_outside(std::span<const std::uint32_t> gone);
   void link(std::uint32_t t);
   std::uint32_t take_place();

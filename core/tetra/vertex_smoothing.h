@@ -43,9 +43,9 @@ class VertexSmoother {
  public:
   VertexSmoother(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
 
-  /// Moves a vertex that is on no wall. True when the lowest quality of its tets rose by a part worth having and the
+  /// Moves a vertex that is on no wall, or along a track. True when the lowest quality of its tets rose and the
   /// sizes of its edges are allowed; star() are then its tets.
-  bool smooth(std::uint32_t vertex, int steps);
+  bool smooth(std::uint32_t vertex, int steps, const Track* track = nullptr);
   const std::vector<std::uint32_t>& star() const { return star_; }
 
  private:
