@@ -9,11 +9,12 @@ namespace {
 constexpr std::uint32_t kMost = EdgeRing::kMost;
 
 struct Table {
-  double best[kMost][kMost];             ///< of the ring from i to j, closed by the diagonal i-j
+  double best[kMost][kMost];  ///< of the ring from i to j, closed by the diagonal i-j
   std::uint32_t middle[kMost][kMost];
 };
 
-void collect(const Table& table, std::uint32_t i, std::uint32_t j, RingFilling& filling, std::uint32_t& count) {
+void collect(const Table& table, std::uint32_t i, std::uint32_t j, RingFilling& filling,
+             std::uint32_t& count) {
   if (j < i + 2) return;
   const std::uint32_t k = table.middle[i][j];
   filling.triangles[count++] = {i, k, j};
@@ -39,7 +40,7 @@ bool sizes_allow(const TetComplex& complex, const EdgeRing& ring, const RingFill
 RingFilling fill_ring(const TetComplex& complex, const EdgeRing& ring, double least) {
   const Point &a = complex.point(ring.a), &b = complex.point(ring.b);
   const auto at = [&](std::uint32_t i) -> const Point& { return complex.point(ring.ring[i]); };
-  Table table;
+  Table table{};
   for (std::uint32_t i = 0; i + 1 < ring.size; ++i)
     table.best[i][i + 1] = std::numeric_limits<double>::infinity();
   for (std::uint32_t span = 2; span < ring.size; ++span)

@@ -20,8 +20,8 @@ class FaceSet {
  public:
   FaceSet(const TetComplex& complex, std::uint32_t a, std::uint32_t b) : complex_(complex), a_(a), b_(b) {}
 
-  /// The face between tets `above` (at a) and `below` (at b), with corners (u, v, w) such that (u, v, w, b) is
-  /// positive.
+  /// The face between tets `above` (at a) and `below` (at b), with corners (u, v, w) such that (u, v, w, b)
+  /// is positive.
   Exchange start(std::uint32_t above, std::uint32_t below, const Triangle& face) {
     gone_[gone_count_++] = above;
     gone_[gone_count_++] = below;
@@ -38,8 +38,8 @@ class FaceSet {
   std::span<const Tet> made() const { return {made_.data(), made_count_}; }
 
  private:
-  /// What lies beyond the edge (u, w) of a face of the set, whose third corner is x: the tet of the new edge and
-  /// (u, w), or what the next face gives instead.
+  /// What lies beyond the edge (u, w) of a face of the set, whose third corner is x: the tet of the new edge
+  /// and (u, w), or what the next face gives instead.
   Exchange grow(std::uint32_t above, std::uint32_t below, std::uint32_t u, std::uint32_t w, std::uint32_t x) {
     const Tet closing{a_, b_, u, w};
     const Exchange closed{std::numeric_limits<double>::infinity(), complex_.quality_at(closing)};

@@ -16,8 +16,8 @@ struct BoundaryPlace {
   Sides sides;
 };
 
-/// Closest points on a surface near given places. Linear in the surface, with little work for each triangle: made for
-/// places that are few.
+/// Closest points on a surface near given places. Linear in the surface, with little work for each triangle:
+/// made for places that are few.
 class NearbySurface {
  public:
   /// Triangles with a corner within `reach_mm` of a place with the same sides are found; others may be.

@@ -33,7 +33,8 @@ TetComplex::TetComplex(TetMesh mesh)
       face_sides_(std::move(mesh.face_sides)) {
   cells_.reserve(mesh.tets.size());
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) {
-    cells_.push_back({mesh.tets[t], {kNone, kNone, kNone, kNone}, quality_at(mesh.tets[t]), 0, mesh.labels[t]});
+    cells_.push_back(
+        {mesh.tets[t], {kNone, kNone, kNone, kNone}, quality_at(mesh.tets[t]), 0, mesh.labels[t]});
     for (const std::uint32_t v : mesh.tets[t]) tet_at_[v] = t;
   }
   for (const Triangle& face : faces_)

@@ -30,8 +30,8 @@ inline constexpr std::uint32_t kOtherCorners[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}
 /// The corners of the side opposite to a corner, such that (corner, these) is an even permutation.
 inline constexpr std::uint32_t kSideCorners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
-/// The tets around an edge (a, b) inside one label, in order: tet i has the corners a, b, ring[i], ring[i + 1],
-/// and these are positive.
+/// The tets around an edge (a, b) inside one label, in order: tet i has the corners a, b, ring[i], ring[i +
+/// 1], and these are positive.
 struct EdgeRing {
   static constexpr std::uint32_t kMost = 7;
   std::uint32_t a = 0, b = 0, size = 0;
@@ -39,8 +39,8 @@ struct EdgeRing {
 };
 
 /// A tetrahedral mesh with neighbours, the quality of each tet, and one tet for each point. Sides between
-/// different labels or a label and background are walls: no operation here changes them. Every tet is positive
-/// by the exact predicate.
+/// different labels or a label and background are walls: no operation here changes them. Every tet is
+/// positive by the exact predicate.
 class TetComplex {
  public:
   /// Needs a mesh as TetMesh describes it.
@@ -81,8 +81,8 @@ class TetComplex {
   void find_star(std::uint32_t vertex, std::vector<std::uint32_t>& star);
 
   /// Puts `made` in the place of the tets `gone`: both of one label, filling the same space behind the same
-  /// sides. Nothing happens, and the result is false, unless all of `made` are positive by the exact predicate.
-  /// Points that lose all tets are gone, too; made() then holds the places of the new tets.
+  /// sides. Nothing happens, and the result is false, unless all of `made` are positive by the exact
+  /// predicate. Points that lose all tets are gone, too; made() then holds the places of the new tets.
   bool replace(std::span<const std::uint32_t> gone, std::span<const Tet> made);
   const std::vector<std::uint32_t>& made() const { return made_; }
 

@@ -20,7 +20,8 @@ ApexSines::ApexSines(const Point& a, const Point& b, const Point& c, const Point
   six_volumes_ = side_[0].dot(normal_[1]);
   for (std::size_t f = 0; f < 4; ++f) area_[f] = normal_[f].squaredNorm();
   for (std::size_t e = 0; e < 6; ++e) {
-    const auto i = static_cast<std::size_t>(kEdgesOfTet[e].first), j = static_cast<std::size_t>(kEdgesOfTet[e].second);
+    const auto i = static_cast<std::size_t>(kEdgesOfTet[e].first),
+               j = static_cast<std::size_t>(kEdgesOfTet[e].second);
     const auto k = static_cast<std::size_t>(kEdgesOfTet[5 - e].first),
                l = static_cast<std::size_t>(kEdgesOfTet[5 - e].second);
     const double edge = i == 0 ? side_[j - 1].squaredNorm() : (side_[j - 1] - side_[i - 1]).squaredNorm();

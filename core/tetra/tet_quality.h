@@ -41,8 +41,8 @@ inline double quality(const Point& a, const Point& b, const Point& c, const Poin
   return six_volumes * six_volumes * std::min(apex, base) / (na * nb * nc * nd);
 }
 
-/// The quality of a tetrahedron whose worst dihedral angle is this one, in (0, 90] degrees. By a series, since
-/// the sines of standard libraries differ in their last digit.
+/// The quality of a tetrahedron whose worst dihedral angle is this one, in (0, 90] degrees. By a series,
+/// since the sines of standard libraries differ in their last digit.
 double quality_of_angle(double degrees);
 
 /// The six squared sines behind quality(a, b, c, d) as functions of the corner a, for positive tetrahedra.

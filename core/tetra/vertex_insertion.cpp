@@ -23,10 +23,10 @@ void VertexInserter::absorb(std::uint32_t t, const Point& at) {
   cavity_.push_back(t);
   for (std::uint32_t c = 0; c < 4; ++c) {
     const Facet facet = complex_.across(t, c);
-    const auto met = facet == kNone ? sides_.end()
-                                    : std::find_if(sides_.begin(), sides_.end(), [facet](const Side& s) {
-                                        return 4 * s.tet + s.corner == facet;
-                                      });
+    const auto met =
+        facet == kNone ? sides_.end() : std::find_if(sides_.begin(), sides_.end(), [facet](const Side& s) {
+          return 4 * s.tet + s.corner == facet;
+        });
     if (met != sides_.end()) {
       *met = sides_.back();
       sides_.pop_back();
@@ -49,8 +49,8 @@ void VertexInserter::dig(const Point& at) {
   double best = -1;
   std::size_t best_size = cavity_.size();
   while (true) {
-    const auto worst = std::min_element(
-        sides_.begin(), sides_.end(), [](const Side& p, const Side& q) { return p.quality < q.quality; });
+    const auto worst = std::min_element(sides_.begin(), sides_.end(),
+                                        [](const Side& p, const Side& q) { return p.quality < q.quality; });
     if (worst->quality > best) {
       best = worst->quality;
       best_size = cavity_.size();
@@ -76,8 +76,8 @@ Apex VertexInserter::smooth(const Point& at) {
   for (const Side& s : sides_) {
     const Tet& corners = complex_.corners(s.tet);
     const auto& side = kSideCorners[s.corner];
-    star_.push_back(
-        {complex_.point(corners[side[0]]), complex_.point(corners[side[1]]), complex_.point(corners[side[2]])});
+    star_.push_back({complex_.point(corners[side[0]]), complex_.point(corners[side[1]]),
+                     complex_.point(corners[side[2]])});
   }
   return ascend(at, star_, kSmoothingSteps);
 }

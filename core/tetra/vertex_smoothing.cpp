@@ -16,8 +16,8 @@ constexpr double kArmijo = 0.1;
 constexpr double kLeastGain = 1e-3;
 constexpr int kHalvings = 4;
 
-/// The lowest quality of the star, or anything at most `bound` once it is known not to exceed it; the side that
-/// shows so comes first, since it will again.
+/// The lowest quality of the star, or anything at most `bound` once it is known not to exceed it; the side
+/// that shows so comes first, since it will again.
 double lowest_quality(const Point& apex, std::span<StarSide> sides, double bound) {
   double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t s = 0; s < sides.size(); ++s) {
@@ -36,7 +36,8 @@ struct Slope {
 };
 
 /// The lowest function of each tet, and all others that are active.
-void find_slopes(const Point& apex, std::span<const StarSide> sides, double lowest, std::vector<Slope>& slopes) {
+void find_slopes(const Point& apex, std::span<const StarSide> sides, double lowest,
+                 std::vector<Slope>& slopes) {
   slopes.clear();
   const double active = lowest * (1 + kActive);
   for (const auto& [b, c, d] : sides) {
@@ -128,8 +129,6 @@ Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Trac
   std::vector<Slope> slopes;
   for (int s = 0; s < steps; ++s) {
     find_slopes(apex.at, sides, apex.quality, slopes);
-    if (track != nullptr)
-      for (Slope& slope : slopes) slope.gradient -= track->normal() * track->normal().dot(slope.gradient);
     const Point direction = find_direction(slopes, apex.quality);
     const double rise = direction.squaredNorm();
     const double longest = 0.5 * shortest_side(apex.at, sides) / std::sqrt(rise);

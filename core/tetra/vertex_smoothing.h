@@ -25,8 +25,6 @@ struct Apex {
 class Track {
  public:
   virtual ~Track() = default;
-  /// Of unit length, where the climb starts.
-  virtual Point normal() const = 0;
   /// The place on the surface for a point near it; the start itself where that is too far from it.
   virtual Point pull(const Point& to) const = 0;
 };
@@ -43,8 +41,8 @@ class VertexSmoother {
  public:
   VertexSmoother(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
 
-  /// Moves a vertex that is on no wall, or along a track. True when the lowest quality of its tets rose and the
-  /// sizes of its edges are allowed; star() are then its tets.
+  /// Moves a vertex that is on no wall, or along a track. True when the lowest quality of its tets rose and
+  /// the sizes of its edges are allowed; star() are then its tets.
   bool smooth(std::uint32_t vertex, int steps, const Track* track = nullptr);
   const std::vector<std::uint32_t>& star() const { return star_; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "geometry/self_intersections.h"
@@ -15,28 +16,23 @@ constexpr double kReach = 0.2;
 /// Part of that edge within which the label surface has to be.
 constexpr double kFarthest = 0.3;
 
-/// Along the label surface, at the distance the vertex has from it.
-class PatchTrack : public Track {
+/// Within an envelope of the label surface and within reach of the start.
+class Envelope : public Track {
  public:
-  PatchTrack(const ClosestPointTree& surface, const Point& at, const Point& start, const Point& normal,
-             double reach)
-      : surface_(surface),
-        at_(at),
-        start_(start),
-        normal_(normal),
-        offset_(at - surface.closest(at).point),
-        reach_(reach) {}
-  Point normal() const override { return normal_; }
+  Envelope(const ClosestPointTree& surface, const Point& at, const Point& start, double farthest,
+           double reach)
+      : surface_(surface), at_(at), start_(start), farthest_(farthest), reach_(reach) {}
   Point pull(const Point& to) const override {
-    const Point place = surface_.closest(to).point + offset_;
+    const Point closest = surface_.closest(to).point;
+    const double distance = (to - closest).norm();
+    const Point place = distance <= farthest_ ? to : closest + (to - closest) * (farthest_ / distance);
     return (place - start_).norm() <= reach_ ? place : at_;
   }
-  double distance() const { return offset_.norm(); }
 
  private:
   const ClosestPointTree& surface_;
-  Point at_, start_, normal_, offset_;
-  double reach_;
+  Point at_, start_;
+  double farthest_, reach_;
 };
 
 /// The edges opposite to a vertex, of the triangles around it, make one closed line.
@@ -52,8 +48,14 @@ bool is_ring(std::span<const std::array<std::uint32_t, 2>> edges) {
 
 }  // namespace
 
-WallSlider::WallSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference)
-    : complex_(complex), smoother_(smoother), reference_(reference), wall_count_(complex.point_count(), 0) {
+WallSlider::WallSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
+                       const SizingField& sizing, double envelope)
+    : complex_(complex),
+      smoother_(smoother),
+      reference_(reference),
+      sizing_(sizing),
+      envelope_(envelope),
+      wall_count_(complex.point_count(), 0) {
   for (std::uint32_t v = 0; v < complex.point_count(); ++v) start_.push_back(complex.point(v));
   for (const Triangle& wall : complex.walls())
     for (const std::uint32_t v : wall) ++wall_count_[v];
@@ -64,7 +66,7 @@ std::optional<WallSlider::Patch> WallSlider::patch_at(std::uint32_t vertex) {
   const Label own = complex_.label(star_[0]);
   std::optional<Label> other;
   std::vector<std::array<std::uint32_t, 2>> edges;
-  Patch patch{vertex, {}, Point::Zero(), 1e300, 0};
+  Patch patch{vertex, {}, std::numeric_limits<double>::infinity(), 0};
   const Point& apex = complex_.point(vertex);
   for (const std::uint32_t t : star_) {
     if (complex_.label(t) != own) continue;
@@ -78,8 +80,7 @@ std::optional<WallSlider::Patch> WallSlider::patch_at(std::uint32_t vertex) {
       for (std::size_t k = 0; k < 3; ++k) side[k] = complex_.corners(t)[kSideCorners[c][k]];
       const auto at = static_cast<std::size_t>(std::find(side.begin(), side.end(), vertex) - side.begin());
       edges.push_back({side[(at + 1) % 3], side[(at + 2) % 3]});
-      const Point u = complex_.point(edges.back()[0]) - apex, w = complex_.point(edges.back()[1]) - apex;
-      patch.normal += u.cross(w);
+      const Point u = complex_.point(edges.back()[0]) - apex;
       patch.shortest_edge = std::min(patch.shortest_edge, u.norm());
       patch.longest_edge = std::max(patch.longest_edge, u.norm());
     }
@@ -87,7 +88,6 @@ std::optional<WallSlider::Patch> WallSlider::patch_at(std::uint32_t vertex) {
   // Walls that are not around the star's first label, or not reached from it, make the counts differ.
   if (edges.size() != wall_count_[vertex] || !is_ring(edges)) return std::nullopt;
   patch.sides = {std::max(own, *other), std::min(own, *other)};
-  patch.normal.normalize();
   return patch;
 }
 
@@ -104,9 +104,11 @@ std::size_t WallSlider::slide_patches(std::span<const Patch> patches, std::span<
     const Patch& patch = patches[p];
     const ClosestPointTree* surface = nearby.between(patch.sides);
     if (surface == nullptr) continue;
-    const PatchTrack track(*surface, complex_.point(patch.vertex), start_[patch.vertex], patch.normal,
-                           kReach * patch.shortest_edge);
-    if (track.distance() > kFarthest * patch.shortest_edge) continue;
+    const Point& at = complex_.point(patch.vertex);
+    const double distance = surface->closest(at).distance_mm;
+    if (distance > kFarthest * patch.shortest_edge) continue;
+    const Envelope track(*surface, at, start_[patch.vertex], std::max(distance, envelope_ * sizing_.at(at)),
+                         kReach * patch.shortest_edge);
     moved[p] = smoother_.smooth(patch.vertex, kSteps, &track);
     count += moved[p];
   }
