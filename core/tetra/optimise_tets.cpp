@@ -51,7 +51,7 @@ class Optimiser {
     const std::size_t bad_before = bad_tets(goal).size();
     for (int round = 0; round < params_.rounds; ++round) {
       const Counts before = counts_;
-      if (!swap(goal) || !smooth(goal)) return false;
+      if (ctx_.cancelled() || !swap(goal) || !smooth(goal)) return false;
       // Most of what is bad at first only needs another neighbour or place.
       if (round > 0) {
         if (!insert(last_goal)) return false;

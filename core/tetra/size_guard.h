@@ -12,6 +12,7 @@ namespace voxtet::tetra {
 /// the edge that was there.
 class SizeGuard {
  public:
+  /// The field has to outlive the guard.
   explicit SizeGuard(const SizingField& sizing) : sizing_(sizing) {}
 
   /// How far an edge is out of the range, as a factor; at most 1 inside.
