@@ -16,7 +16,7 @@ ApexSines::ApexSines(const Point& a, const Point& b, const Point& c, const Point
   normal_[1] = side_[1].cross(side_[2]);
   normal_[2] = side_[2].cross(side_[0]);
   normal_[3] = side_[0].cross(side_[1]);
-  normal_[0] = -(normal_[1] + normal_[2] + normal_[3]);
+  normal_[0] = (side_[2] - side_[0]).cross(side_[1] - side_[0]);
   six_volumes_ = side_[0].dot(normal_[1]);
   for (std::size_t f = 0; f < 4; ++f) area_[f] = normal_[f].squaredNorm();
   for (std::size_t e = 0; e < 6; ++e) {

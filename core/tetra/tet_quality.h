@@ -19,26 +19,23 @@ inline constexpr double kObtuseFactor = 1 / 0.49;
 /// The square of the smallest of the six sines of the dihedral angles, obtuse ones favoured by kObtuseFactor:
 /// 0.889 for the regular tetrahedron, towards 0 when it flattens, 0 when it is not positive.
 inline double quality(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const Point u = b - a, v = c - a, w = d - a;
-  // Inward normals of the faces opposite to b, c, d, twice the area long; that opposite to a is minus their
-  // sum.
-  const Point mb = v.cross(w), mc = w.cross(u), md = u.cross(v);
+  const Point u = b - a, v = c - a, w = d - a, bc = v - u, bd = w - u, cd = w - v;
+  // Normals of the faces opposite to the corners, all inward, twice the area long. That opposite to a is not
+  // taken as minus the sum of the others, which would be all rounding where b, c, d are nearly in line.
+  const Point ma = bd.cross(bc), mb = v.cross(w), mc = w.cross(u), md = u.cross(v);
   const double six_volumes = u.dot(mb);
-  if (!(six_volumes > 0)) return 0;
-  const double nb = mb.squaredNorm(), nc = mc.squaredNorm(), nd = md.squaredNorm();
-  const double bc = mb.dot(mc), bd = mb.dot(md), cd = mc.dot(md);
-  const double ab = -(nb + bc + bd), ac = -(nc + bc + cd), ad = -(nd + bd + cd), na = -(ab + ac + ad);
-  // sin^2 = (6 V)^2 e^2 / (N N') with the faces at the edge; over one denominator.
-  const auto term = [](double edge, double others, double cosine) {
-    return edge * others * (cosine > 0 ? kObtuseFactor : 1);
+  const double na = ma.squaredNorm(), nb = mb.squaredNorm(), nc = mc.squaredNorm(), nd = md.squaredNorm();
+  const double areas = na * nb * nc * nd;
+  if (!(six_volumes > 0 && areas > 0)) return 0;
+  // sin^2 = (6 V)^2 e^2 / (N N') with the faces at the edge; all over one denominator.
+  const auto term = [](const Point& edge, double others, double cosine) {
+    return edge.squaredNorm() * others * (cosine > 0 ? kObtuseFactor : 1);
   };
-  const double apex = std::min({term(u.squaredNorm(), nb, cd), term(v.squaredNorm(), nc, bd),
-                                term(w.squaredNorm(), nd, bc)}) *
-                      na;
-  const double base =
-      std::min({term((v - u).squaredNorm(), nb * nc, ad), term((w - u).squaredNorm(), nb * nd, ac),
-                term((w - v).squaredNorm(), nc * nd, ab)});
-  return six_volumes * six_volumes * std::min(apex, base) / (na * nb * nc * nd);
+  const double apex =
+      std::min({term(u, nb, mc.dot(md)), term(v, nc, mb.dot(md)), term(w, nd, mb.dot(mc))}) * na;
+  const double base = std::min({term(bc, nb * nc, ma.dot(md)), term(bd, nb * nd, ma.dot(mc)),
+                                term(cd, nc * nd, ma.dot(mb))});
+  return six_volumes * six_volumes * std::min(apex, base) / areas;
 }
 
 /// The quality of a tetrahedron whose worst dihedral angle is this one, in (0, 90] degrees. By a series,

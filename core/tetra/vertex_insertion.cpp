@@ -40,23 +40,34 @@ void VertexInserter::absorb(std::uint32_t t, const Point& at) {
   }
 }
 
-/// Absorbs the tet behind the worst side, again and again, and goes back to the best cavity on the way.
-void VertexInserter::dig(const Point& at) {
+/// Absorbs the tet behind the worst side, again and again, and goes back to the best cavity on the way. With
+/// `walls_count` the best one is that with the best of all sides, else of those that are no walls.
+void VertexInserter::dig(const Point& at, bool walls_count) {
   std::vector<std::uint32_t> start = std::move(cavity_);
   cavity_.clear();
   sides_.clear();
   for (const std::uint32_t t : start) absorb(t, at);
   double best = -1;
   std::size_t best_size = cavity_.size();
-  while (true) {
-    const auto worst = std::min_element(sides_.begin(), sides_.end(),
-                                        [](const Side& p, const Side& q) { return p.quality < q.quality; });
-    if (worst->quality > best) {
-      best = worst->quality;
+  while (cavity_.size() < kMostTets && cavity_.size() < best_size + kPatience) {
+    double lowest_wall = std::numeric_limits<double>::infinity(), lowest = lowest_wall;
+    std::uint32_t next = kNone;
+    for (const Side& side : sides_) {
+      const std::uint32_t behind = complex_.behind(side.tet, side.corner);
+      if (behind == kNone) {
+        lowest_wall = std::min(lowest_wall, side.quality);
+      } else if (side.quality < lowest) {
+        lowest = side.quality;
+        next = behind;
+      }
+    }
+    if (lowest_wall == 0) break;
+    const double reached = walls_count ? std::min(lowest, lowest_wall) : lowest;
+    if (reached > best) {
+      best = reached;
       best_size = cavity_.size();
     }
-    const std::uint32_t next = complex_.behind(worst->tet, worst->corner);
-    if (next == kNone || cavity_.size() == kMostTets || cavity_.size() == best_size + kPatience) break;
+    if (next == kNone) break;
     absorb(next, at);
   }
   start.assign(cavity_.begin(), cavity_.begin() + static_cast<std::ptrdiff_t>(best_size));
@@ -105,11 +116,12 @@ bool VertexInserter::commit(const Point& at) {
   return false;
 }
 
-bool VertexInserter::insert_at(const Point& start, std::uint32_t t) {
+bool VertexInserter::insert_at(const Point& start, std::uint32_t t, bool walls_count) {
   Apex apex{start, 0};
   cavity_.assign(1, t);
+  // From where it went first it may take another cavity, and then another place.
   for (int round = 0; round < 2; ++round) {
-    dig(apex.at);
+    dig(apex.at, walls_count || round > 0);
     apex = smooth(apex.at);
     if (!(apex.quality > 0)) return false;
   }
@@ -120,10 +132,12 @@ bool VertexInserter::insert(std::uint32_t t) {
   const Tet c = complex_.corners(t);
   const std::array<Point, 4> p{complex_.point(c[0]), complex_.point(c[1]), complex_.point(c[2]),
                                complex_.point(c[3])};
-  if (insert_at((p[0] + p[1] + p[2] + p[3]) / 4, t)) return true;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (insert_at((p[i] + p[j]) / 2, t)) return true;
+  for (const bool walls_count : {true, false}) {
+    if (insert_at((p[0] + p[1] + p[2] + p[3]) / 4, t, walls_count)) return true;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (insert_at((p[i] + p[j]) / 2, t, walls_count)) return true;
+  }
   return false;
 }
 

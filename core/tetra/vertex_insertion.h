@@ -27,8 +27,8 @@ class VertexInserter {
     std::uint32_t tet, corner;
     double quality;  ///< of the tet it makes with the new vertex
   };
-  bool insert_at(const Point& start, std::uint32_t t);
-  void dig(const Point& at);
+  bool insert_at(const Point& start, std::uint32_t t, bool walls_count);
+  void dig(const Point& at, bool walls_count);
   void absorb(std::uint32_t t, const Point& at);
   double lowest_before() const;
   bool sizes_allow(const Point& at) const;

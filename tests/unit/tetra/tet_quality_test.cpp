@@ -40,6 +40,17 @@ TEST(TetQuality, IsZeroForATetThatIsNotPositive) {
   EXPECT_EQ(quality(a, b, c, Point(1, 1, 0)), 0);
 }
 
+TEST(TetQuality, TendsToZeroWithTheVolumeWhenThreeCornersAreInLine) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 2000; ++i) {
+    TetCorners p = random_tet(random);
+    const auto line = static_cast<std::size_t>(i % 4);
+    p[line] = 0.3 * p[(line + 1) % 4] + 0.7 * p[(line + 2) % 4];
+    EXPECT_LT(quality(p[0], p[1], p[2], p[3]), 1e-20) << i;
+    EXPECT_LT(quality(p[0], p[2], p[1], p[3]), 1e-20) << i;
+  }
+}
+
 TEST(TetQuality, OfAnAngleIsItsSquaredSine) {
   for (double angle = 1; angle <= 90; angle += 0.5)
     EXPECT_NEAR(quality_of_angle(angle), std::pow(std::sin(angle * EIGEN_PI / 180), 2), 2e-15) << angle;
