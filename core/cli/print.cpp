@@ -129,6 +129,17 @@ void print_quality(const nlohmann::json& quality, std::FILE* out) {
                  item["expected"].get<std::string>().c_str());
 }
 
+void print_stages(const nlohmann::json& stages, std::FILE* out) {
+  double total = 0;
+  for (const auto& s : stages) {
+    std::fprintf(out, "%-8s %7.2f s %8.0f MB peak\n", s["name"].get<std::string>().c_str(),
+                 s["seconds"].get<double>(), s["peak_mb"].get<double>());
+    for (const auto& note : s["notes"]) std::fprintf(out, "%-8s   %s\n", "", note.get<std::string>().c_str());
+    total += s["seconds"].get<double>();
+  }
+  std::fprintf(out, "%-8s %7.2f s\n", "total", total);
+}
+
 namespace {
 
 void print_lookup(const nlohmann::json& report, std::FILE* out) {
@@ -154,13 +165,7 @@ void print_report(const nlohmann::json& report, std::FILE* out) {
   print_lookup(report, out);
   print_quality(report["quality"], out);
   std::fprintf(out, "\n");
-  double total = 0;
-  for (const auto& s : report["stages"]) {
-    std::fprintf(out, "%-8s %7.2f s %8.0f MB peak\n", s["name"].get<std::string>().c_str(),
-                 s["seconds"].get<double>(), s["peak_mb"].get<double>());
-    total += s["seconds"].get<double>();
-  }
-  std::fprintf(out, "%-8s %7.2f s\n", "total", total);
+  print_stages(report["stages"], out);
 }
 
 }  // namespace voxtet

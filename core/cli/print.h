@@ -22,4 +22,7 @@ void print_report(const nlohmann::json& report, std::FILE* out);
 /// Metrics and checklist, for people.
 void print_quality(const nlohmann::json& quality, std::FILE* out);
 
+/// Time and memory of each stage, its notes below it, and the sum.
+void print_stages(const nlohmann::json& stages, std::FILE* out);
+
 }  // namespace voxtet

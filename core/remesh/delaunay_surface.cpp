@@ -24,7 +24,7 @@ namespace {
 constexpr double kEdgePerRadius = 1.30;
 constexpr int kRepairRounds = 3;
 // In units of the smallest spacing:
-constexpr double kMissed = 0.45;           ///< a reference farther than this from the surface was missed
+constexpr double kMissed = 0.4;            ///< a reference farther than this from the surface was missed
 constexpr double kSeedSeparation = 0.25;   ///< between first points
 constexpr double kRepairSeparation = 0.5;  ///< between points added where the surface missed something
 constexpr double kLeastPinchRadius = 0.3;  ///< of a facet that is refined to open a pinch
@@ -89,7 +89,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   const double voxel = field.smallest_spacing_mm();
   const VoxelPieces pieces = find_pieces(field, connectivity_of(reference));
   const std::vector<double> volumes = enclosed_volumes_mm3(reference);
-  const Seeds seeds = seed_interfaces(field, sizing);
+  const Seeds seeds = seed_interfaces(field, reference, sizing);
   if (ctx.cancelled()) return cancelled_error("remesh");
   DelaunayRefiner refiner(field, sizing,
                           {params.facet_angle_deg, params.max_distance_voxels * voxel, 1 / kEdgePerRadius});

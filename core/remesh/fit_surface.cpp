@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <tuple>
@@ -24,6 +25,8 @@ constexpr double kLeastPlanarCosine = 0.8724960070727971;    // cos 29.25 deg
 constexpr double kLeastDihedralCosine = 0.6427876096865394;  // cos 50 deg
 constexpr int kRounds = 12;
 constexpr int kSteps = 3;
+constexpr double kWidening = 0.15;  ///< of a thin triangle's shortest edge, in one round
+constexpr int kWideningRounds = 10;
 
 /// Mean distance of a facet whose corners lie on the interface: the rule of the edge midpoints is exact for
 /// quadratics.
@@ -71,7 +74,14 @@ class Shifts {
     }
   }
 
+  /// Moves the points of what the shifts were made for; none are left.
+  void apply(SurfaceMesh& surface) {
+    for (std::size_t p = 0; p < by_point.size(); ++p) surface.points[p] += by_point[p];
+    by_point.assign(by_point.size(), Vector3d::Zero());
+  }
+
  private:
+  bool rests(std::uint32_t p) const { return by_point[p].isZero(0); }
   Vector3d at(std::uint32_t p, double scale) const { return surface_.points[p] + scale * by_point[p]; }
 
   /// Whether a cosine grows to more than it may.
@@ -80,6 +90,7 @@ class Shifts {
   bool halve_where_thin(double factor) {
     bool changed = false;
     for (const Triangle& t : surface_.triangles) {
+      if (rests(t[0]) && rests(t[1]) && rests(t[2])) continue;
       const auto cosine = [&](double scale) {
         return sharpest_cosine({at(t[0], scale), at(t[1], scale), at(t[2], scale)});
       };
@@ -96,6 +107,7 @@ class Shifts {
       for (std::size_t v = w + 1;
            v < wings_.size() && wings_[v].a == wings_[w].a && wings_[v].b == wings_[w].b; ++v) {
         const Wing &x = wings_[w], &y = wings_[v];
+        if (rests(x.a) && rests(x.b) && rests(x.tip) && rests(y.tip)) continue;
         const auto cosine = [&](double scale) {
           const Vector3d a = at(x.a, scale), axis = at(x.b, scale) - a;
           const Vector3d m = axis.cross(at(x.tip, scale) - a), n = axis.cross(at(y.tip, scale) - a);
@@ -135,7 +147,8 @@ std::vector<double> lifts_of(const SurfaceMesh& surface, const std::vector<doubl
 }
 
 /// One step of all points. `lifts`: by triangle, what its mean distance is to be besides 0; may be empty.
-void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& lifts, double most) {
+void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& lifts, double most,
+              Shifts& shifts) {
   std::vector<Matrix3d> normal(surface.points.size(), Matrix3d::Zero());
   std::vector<Vector3d> right(surface.points.size(), Vector3d::Zero());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -151,7 +164,6 @@ void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<d
       right[corner] += area * distance * n;
     }
   }
-  Shifts shifts(surface);
   for (std::size_t p = 0; p < surface.points.size(); ++p) {
     const double weight = kTangentialWeight * normal[p].trace();
     if (!(weight > 0)) continue;
@@ -161,21 +173,47 @@ void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<d
     if (length > most) shift *= most / length;
   }
   shifts.restrain();
-  for (std::size_t p = 0; p < surface.points.size(); ++p) surface.points[p] += shifts.by_point[p];
+  shifts.apply(surface);
+}
+
+/// Spreads the thin triangles that mended cells leave: the ends of their shortest edges go apart, as far as
+/// the triangles around them allow.
+void widen_thin(SurfaceMesh& surface, Shifts& shifts) {
+  for (int round = 0; round < kWideningRounds; ++round) {
+    bool any = false;
+    for (const Triangle& t : surface.triangles) {
+      const std::array<Vector3d, 3> p{surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]};
+      if (!(sharpest_cosine(p) > kLeastPlanarCosine)) continue;
+      any = true;
+      const auto edge = [&](std::size_t i) -> Vector3d { return p[(i + 2) % 3] - p[(i + 1) % 3]; };
+      std::size_t apex = 0;
+      for (std::size_t i = 1; i < 3; ++i)
+        if (edge(i).squaredNorm() < edge(apex).squaredNorm()) apex = i;
+      const std::size_t b = (apex + 1) % 3, c = (apex + 2) % 3;
+      shifts.by_point[t[b]] -= kWidening * edge(apex);
+      shifts.by_point[t[c]] += kWidening * edge(apex);
+      shifts.by_point[t[apex]] += 0.5 * kWidening * (0.5 * (p[b] + p[c]) - p[apex]);
+    }
+    if (!any) return;
+    shifts.restrain();
+    shifts.apply(surface);
+  }
 }
 
 }  // namespace
 
 void fit_surface(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& volumes_mm3) {
   const double most = kMostShiftVoxels * field.smallest_spacing_mm();
+  Shifts shifts(surface);
   std::vector<double> lifts;
-  fit_once(surface, field, lifts, most);
+  fit_once(surface, field, lifts, most, shifts);
   lifts.assign(surface.triangles.size(), 0);
   for (int step = 1; step < kSteps; ++step) {
     const std::vector<double> more = lifts_of(surface, volumes_mm3, most);
     for (std::size_t t = 0; t < lifts.size(); ++t) lifts[t] = std::clamp(lifts[t] + more[t], -most, most);
-    fit_once(surface, field, lifts, most / (1 << step));
+    fit_once(surface, field, lifts, most / (1 << step), shifts);
   }
+  widen_thin(surface, shifts);
 }
 
 }  // namespace voxtet::remesh

@@ -12,9 +12,9 @@ namespace voxtet::remesh {
 /// lose volume. Each point moves so that the mean signed distance of the facets around it vanishes: the
 /// regularised least squares of sum over facets area (normal . shift - distance)^2, in a few steps of at most
 /// kMostShiftVoxels of the smallest spacing, each half as far as the one before. No triangle
-/// becomes thinner than 29 degrees that was not, no angle between two of them sharper than 50 degrees. Points
-/// near which the field does not know the distance of a facet count it as 0. Intersections are not looked
-/// for.
+/// becomes thinner than 29 degrees that was not, no angle between two of them sharper than 50 degrees; those
+/// that are thinner are widened as far as their neighbours allow. Points near which the field does not know
+/// the distance of a facet count it as 0. Intersections are not looked for.
 void fit_surface(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& volumes_mm3);
 
 inline constexpr double kMostShiftVoxels = 0.25;

@@ -10,7 +10,7 @@
 namespace voxtet::remesh {
 namespace {
 
-constexpr std::size_t kMostSamples = 80'000;
+constexpr std::size_t kMostSamples = 100'000;
 
 std::uint32_t pair_of(const Sides& sides) {
   return (static_cast<std::uint32_t>(sides[0]) << 16) | sides[1];

@@ -58,23 +58,31 @@ ReferenceComplex::ReferenceComplex(const ComplexMesh& mesh) {
   }
 }
 
-Eigen::Vector3d ReferenceComplex::walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint) const {
-  double least = (points_[hint] - p).squaredNorm();
+template <class VisitNeighbours>
+double ReferenceComplex::walk_downhill(const Eigen::Vector3d& p, std::uint32_t& at,
+                                       VisitNeighbours&& visit_neighbours) const {
+  double least = (points_[at] - p).squaredNorm();
   for (int step = 0; step < kLongestWalk; ++step) {
-    std::uint32_t next = hint;
-    for (const std::uint32_t t : star(hint)) {
-      if (pairs_[t] != pair) continue;
-      for (const std::uint32_t v : triangles_[t]) {
-        const double distance = (points_[v] - p).squaredNorm();
-        if (distance < least) {
-          least = distance;
-          next = v;
-        }
+    std::uint32_t next = at;
+    visit_neighbours(at, [&](std::uint32_t v) {
+      const double distance = (points_[v] - p).squaredNorm();
+      if (distance < least) {
+        least = distance;
+        next = v;
       }
-    }
-    if (next == hint) break;
-    hint = next;
+    });
+    if (next == at) break;
+    at = next;
   }
+  return least;
+}
+
+Eigen::Vector3d ReferenceComplex::walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint) const {
+  const double least = walk_downhill(p, hint, [&](std::uint32_t from, const auto& visit) {
+    for (const std::uint32_t t : star(from))
+      if (pairs_[t] == pair)
+        for (const std::uint32_t v : triangles_[t]) visit(v);
+  });
   Foot best{points_[hint], least, kNone};
   try_star(p, pair, hint, best);
   // Where triangles are long, the nearest vertex need not have the nearest one: go on from triangle to
@@ -101,20 +109,10 @@ void ReferenceComplex::try_star(const Eigen::Vector3d& p, PairId pair, std::uint
 
 Eigen::Vector3d ReferenceComplex::walk_curve(const Eigen::Vector3d& p, std::uint32_t& hint) const {
   if (strata_[hint] != Stratum::kCurve) return p;
-  double least = (points_[hint] - p).squaredNorm();
-  for (int step = 0; step < kLongestWalk; ++step) {
-    std::uint32_t next = hint;
-    for (const std::uint32_t v : curve_[hint]) {
-      if (strata_[v] != Stratum::kCurve) continue;
-      const double distance = (points_[v] - p).squaredNorm();
-      if (distance < least) {
-        least = distance;
-        next = v;
-      }
-    }
-    if (next == hint) break;
-    hint = next;
-  }
+  double least = walk_downhill(p, hint, [&](std::uint32_t from, const auto& visit) {
+    for (const std::uint32_t v : curve_[from])
+      if (strata_[v] == Stratum::kCurve) visit(v);
+  });
   Eigen::Vector3d best = points_[hint];
   for (const std::uint32_t v : curve_[hint]) {
     const Eigen::Vector3d on = closest_on_segment(p, points_[hint], points_[v]);

@@ -39,6 +39,9 @@ class ReferenceComplex {
     double distance2;
     std::uint32_t triangle;
   };
+  /// From vertex `at` on to neighbours nearer to p, while there are any; the squared distance reached.
+  template <class VisitNeighbours>
+  double walk_downhill(const Eigen::Vector3d& p, std::uint32_t& at, VisitNeighbours&& visit_neighbours) const;
   void try_star(const Eigen::Vector3d& p, PairId pair, std::uint32_t r, Foot& best) const;
   std::span<const std::uint32_t> star(std::uint32_t r) const {
     return {stars_.data() + first_[r], first_[r + 1] - first_[r]};

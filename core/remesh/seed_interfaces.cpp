@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "geometry/label_components.h"
+#include "remesh/junction_points.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -14,7 +15,8 @@ namespace {
 constexpr std::size_t kEnough = 8;  ///< seeds wanted per pair of components
 constexpr int kShrinkRounds = 6;    ///< how often the spacing shrinks to get them
 constexpr double kShrink = 0.6;
-constexpr double kSeparationVoxels = 0.25;  ///< no two seeds closer than this
+constexpr double kSeparation = 0.5;         ///< of all points, in wished edge lengths
+constexpr double kSeparationVoxels = 0.25;  ///< the least it may shrink to
 constexpr double kVerticesPerArea =
     0.8;  ///< measured: vertices of a finished surface per voxel-face area / edge^2
 
@@ -133,7 +135,7 @@ class PointBuckets {
 
 }  // namespace
 
-Seeds seed_interfaces(const LabelField& field, const SizingField& sizing) {
+Seeds seed_interfaces(const LabelField& field, const SurfaceMesh& reference, const SizingField& sizing) {
   Seeds out;
   std::vector<Crossing> crossings = find_crossings(field);
   const std::array<int, 3>& size = field.size();
@@ -152,10 +154,16 @@ Seeds seed_interfaces(const LabelField& field, const SizingField& sizing) {
   }
   const double largest = *std::max_element(sizing.h_mm.begin(), sizing.h_mm.end());
   PointBuckets buckets(field, kSeedSpacing * largest);
-  const double separation = kSeparationVoxels * field.smallest_spacing_mm();
+  const double least_separation = kSeparationVoxels * field.smallest_spacing_mm();
+  std::uint32_t group = 0;
+  for (const Eigen::Vector3d& p : junction_points(reference, sizing)) {
+    if (buckets.occupied(p, group, 0, std::max(kSeparation * sizing.at(p), least_separation))) continue;
+    buckets.add(p, group);
+    out.points.push_back(p);
+  }
 
   Shuffler shuffler;
-  std::uint32_t group = 0;
+  ++group;
   for (std::size_t begin = 0; begin < crossings.size(); ++group) {
     std::size_t end = begin;
     while (end < crossings.size() && crossings[end].pair == crossings[begin].pair) ++end;
@@ -170,6 +178,7 @@ Seeds seed_interfaces(const LabelField& field, const SizingField& sizing) {
         const double h = sizing.at(field.to_mm(index + 0.5 * step));
         if (round == 0) out.predicted_vertices += kVerticesPerArea * facet_mm2[crossings[c].axis] / (h * h);
         const double distance = kSeedSpacing * h * shrink;
+        const double separation = std::max(kSeparation * h * (found ? 1 : shrink), least_separation);
         if (buckets.occupied(field.to_mm(index + 0.5 * step), group, distance, 0)) continue;
         const Eigen::Vector3d a = field.to_mm(index), b = field.to_mm(index + step);
         const Label label_a = field.at(a), label_b = field.at(b);

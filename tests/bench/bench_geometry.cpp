@@ -8,6 +8,7 @@
 #include "geometry/orientation.h"
 #include "geometry/self_intersections.h"
 #include "support/label_bodies.h"
+#include "support/test_random.h"
 #include "surface/extract_surface.h"
 
 namespace voxtet {

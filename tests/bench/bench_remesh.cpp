@@ -7,8 +7,6 @@
 #include "support/label_bodies.h"
 #include "support/label_surface.h"
 #include "support/test_surfaces.h"
-#include "surface/extract_surface.h"
-#include "surface/smooth_surface.h"
 
 namespace voxtet {
 namespace {
@@ -53,8 +51,7 @@ BENCHMARK(BM_RemeshSurface)
 void BM_AdaptComplex(benchmark::State& state) {
   const SizingField sizing = test::uniform_sizing(0.1 * static_cast<double>(state.range(0)));
   RunContext ctx;
-  const SurfaceMesh raw = extract_surface(heart(), {}, ctx).value();
-  const SurfaceMesh reference = smooth_surface(raw, heart(), {}, ctx).value();
+  const SurfaceMesh& reference = heart_surface();
   std::size_t triangles = 0;
   for (auto _ : state) {
     const SurfaceMesh surface = remesh::adapt_complex(reference, sizing, {}, ctx).value();

@@ -36,5 +36,3 @@ BENCHMARK(search_self_intersections)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace voxtet
-
-BENCHMARK_MAIN();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 
 #include "types/label_volume.h"
 
@@ -19,28 +18,6 @@ LabelVolume make_volume(int nx, int ny, int nz, LabelAt&& label_at) {
       for (int i = 0; i < nx; ++i)
         volume.labels[volume.offset(i, j, k)] = static_cast<Label>(label_at(i, j, k));
   return volume;
-}
-
-/// SplitMix64: the same numbers on every platform.
-class TestRandom {
- public:
-  explicit TestRandom(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9E3779B97F4A7C15ULL);
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
-    return z ^ (z >> 31);
-  }
-  int below(int limit) { return static_cast<int>(next() % static_cast<std::uint64_t>(limit)); }
-
- private:
-  std::uint64_t state_;
-};
-
-/// White noise of labels 0..labels.
-inline LabelVolume random_volume(int n, int labels, std::uint64_t seed) {
-  TestRandom random(seed);
-  return make_volume(n, n, n, [&](int, int, int) { return random.below(labels + 1); });
 }
 
 /// Ball of label 1 around (centre, centre, centre), voxels.

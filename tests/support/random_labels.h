@@ -1,4 +1,5 @@
-// Seeded random label volumes, hard on purpose: the same voxels and affine on every platform.
+// Seeded random label volumes: the same voxels and affine on every platform. White noise of a chosen size,
+// and a mixture of kinds, hard on purpose.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +10,16 @@
 #include <vector>
 
 #include "support/label_bodies.h"
+#include "support/test_random.h"
 #include "types/label_volume.h"
 
 namespace voxtet::test {
+
+/// White noise of labels 0..labels.
+inline LabelVolume random_volume(int n, int labels, std::uint64_t seed) {
+  TestRandom random(seed);
+  return make_volume(n, n, n, [&](int, int, int) { return random.below(labels + 1); });
+}
 
 inline constexpr std::array<const char*, 10> kRandomKinds{
     "noise", "blobs", "checkerboard", "sheets", "wires", "holes", "diagonals", "full", "border", "nested"};

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "types/result.h"
+
 namespace voxtet::sweep {
 
 class Findings {
@@ -17,6 +19,9 @@ class Findings {
     row["failures"] = failures;
     rows_.push_back(std::move(row));
     for (const std::string& text : failures) failures_.push_back(name + ": " + text);
+  }
+  void add_error(const std::string& name, const Error& error) {
+    add(name, {}, {to_string(error.code) + ": " + error.message});
   }
   /// Writes the file (no name: none), prints the failures. Exit code of the program.
   int finish(const std::string& json_file) const {

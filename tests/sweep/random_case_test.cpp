@@ -5,7 +5,7 @@
 
 #include "geometry/self_intersections.h"
 #include "support/exact_intersections.h"
-#include "support/label_bodies.h"
+#include "support/test_random.h"
 #include "support/test_surfaces.h"
 
 namespace voxtet::sweep {

@@ -1,8 +1,7 @@
 // Bodies with a known boundary: how far the smoothed and the adapted surface are from the truth.
-#include <CLI/CLI.hpp>
-
 #include "geometry/surface_measures.h"
 #include "phantom/make_phantom.h"
+#include "sweep/command_line.h"
 #include "sweep/findings.h"
 #include "sweep/surface_figures.h"
 #include "volume/select_labels.h"
@@ -116,7 +115,7 @@ void sweep_body(const TestBody& body, const Eigen::Vector3d& rotation_deg, const
                            std::to_string(static_cast<int>(rotation_deg.x())) + " deg, " + method;
   Session session;
   if (Status done = run_body(body, rotation_deg, method, session); !done)
-    return findings.add(name, {}, {to_string(done.error().code) + ": " + done.error().message});
+    return findings.add_error(name, done.error());
   const SurfaceFigures figures = measure_surface(session);
   std::vector<std::string> failures = check_intersections_and_topology(figures);
   for (std::string& text : check_distances(figures, limits_of(method))) failures.push_back(std::move(text));
@@ -146,21 +145,17 @@ void sweep_body(const TestBody& body, const Eigen::Vector3d& rotation_deg, const
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Sphere, shell, torus and nested boxes against the truth. Exit code 1 beyond any limit."};
-  std::vector<std::string> methods{"delaunay"};
-  std::string out;
-  app.add_option("--methods", methods, "as delaunay,remesh")->delimiter(',');
-  app.add_option("--json", out, "write all figures to this file");
-  CLI11_PARSE(app, argc, argv);
+  CommandLine line{"Sphere, shell, torus and nested boxes against the truth. Exit code 1 beyond any limit."};
+  line.parse(argc, argv);
 
   Findings findings;
   std::printf(
       "| body | smoothed: to truth mean/max | volume %% of truth | of voxels | adapted: to truth mean/max | "
       "volume %% of truth | of voxels | staircase energy ratio | failures "
       "|\n|---|---|---|---|---|---|---|---|---|\n");
-  for (const std::string& method : methods)
+  for (const std::string& method : line.methods)
     for (const TestBody& body : kBodies)
       for (const Eigen::Vector3d& rotation_deg : kRotationsDeg)
         sweep_body(body, rotation_deg, method, findings);
-  return findings.finish(out);
+  return findings.finish(line.json_file);
 }

@@ -1,9 +1,8 @@
 // The four cases of the paper's first table, conforming and merged, and the torso: their adapted surfaces
 // against every limit.
-#include <CLI/CLI.hpp>
-
 #include "io/read_volume.h"
 #include "support/data.h"
+#include "sweep/command_line.h"
 #include "sweep/findings.h"
 #include "sweep/load_labels.h"
 #include "sweep/surface_figures.h"
@@ -72,17 +71,14 @@ std::vector<std::string> judge(const Case& c, const SurfaceFigures& figures, con
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Adapted surfaces of the Table-1 cases and the torso. Exit code 1 beyond any limit."};
-  std::vector<std::string> methods{"delaunay"};
-  std::string only, out;
-  app.add_option("--methods", methods, "as delaunay,remesh")->delimiter(',');
-  app.add_option("--only", only, "cases whose name holds this");
-  app.add_option("--json", out, "write all figures to this file");
-  CLI11_PARSE(app, argc, argv);
+  CommandLine line{"Adapted surfaces of the Table-1 cases and the torso. Exit code 1 beyond any limit."};
+  std::string only;
+  line.app.add_option("--only", only, "cases whose name holds this");
+  line.parse(argc, argv);
 
   Findings findings;
   print_figures_heading();
-  for (const std::string& method : methods)
+  for (const std::string& method : line.methods)
     for (const Case& c : all_cases()) {
       const std::string name = name_of(c, method), path = test::shared_data(c.file);
       if (name.find(only) == std::string::npos) continue;
@@ -92,7 +88,7 @@ int main(int argc, char** argv) {
       }
       Session session;
       if (Status done = run_case(c, path, method, session); !done) {
-        findings.add(name, {}, {to_string(done.error().code) + ": " + done.error().message});
+        findings.add_error(name, done.error());
         continue;
       }
       const SurfaceFigures figures = measure_surface(session);
@@ -104,5 +100,5 @@ int main(int argc, char** argv) {
             session.record(stage).seconds;
       findings.add(name, row, failures);
     }
-  return findings.finish(out);
+  return findings.finish(line.json_file);
 }

@@ -1,11 +1,11 @@
 // Random label volumes through the pipeline: what breaks, in which of them, and how long it takes.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "geometry/digest.h"
+#include "sweep/command_line.h"
 #include "sweep/random_case.h"
 
 using namespace voxtet;
@@ -70,43 +70,57 @@ void print(const Tally& tally, const std::string& method, const std::string& dig
   }
 }
 
+struct Seeds {
+  std::uint64_t count = 1000, first = 1, tets_every = 5;
+};
+
+Result<Tally> sweep_seeds(const Seeds& seeds, const std::string& method) {
+  Tally tally;
+  for (std::uint64_t seed = seeds.first; seed < seeds.first + seeds.count; ++seed) {
+    const Result<RandomCase> done =
+        run_random_case(seed, method, seeds.tets_every && seed % seeds.tets_every == 0);
+    if (!done) return done.error();
+    tally.add(*done);
+    if ((seed - seeds.first + 1) % 100 == 0)
+      std::fprintf(stderr, "%llu of %llu, %llu with defects\n",
+                   static_cast<unsigned long long>(seed - seeds.first + 1),
+                   static_cast<unsigned long long>(seeds.count),
+                   static_cast<unsigned long long>(tally.failed));
+  }
+  return tally;
+}
+
+json to_json(const Tally& tally, const std::string& method, const std::string& digest, std::uint64_t first) {
+  json seconds;
+  for (std::size_t i = 0; i < kStageCount; ++i) seconds[std::string(kStageNames[i])] = tally.seconds[i];
+  return {{"method", method},         {"first_seed", first},      {"cases", tally.cases},
+          {"to_tets", tally.to_tets}, {"failed", tally.failed},   {"digest", digest},
+          {"seconds", seconds},       {"defects", tally.failures}};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Random label volumes through the pipeline. Exit code 1 when anything is wrong with any."};
-  std::uint64_t count = 1000, first = 1, tets_every = 5;
-  std::string method = "delaunay", out;
-  app.add_option("--count", count, "how many volumes");
-  app.add_option("--first-seed", first, "the first one's seed; the others follow");
-  app.add_option("--tets-every", tets_every, "every n-th goes through to tetrahedra; 0: none");
-  app.add_option("--method", method, "remesh.method of the recipe");
-  app.add_option("--json", out, "write the figures and every defect to this file");
-  CLI11_PARSE(app, argc, argv);
+  CommandLine line{"Random label volumes through the pipeline. Exit code 1 when anything is wrong with any."};
+  Seeds seeds;
+  line.app.add_option("--count", seeds.count, "how many volumes");
+  line.app.add_option("--first-seed", seeds.first, "the first one's seed; the others follow");
+  line.app.add_option("--tets-every", seeds.tets_every, "every n-th goes through to tetrahedra; 0: none");
+  line.parse(argc, argv);
 
-  Tally tally;
-  for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    const Result<RandomCase> done = run_random_case(seed, method, tets_every && seed % tets_every == 0);
-    if (!done) {
-      std::fprintf(stderr, "seed %llu: %s\n", static_cast<unsigned long long>(seed),
-                   done.error().message.c_str());
+  json rows = json::array();
+  bool failed = false;
+  for (const std::string& method : line.methods) {
+    Result<Tally> tally = sweep_seeds(seeds, method);
+    if (!tally) {
+      std::fprintf(stderr, "%s\n", tally.error().message.c_str());
       return 2;
     }
-    tally.add(*done);
-    if ((seed - first + 1) % 100 == 0)
-      std::fprintf(stderr, "%llu of %llu, %llu with defects\n",
-                   static_cast<unsigned long long>(seed - first + 1), static_cast<unsigned long long>(count),
-                   static_cast<unsigned long long>(tally.failed));
+    const std::string digest = tally->digest.hex();
+    print(*tally, method, digest);
+    rows.push_back(to_json(*tally, method, digest, seeds.first));
+    failed = failed || tally->failed;
   }
-  const std::string digest = tally.digest.hex();
-  print(tally, method, digest);
-  if (!out.empty()) {
-    json seconds;
-    for (std::size_t i = 0; i < kStageCount; ++i) seconds[std::string(kStageNames[i])] = tally.seconds[i];
-    std::ofstream(out) << json{{"method", method},         {"first_seed", first},      {"cases", tally.cases},
-                               {"to_tets", tally.to_tets}, {"failed", tally.failed},   {"digest", digest},
-                               {"seconds", seconds},       {"defects", tally.failures}}
-                              .dump(1)
-                       << '\n';
-  }
-  return tally.failed ? 1 : 0;
+  if (!line.json_file.empty()) std::ofstream(line.json_file) << json{{"rows", rows}}.dump(1) << '\n';
+  return failed ? 1 : 0;
 }

@@ -1,10 +1,11 @@
 // Seconds of one thread for the stages up to the adapted surface, and the share of each.
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <ctime>
 
 #include "io/read_volume.h"
 #include "remesh/label_field.h"
 #include "support/data.h"
+#include "sweep/command_line.h"
 #include "sweep/findings.h"
 #include "sweep/load_labels.h"
 
@@ -96,13 +97,10 @@ Result<nlohmann::json> fastest(const Timed& t, int runs) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Seconds of one thread up to the adapted surface. Exit code 1 when slower than promised."};
-  std::string out, method = "delaunay";
+  CommandLine line{"Seconds of one thread up to the adapted surface. Exit code 1 when slower than promised."};
   int runs = 3;
-  app.add_option("--runs", runs, "the fastest of so many counts");
-  app.add_option("--method", method, "delaunay or remesh");
-  app.add_option("--json", out, "write all figures to this file");
-  CLI11_PARSE(app, argc, argv);
+  line.app.add_option("--runs", runs, "the fastest of so many counts");
+  line.parse(argc, argv);
 
   Findings findings;
   std::printf(
@@ -111,11 +109,11 @@ int main(int argc, char** argv) {
       "remesh | of it label field | triangles | limit s |\n|---|---|---|---|---|---|---|---|---|---|\n",
       kEdgeMm, kSlower);
   for (const Timed& t : all_timed()) {
-    if (method != t.method) continue;
+    if (std::find(line.methods.begin(), line.methods.end(), t.method) == line.methods.end()) continue;
     const std::string name = std::string(t.file) + (t.merge ? ", merged, " : ", conforming, ") + t.method;
     const Result<nlohmann::json> row = fastest(t, runs);
     if (!row) {
-      findings.add(name, {}, {row.error().message});
+      findings.add_error(name, row.error());
       continue;
     }
     const auto value = [&](const char* key) { return (*row)[key].get<double>(); };
@@ -132,5 +130,5 @@ int main(int argc, char** argv) {
                          " Mvoxel/s, expected " + std::to_string(kLeastMegavoxels));
     findings.add(name, *row, failures);
   }
-  return findings.finish(out);
+  return findings.finish(line.json_file);
 }

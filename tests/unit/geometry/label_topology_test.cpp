@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/label_bodies.h"
+#include "support/random_labels.h"
 #include "support/test_surfaces.h"
 #include "surface/extract_surface.h"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "geometry/tet_measures.h"
-#include "support/label_bodies.h"
+#include "support/test_random.h"
 
 namespace voxtet {
 namespace {

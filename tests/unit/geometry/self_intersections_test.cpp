@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/exact_intersection.h"
-#include "support/label_bodies.h"
+#include "support/test_random.h"
 #include "support/test_surfaces.h"
 
 namespace voxtet {

@@ -7,7 +7,7 @@
 
 #include "geometry/half_space.h"
 #include "support/exact_intersection.h"
-#include "support/label_bodies.h"
+#include "support/test_random.h"
 
 namespace voxtet {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "geometry/digest.h"
 #include "geometry/self_intersections.h"
-#include "support/label_bodies.h"
+#include "support/test_random.h"
 #include "support/test_surfaces.h"
 
 namespace voxtet {

@@ -145,7 +145,9 @@ TEST(MeasureQuality, NamesWhatTheMeshHasNotKeptOfTheLabelSurface) {
   EXPECT_EQ(failed(*report), (std::vector<std::string>{"topology_kept"}));
   EXPECT_TRUE(report->passed()) << "a warning, not a failure";
   for (const ChecklistItem& item : report->checklist)
-    if (item.name == "topology_kept") EXPECT_EQ(item.found, "label 300: components 2 -> 1");
+    if (item.name == "topology_kept") {
+      EXPECT_EQ(item.found, "label 300: components 2 -> 1");
+    }
   EXPECT_EQ(report->topology.before.labels.size(), 3U);
   EXPECT_EQ(report->topology.before.contacts, report->topology.after.contacts);
   EXPECT_EQ(report->topology.differences.size(), 1U);

@@ -17,6 +17,7 @@
 #include "support/check_surface.h"
 #include "support/data.h"
 #include "support/label_bodies.h"
+#include "support/random_labels.h"
 #include "support/test_surfaces.h"
 #include "surface/extract_surface.h"
 #include "surface/smooth_surface.h"

@@ -7,6 +7,7 @@
 
 #include "geometry/surface_measures.h"
 #include "support/label_bodies.h"
+#include "support/test_random.h"
 #include "support/test_surfaces.h"
 #include "surface_report.h"
 
@@ -35,7 +36,8 @@ TEST(FitSurface, GivesCoarseFacetsOfASphereTheirVolume) {
   EXPECT_EQ(coarse.triangles, before.triangles);
   EXPECT_EQ(coarse.sides, before.sides);
   for (std::size_t p = 0; p < before.points.size(); ++p)
-    EXPECT_LE((coarse.points[p] - before.points[p]).norm(), 2 * kMostShiftVoxels);  // steps of 1, 1/2 and 1/4 of it
+    EXPECT_LE((coarse.points[p] - before.points[p]).norm(),
+              2 * kMostShiftVoxels);  // steps of 1, 1/2 and 1/4 of it
 }
 
 TEST(FitSurface, MakesNoTriangleThinnerThanBeforeAndThan29Degrees) {

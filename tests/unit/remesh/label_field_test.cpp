@@ -8,6 +8,8 @@
 
 #include "support/label_bodies.h"
 #include "support/label_surface.h"
+#include "support/random_labels.h"
+#include "support/test_random.h"
 #include "support/test_surfaces.h"
 
 namespace voxtet::remesh {

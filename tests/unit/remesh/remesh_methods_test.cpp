@@ -9,6 +9,7 @@
 #include "geometry/self_intersections.h"
 #include "remesh/remesh_surface.h"
 #include "support/check_surface.h"
+#include "support/label_bodies.h"
 #include "support/label_surface.h"
 #include "support/random_labels.h"
 #include "support/test_surfaces.h"

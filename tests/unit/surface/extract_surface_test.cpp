@@ -9,6 +9,8 @@
 #include "geometry/surface_measures.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
+#include "support/random_labels.h"
+#include "support/test_random.h"
 
 namespace voxtet {
 namespace {

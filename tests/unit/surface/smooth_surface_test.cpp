@@ -12,6 +12,7 @@
 #include "geometry/surface_measures.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
+#include "support/random_labels.h"
 #include "support/surface_labels.h"
 #include "surface/extract_surface.h"
 #include "surface/surface_graph.h"

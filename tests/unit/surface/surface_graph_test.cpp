@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "support/check_surface.h"
-#include "support/label_bodies.h"
+#include "support/random_labels.h"
 #include "surface/extract_surface.h"
 
 namespace voxtet {

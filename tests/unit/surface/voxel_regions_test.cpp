@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "support/label_bodies.h"
 #include "support/random_labels.h"
 
 namespace voxtet {

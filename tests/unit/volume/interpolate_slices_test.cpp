@@ -12,6 +12,7 @@
 #include "io/read_volume.h"
 #include "support/data.h"
 #include "support/label_bodies.h"
+#include "support/random_labels.h"
 
 namespace voxtet {
 namespace {

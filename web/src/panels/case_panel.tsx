@@ -5,7 +5,7 @@ import { carrierOf, dropIdleSizes, groupsOf } from '../store/labels';
 import { editRecipe, recipe } from '../store/recipe';
 import { activity } from '../store/run';
 import { colourOf, hiddenLabels, ownColours } from '../store/view';
-import { Field, fieldOf, NumberInput } from './fields';
+import { NumberField, NumberInput } from './fields';
 import { whole } from './format';
 import { Icon } from './icons';
 import { LookUpFields } from './look_up_fields';
@@ -143,17 +143,14 @@ function SizingSection({ current }: { current: Recipe }) {
     unit: string,
     step: number,
   ) => (
-    <Field label={label} unit={unit} hint={fieldOf(`sizing.${key}`)?.description}>
-      <NumberInput
-        label={label}
-        path={`sizing.${key}`}
-        step={step}
-        value={current.sizing[key]}
-        onChange={(value) =>
-          value !== null && editRecipe(label, (draft) => void (draft.sizing[key] = value), key)
-        }
-      />
-    </Field>
+    <NumberField
+      label={label}
+      unit={unit}
+      path={`sizing.${key}`}
+      step={step}
+      value={current.sizing[key]}
+      onChange={(value) => editRecipe(label, (draft) => void (draft.sizing[key] = value), key)}
+    />
   );
   return (
     <section class="section">

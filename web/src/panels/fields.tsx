@@ -1,10 +1,9 @@
-import type { ComponentChildren } from 'preact';
 import { useEffect, useId, useState } from 'preact/hooks';
 import type { SchemaField, Vec3 } from '../engine/contract';
 import { schema } from '../store/run';
 
 /** A field of the engine's table, by its path; list items by `list.item`. */
-export function fieldOf(path: string): SchemaField | undefined {
+function fieldOf(path: string): SchemaField | undefined {
   let fields = schema.value?.fields;
   let rest = path;
   while (fields) {
@@ -78,22 +77,28 @@ export function NumberInput({ label, value, onChange, path, placeholder, step, d
   );
 }
 
-export function Field({
-  label,
-  unit,
-  hint,
-  children,
-}: {
+/** A number of the engine's table with its label. `owner`: what it belongs to, where several look alike. */
+export function NumberField(props: {
   label: string;
+  path: string;
+  value: number;
   unit?: string;
-  hint?: string;
-  children: ComponentChildren;
+  step?: number;
+  owner?: string;
+  onChange(value: number): void;
 }) {
+  const { label, path, value, unit, step, owner } = props;
   return (
-    <div class="field" title={hint}>
+    <div class="field" title={fieldOf(path)?.description}>
       <span class="field-label">{label}</span>
       <span class="field-input">
-        {children}
+        <NumberInput
+          label={owner === undefined ? label : `${owner}: ${label}`}
+          path={path}
+          step={step}
+          value={value}
+          onChange={(next) => next !== null && props.onChange(next)}
+        />
         {unit !== undefined && <span class="unit">{unit}</span>}
       </span>
     </div>

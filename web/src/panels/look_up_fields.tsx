@@ -1,7 +1,7 @@
 import type { Recipe } from '../engine/contract';
 import { nameOf, volume } from '../store/input';
 import { editRecipe } from '../store/recipe';
-import { CheckField, Field, fieldOf, NumberInput } from './fields';
+import { CheckField, NumberField } from './fields';
 
 /** Labels that become values of the tetrahedra instead of regions of the mesh. */
 export function LookUpFields({ current }: { current: Recipe }) {
@@ -13,16 +13,12 @@ export function LookUpFields({ current }: { current: Recipe }) {
         others.length < labels.length ? others : [...others, label].sort((a, b) => a - b);
     });
   const samples = (text: string, key: 'samples_min' | 'samples_max') => (
-    <Field label={text} hint={fieldOf(`lookup.${key}`)?.description}>
-      <NumberInput
-        label={text}
-        path={`lookup.${key}`}
-        value={current.lookup[key]}
-        onChange={(value) =>
-          value !== null && editRecipe(text, (draft) => void (draft.lookup[key] = value), key)
-        }
-      />
-    </Field>
+    <NumberField
+      label={text}
+      path={`lookup.${key}`}
+      value={current.lookup[key]}
+      onChange={(value) => editRecipe(text, (draft) => void (draft.lookup[key] = value), key)}
+    />
   );
   return (
     <details class="more">

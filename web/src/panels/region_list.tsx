@@ -2,7 +2,7 @@ import type { Recipe, RegionShape, SizeRegion, Vec3 } from '../engine/contract';
 import { volume } from '../store/input';
 import { editRecipe } from '../store/recipe';
 import { gizmoMode, regionShown } from '../store/view';
-import { Field, NumberInput, Segments, SelectField, VectorField } from './fields';
+import { NumberField, Segments, SelectField, VectorField } from './fields';
 import { Icon } from './icons';
 
 function middleOfVolume(): { centre: Vec3; extent: number } {
@@ -48,15 +48,15 @@ function RegionFields({ region, index }: { region: SizeRegion; index: number }) 
       `region ${index} ${label}`,
     );
   const number = (label: string, key: 'edge_mm' | 'band_mm' | 'radius_mm', step: number) => (
-    <Field label={label} unit="mm">
-      <NumberInput
-        label={`${region.name}: ${label}`}
-        path={`sizing.regions.${key}`}
-        step={step}
-        value={region[key]}
-        onChange={(value) => value !== null && set(label, { [key]: value })}
-      />
-    </Field>
+    <NumberField
+      label={label}
+      owner={region.name}
+      unit="mm"
+      path={`sizing.regions.${key}`}
+      step={step}
+      value={region[key]}
+      onChange={(value) => set(label, { [key]: value })}
+    />
   );
   const modes = (
     region.shape === 'box'

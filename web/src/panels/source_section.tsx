@@ -2,7 +2,7 @@ import { useRef } from 'preact/hooks';
 import type { PhantomKind, PhantomParams, Recipe, Vec3 } from '../engine/contract';
 import { editPhantom, openFiles, openPhantom, openSample, previewSoon } from '../store/actions';
 import { volume } from '../store/input';
-import { CheckField, Field, NumberInput, SelectField, VectorField } from './fields';
+import { CheckField, NumberField, SelectField, VectorField } from './fields';
 import { short } from './format';
 import { Icon } from './icons';
 
@@ -80,14 +80,13 @@ function PhantomFields({ phantom }: { phantom: PhantomParams }) {
     previewSoon();
   };
   const number = (label: string, key: keyof PhantomParams, unit?: string) => (
-    <Field label={label} unit={unit}>
-      <NumberInput
-        label={label}
-        path={`source.phantom.${key}`}
-        value={phantom[key] as number}
-        onChange={(value) => value !== null && edit(label, { [key]: value })}
-      />
-    </Field>
+    <NumberField
+      label={label}
+      unit={unit}
+      path={`source.phantom.${key}`}
+      value={phantom[key] as number}
+      onChange={(value) => edit(label, { [key]: value })}
+    />
   );
   const heart = phantom.kind === 'biventricle';
   const round = phantom.kind !== 'slab' && !heart;
@@ -99,16 +98,13 @@ function PhantomFields({ phantom }: { phantom: PhantomParams }) {
         options={bodies}
         onChange={(kind) => void openPhantom({ kind, spacing_mm: phantom.spacing_mm })}
       />
-      <Field label="Voxel size" unit="mm">
-        <NumberInput
-          label="Voxel size"
-          path="source.phantom.spacing_mm"
-          value={phantom.spacing_mm[0]}
-          onChange={(value) =>
-            value !== null && edit('Voxel size', { spacing_mm: [value, value, value] as Vec3 })
-          }
-        />
-      </Field>
+      <NumberField
+        label="Voxel size"
+        unit="mm"
+        path="source.phantom.spacing_mm"
+        value={phantom.spacing_mm[0]}
+        onChange={(value) => edit('Voxel size', { spacing_mm: [value, value, value] as Vec3 })}
+      />
       <details class="more">
         <summary>Shape of the body</summary>
         {heart && number('Scale', 'scale')}

@@ -2,7 +2,7 @@ import type { Recipe, SchemaField } from '../engine/contract';
 import { previewSoon } from '../store/actions';
 import { editRecipe } from '../store/recipe';
 import { schema } from '../store/run';
-import { CheckField, Field, NumberInput, SelectField } from './fields';
+import { CheckField, NumberField, SelectField } from './fields';
 import { choiceWords, fieldUnit, fieldWords } from './stage_words';
 
 type StageGroup = 'volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'quality';
@@ -38,14 +38,14 @@ function StageField(props: { group: StageGroup; title: string; field: SchemaFiel
     );
   }
   return (
-    <Field label={label} unit={fieldUnit(path, field.unit)} hint={field.description}>
-      <NumberInput
-        label={`${title}: ${label}`}
-        path={path}
-        value={value as number}
-        onChange={(next) => next !== null && set(next)}
-      />
-    </Field>
+    <NumberField
+      label={label}
+      owner={title}
+      unit={fieldUnit(path, field.unit)}
+      path={path}
+      value={value as number}
+      onChange={set}
+    />
   );
 }
 

@@ -1,11 +1,10 @@
-#include "recipe/recipe.h"
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
 #include "recipe/fields.h"
+#include "recipe/recipe.h"
 
 namespace voxtet {
 namespace {
@@ -35,8 +34,6 @@ std::string shown(const json& value) {
 [[noreturn]] void expected(const std::string& path, const json& found, const std::string& what) {
   throw FieldError(path + ": found " + shown(found) + ", expected " + what);
 }
-
-// ------------------------------------------------------------------ reading
 
 class Reader {
  public:
@@ -174,163 +171,6 @@ class Reader {
   std::vector<std::string> seen_;
 };
 
-// ------------------------------------------------------------------ writing
-
-json to_json(double value) {
-  return value;
-}
-json to_json(bool value) {
-  return value;
-}
-json to_json(const std::string& value) {
-  return value;
-}
-json to_json(const Eigen::Vector3d& value) {
-  return json::array({value.x(), value.y(), value.z()});
-}
-json to_json(const std::vector<Label>& value) {
-  return value;
-}
-json to_json(const std::vector<LabelGroup>& value) {
-  return value;
-}
-template <class Whole>
-requires std::is_integral_v<Whole> json to_json(Whole value) {
-  return value;
-}
-
-class Writer {
- public:
-  json object = json::object();
-
-  template <class T>
-  void field(const FieldInfo& info, T& value) {
-    object[info.name] = to_json(value);
-  }
-  template <class Enum>
-  void choice(const FieldInfo& info, Enum& value, const Choices<Enum>& choices) {
-    for (const auto& [name, option] : choices)
-      if (option == value) object[info.name] = name;
-  }
-  template <class T>
-  void group(const FieldInfo& info, T& value) {
-    object[info.name] = write(value);
-  }
-  template <class T>
-  void optional_group(const FieldInfo& info, std::optional<T>& value) {
-    if (value) object[info.name] = write(*value);
-  }
-  template <class T>
-  void list(const FieldInfo& info, std::vector<T>& items) {
-    object[info.name] = json::array();
-    for (T& item : items) object[info.name].push_back(write(item));
-  }
-
-  template <class T>
-  static json write(T& value) {
-    Writer writer;
-    visit_fields(writer, value);
-    return std::move(writer.object);
-  }
-};
-
-// ------------------------------------------------------------------ schema
-
-const char* type_name(const double&) {
-  return "number";
-}
-const char* type_name(const bool&) {
-  return "boolean";
-}
-const char* type_name(const std::string&) {
-  return "string";
-}
-const char* type_name(const Eigen::Vector3d&) {
-  return "vec3";
-}
-const char* type_name(const std::vector<Label>&) {
-  return "labels";
-}
-const char* type_name(const std::vector<LabelGroup>&) {
-  return "label_groups";
-}
-template <class Whole>
-requires std::is_integral_v<Whole>
-const char* type_name(const Whole&) {
-  return "integer";
-}
-
-class SchemaWriter {
- public:
-  explicit SchemaWriter(std::string path = {}) : path_(std::move(path)) {}
-  json fields = json::array();
-
-  template <class T>
-  void field(const FieldInfo& info, T& value) {
-    json& entry = add(info, type_name(value));
-    entry["default"] = to_json(value);
-    if (info.min != info.max && info.min != kAnyMin) {
-      entry["min"] = info.min;
-      entry["max"] = info.max;
-    }
-  }
-  template <class Enum>
-  void choice(const FieldInfo& info, Enum& value, const Choices<Enum>& choices) {
-    json& entry = add(info, "enum");
-    for (const auto& [name, option] : choices) {
-      entry["values"].push_back(name);
-      if (option == value) entry["default"] = name;
-    }
-  }
-  template <class T>
-  void group(const FieldInfo& info, T& value) {
-    SchemaWriter inner(at(info.name));
-    visit_fields(inner, value);
-    for (json& entry : inner.fields) fields.push_back(std::move(entry));
-  }
-  template <class T>
-  void optional_group(const FieldInfo& info, std::optional<T>&) {
-    T defaults;
-    group(info, defaults);
-  }
-  template <class T>
-  void list(const FieldInfo& info, std::vector<T>&) {
-    T item;
-    SchemaWriter inner;
-    visit_fields(inner, item);
-    json& entry = add(info, "list");
-    entry["default"] = json::array();
-    entry["items"] = std::move(inner.fields);
-  }
-
- private:
-  std::string at(const char* name) const { return path_.empty() ? name : path_ + "." + name; }
-  json& add(const FieldInfo& info, const char* type) {
-    fields.push_back({{"path", at(info.name)}, {"type", type}, {"description", info.description}});
-    if (*info.unit) fields.back()["unit"] = info.unit;
-    return fields.back();
-  }
-  std::string path_;
-};
-
-/// Keeps what differs from the defaults. Lists and vectors are kept whole; an optional group that is present
-/// is kept even when all its fields are at their defaults.
-json difference(const json& value, const json& defaults) {
-  json out = json::object();
-  for (const auto& [key, entry] : value.items()) {
-    const auto other = defaults.find(key);
-    if (other == defaults.end()) {
-      out[key] = entry;
-    } else if (entry.is_object()) {
-      json inner = difference(entry, *other);
-      if (!inner.empty()) out[key] = std::move(inner);
-    } else if (entry != *other) {
-      out[key] = entry;
-    }
-  }
-  return out;
-}
-
 Error usage(const std::string& message) {
   return {ErrorCode::kUsage, "recipe", message, {}};
 }
@@ -366,21 +206,6 @@ Result<Recipe> parse_recipe(const json& value) {
   return recipe;
 }
 
-json recipe_to_json(const Recipe& recipe, bool minimal) {
-  Recipe copy = recipe;
-  json full = Writer::write(copy);
-  if (!minimal) return full;
-  Recipe defaults;
-  json out = difference(full, Writer::write(defaults));
-  if (recipe.source.phantom) {
-    PhantomParams standard;
-    out["source"]["phantom"] = difference(full["source"]["phantom"], Writer::write(standard));
-    // The kind is what the reader of a link looks for.
-    out["source"]["phantom"]["kind"] = full["source"]["phantom"]["kind"];
-  }
-  return out;
-}
-
 Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const std::string& text) {
   std::string pointer = "/" + path;
   for (char& c : pointer)
@@ -395,13 +220,6 @@ Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const s
     return usage(path + ": no such field");
   }
   return parse_recipe(whole);
-}
-
-json recipe_schema() {
-  Recipe defaults;
-  SchemaWriter writer;
-  visit_fields(writer, defaults);
-  return std::move(writer.fields);
 }
 
 }  // namespace voxtet

@@ -1,0 +1,96 @@
+#include "recipe/field_json.h"
+#include "recipe/fields.h"
+#include "recipe/recipe.h"
+
+namespace voxtet {
+namespace {
+
+using nlohmann::json;
+
+const char* type_name(const double&) {
+  return "number";
+}
+const char* type_name(const bool&) {
+  return "boolean";
+}
+const char* type_name(const std::string&) {
+  return "string";
+}
+const char* type_name(const Eigen::Vector3d&) {
+  return "vec3";
+}
+const char* type_name(const std::vector<Label>&) {
+  return "labels";
+}
+const char* type_name(const std::vector<LabelGroup>&) {
+  return "label_groups";
+}
+template <class Whole>
+requires std::is_integral_v<Whole>
+const char* type_name(const Whole&) {
+  return "integer";
+}
+
+class SchemaWriter {
+ public:
+  explicit SchemaWriter(std::string path = {}) : path_(std::move(path)) {}
+  json fields = json::array();
+
+  template <class T>
+  void field(const FieldInfo& info, T& value) {
+    json& entry = add(info, type_name(value));
+    entry["default"] = json_of(value);
+    if (info.min != info.max && info.min != kAnyMin) {
+      entry["min"] = info.min;
+      entry["max"] = info.max;
+    }
+  }
+  template <class Enum>
+  void choice(const FieldInfo& info, Enum& value, const Choices<Enum>& choices) {
+    json& entry = add(info, "enum");
+    for (const auto& [name, option] : choices) {
+      entry["values"].push_back(name);
+      if (option == value) entry["default"] = name;
+    }
+  }
+  template <class T>
+  void group(const FieldInfo& info, T& value) {
+    SchemaWriter inner(at(info.name));
+    visit_fields(inner, value);
+    for (json& entry : inner.fields) fields.push_back(std::move(entry));
+  }
+  template <class T>
+  void optional_group(const FieldInfo& info, std::optional<T>&) {
+    T defaults;
+    group(info, defaults);
+  }
+  template <class T>
+  void list(const FieldInfo& info, std::vector<T>&) {
+    T item;
+    SchemaWriter inner;
+    visit_fields(inner, item);
+    json& entry = add(info, "list");
+    entry["default"] = json::array();
+    entry["items"] = std::move(inner.fields);
+  }
+
+ private:
+  std::string at(const char* name) const { return path_.empty() ? name : path_ + "." + name; }
+  json& add(const FieldInfo& info, const char* type) {
+    fields.push_back({{"path", at(info.name)}, {"type", type}, {"description", info.description}});
+    if (*info.unit) fields.back()["unit"] = info.unit;
+    return fields.back();
+  }
+  std::string path_;
+};
+
+}  // namespace
+
+json recipe_schema() {
+  Recipe defaults;
+  SchemaWriter writer;
+  visit_fields(writer, defaults);
+  return std::move(writer.fields);
+}
+
+}  // namespace voxtet

@@ -1,0 +1,150 @@
+// Mesh files written by hand, and how tests read meshes from memory.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "io/read_mesh.h"
+#include "io/write_mesh.h"
+
+namespace voxtet::test {
+
+inline Bytes bytes_of(const std::string& text) {
+  return {text.begin(), text.end()};
+}
+
+inline Result<TetMesh> read_text(const std::string& name, const std::string& text) {
+  const Bytes bytes = bytes_of(text);
+  return read_tet_mesh({name, bytes, {}});
+}
+
+/// Reads the files of one export as if they stood in one folder.
+inline Result<TetMesh> read_export(const std::vector<OutputFile>& files) {
+  std::map<std::string, Bytes> folder;
+  for (const OutputFile& file : files) folder["mesh" + file.suffix] = file.bytes;
+  const SiblingReader sibling = [&](const std::string& name) -> Result<Bytes> {
+    if (const auto found = folder.find(name); found != folder.end()) return found->second;
+    return Error{ErrorCode::kBadInput, "test", name + " is missing", {}};
+  };
+  return read_tet_mesh({"folder/mesh" + files.front().suffix, files.front().bytes, sibling});
+}
+
+/// The message of a failure; its code is kBadInput.
+inline std::string refusal(const Result<TetMesh>& result) {
+  EXPECT_FALSE(result.ok());
+  if (result.ok()) return {};
+  EXPECT_EQ(result.error().code, ErrorCode::kBadInput);
+  return result.error().message;
+}
+
+inline void expect_refusal(const std::string& name, const std::string& text,
+                           const std::vector<std::string>& parts) {
+  const std::string message = refusal(read_text(name, text));
+  for (const std::string& part : parts)
+    EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
+}
+
+inline const std::string kMeditText = R"(MeshVersionFormatted 2
+# a comment
+Dimension 3
+Tetrahedra 1
+1 2 3 5 9
+Vertices
+5
+0 0 0 0
+1 0 0 0 # another
+0 1 0 0
+7 7 7 0
+0 0 1e0 0
+Corners 2
+1
+2
+End
+)";
+
+inline const std::string kMsh22Text = R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+3 4 "wall"
+$EndPhysicalNames
+$Nodes
+4
+10 0 0 0
+20 1 0 0
+5 0 0 1
+15 0 1 0
+$EndNodes
+$Elements
+3
+7 15 2 9 1 10
+8 2 2 1 1 10 20 15
+2 4 2 4 1 10 20 15 5
+$EndElements
+)";
+
+inline const std::string kMsh41Text = R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$Entities
+1 0 0 1
+1 0 0 0 0
+3 0 0 0 1 1 1 2 6 8 0
+$EndEntities
+$Nodes
+2 4 1 4
+0 1 0 1
+1
+0 0 0
+3 3 1 3
+2
+3
+4
+1 0 0 .1 .2 .3
+0 1 0 .1 .2 .3
+0 0 1 .1 .2 .3
+$EndNodes
+$Elements
+2 2 1 2
+0 1 15 1
+1 1
+3 3 4 1
+2 1 2 3 4
+$EndElements
+$NodeData
+anything
+$EndNodeData
+)";
+
+inline const std::string kVtuText = R"(<?xml version="1.0"?>
+<!-- written by hand -->
+<VTKFile type='UnstructuredGrid' version="0.1">
+  <UnstructuredGrid>
+    <FieldData><Array type="String" Name="space" format="ascii">76 80 83 0</Array></FieldData>
+    <Piece NumberOfPoints="5" NumberOfCells="2">
+      <PointData/>
+      <CellData Scalars="label">
+        <DataArray type="Float64" Name="other" format="ascii"> 0.5 nan </DataArray>
+        <DataArray type="Float64" Name="label" format="ascii"> 0 65535 </DataArray>
+      </CellData>
+      <Points>
+        <DataArray type="Float32" NumberOfComponents="3" format="ascii">
+          0 0 0  1 0 0  0 1 0  0 0 1  -2.5 4 8
+          <InformationKey name="L2_NORM_RANGE" location="vtkDataArray" length="2"><Value index="0">0</Value></InformationKey>
+        </DataArray>
+      </Points>
+      <Cells>
+        <DataArray type="Int32" Name="connectivity" format="ascii">0 1 2 0 1 2 3</DataArray>
+        <DataArray type="Int32" Name="offsets" format="ascii">3 7</DataArray>
+        <DataArray type="UInt8" Name="types" format="ascii">5 10</DataArray>
+      </Cells>
+    </Piece>
+  </UnstructuredGrid>
+</VTKFile>
+)";
+
+}  // namespace voxtet::test
