@@ -113,7 +113,8 @@ class SessionBinding {
         if (const SizingField* s = session_.sizing(); s && array == "h_mm")
           return view_of(s->h_mm.data(), s->h_mm.size());
         break;
-      case Stage::kTetra: return mesh_view(array);
+      case Stage::kTetra:
+      case Stage::kOptimise: return mesh_view(array);
       case Stage::kLookup:
         if (session_.lookup())
           for (CellData& data : cell_data_of(*session_.lookup()))
@@ -127,7 +128,7 @@ class SessionBinding {
   std::string export_mesh(const std::string& format, const std::string& space) {
     exported_.clear();
     if (!session_.mesh())
-      return reply(Error{ErrorCode::kUsage, "export", "no mesh yet: run the stage tetra", {}});
+      return reply(Error{ErrorCode::kUsage, "export", "no mesh yet: run the stage optimise", {}});
     Result<MeshFormat> which = format_of(format);
     if (!which) return reply(which.error());
     const PatientSpace patient = space == "lps" ? PatientSpace::kLps : PatientSpace::kRas;

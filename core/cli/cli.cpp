@@ -176,7 +176,7 @@ int run_verify(const CaseOptions& options, const Output& output) {
   Result<Expected> expected = expected_of(session.recipe(), options.input);
   if (!expected) return fail(expected.error());
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
-  if (Status done = session.run(Stage::kTetra, ctx); !done) return fail(done.error());
+  if (Status done = session.run(Stage::kOptimise, ctx); !done) return fail(done.error());
   const std::string digest = digest_of(*session.mesh());
   const bool same = digest == expected->digest;
   const std::string other =

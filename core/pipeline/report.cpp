@@ -117,6 +117,10 @@ json surface_counts(const SurfaceMesh& surface) {
   return {{"points", surface.points.size()}, {"triangles", surface.triangles.size()}};
 }
 
+json mesh_counts(const TetMesh& mesh) {
+  return {{"points", mesh.points.size()}, {"tets", mesh.tets.size()}, {"faces", mesh.faces.size()}};
+}
+
 json counts_json(const Session& session, Stage stage) {
   switch (stage) {
     case Stage::kVolume: {
@@ -137,10 +141,8 @@ json counts_json(const Session& session, Stage stage) {
               {"min_mm", *low},
               {"max_mm", *high}};
     }
-    case Stage::kTetra:
-      return {{"points", session.mesh()->points.size()},
-              {"tets", session.mesh()->tets.size()},
-              {"faces", session.mesh()->faces.size()}};
+    case Stage::kTetra: return mesh_counts(*session.filled());
+    case Stage::kOptimise: return mesh_counts(*session.mesh());
     case Stage::kLookup: return {{"labels", session.lookup()->labels.size()}};
     case Stage::kQuality: return json::object();
   }
@@ -153,7 +155,8 @@ std::string result_digest(const Session& session, Stage stage) {
     case Stage::kSurface: return digest_of(*session.surface());
     case Stage::kSmooth: return digest_of(*session.smooth());
     case Stage::kRemesh: return digest_of(*session.remeshed());
-    case Stage::kTetra: return digest_of(*session.mesh());
+    case Stage::kTetra: return digest_of(*session.filled());
+    case Stage::kOptimise: return digest_of(*session.mesh());
     default: return session.record(stage).key;
   }
 }

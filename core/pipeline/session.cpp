@@ -13,6 +13,7 @@
 #include "surface/extract_surface.h"
 #include "surface/smooth_surface.h"
 #include "tetra/fill_tets.h"
+#include "tetra/optimise_tets.h"
 
 namespace voxtet {
 namespace {
@@ -26,8 +27,9 @@ std::vector<Stage> inputs_of(Stage stage) {
     case Stage::kSizing: return {Stage::kVolume};
     case Stage::kRemesh: return {Stage::kVolume, Stage::kSmooth, Stage::kSizing};
     case Stage::kTetra: return {Stage::kRemesh, Stage::kSizing};
-    case Stage::kLookup: return {Stage::kVolume, Stage::kTetra};
-    case Stage::kQuality: return {Stage::kSmooth, Stage::kTetra, Stage::kLookup};
+    case Stage::kOptimise: return {Stage::kSmooth, Stage::kSizing, Stage::kTetra};
+    case Stage::kLookup: return {Stage::kVolume, Stage::kOptimise};
+    case Stage::kQuality: return {Stage::kSmooth, Stage::kOptimise, Stage::kLookup};
   }
   return {};
 }
@@ -111,7 +113,8 @@ void Session::forget(Stage stage) {
     case Stage::kSmooth: smooth_.reset(); break;
     case Stage::kSizing: sizing_.reset(); break;
     case Stage::kRemesh: remeshed_.reset(); break;
-    case Stage::kTetra: mesh_.reset(); break;
+    case Stage::kTetra: filled_.reset(); break;
+    case Stage::kOptimise: optimised_.reset(); break;
     case Stage::kLookup: lookup_.reset(); break;
     case Stage::kQuality: quality_.reset(); break;
   }
@@ -148,10 +151,12 @@ Status Session::run_stage(Stage stage, RunContext& ctx) {
     case Stage::kSizing: return keep(build_sizing_field(*volume(), recipe_.sizing, ctx), sizing_);
     case Stage::kRemesh:
       return keep(remesh_surface(*volume(), *smooth_, *sizing_, recipe_.remesh, ctx), remeshed_);
-    case Stage::kTetra: return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), mesh_);
-    case Stage::kLookup: return keep(look_up_labels(*mesh_, *source_, recipe_.lookup, ctx), lookup_);
+    case Stage::kTetra: return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), filled_);
+    case Stage::kOptimise:
+      return keep(optimise_tets(*filled_, *smooth_, *sizing_, recipe_.optimise, ctx), optimised_);
+    case Stage::kLookup: return keep(look_up_labels(*mesh(), *source_, recipe_.lookup, ctx), lookup_);
     case Stage::kQuality:
-      return keep(measure_quality(*mesh_, {*volume(), *selected_volume(), *smooth_, *remeshed_, *sizing_},
+      return keep(measure_quality(*mesh(), {*volume(), *selected_volume(), *smooth_, *remeshed_, *sizing_},
                                   recipe_.quality, ctx),
                   quality_);
   }

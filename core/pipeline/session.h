@@ -26,10 +26,10 @@ namespace voxtet {
 /// Version of the engine, as it stands in reports and links.
 std::string engine_version();
 
-enum class Stage { kVolume, kSurface, kSmooth, kSizing, kRemesh, kTetra, kLookup, kQuality };
-inline constexpr int kStageCount = 8;
+enum class Stage { kVolume, kSurface, kSmooth, kSizing, kRemesh, kTetra, kOptimise, kLookup, kQuality };
+inline constexpr int kStageCount = 9;
 inline constexpr std::array<std::string_view, kStageCount> kStageNames{
-    "volume", "surface", "smooth", "sizing", "remesh", "tetra", "lookup", "quality"};
+    "volume", "surface", "smooth", "sizing", "remesh", "tetra", "optimise", "lookup", "quality"};
 /// Stage of a name. Errors: kUsage listing the names.
 Result<Stage> stage_of(std::string_view name);
 
@@ -65,7 +65,9 @@ class Session {
   const SurfaceMesh* smooth() const { return smooth_ ? &*smooth_ : nullptr; }
   const SizingField* sizing() const { return sizing_ ? &*sizing_ : nullptr; }
   const SurfaceMesh* remeshed() const { return remeshed_ ? &*remeshed_ : nullptr; }
-  const TetMesh* mesh() const { return mesh_ ? &*mesh_ : nullptr; }
+  const TetMesh* filled() const { return filled_ ? &*filled_ : nullptr; }
+  /// The optimised tetrahedra; while there are none, also when kOptimise failed, those that fill the surface.
+  const TetMesh* mesh() const { return optimised_ ? &*optimised_ : filled(); }
   const LabelLookUp* lookup() const { return lookup_ ? &*lookup_ : nullptr; }
   const QualityReport* quality() const { return quality_ ? &*quality_ : nullptr; }
   const StageRecord& record(Stage stage) const { return records_[static_cast<std::size_t>(stage)]; }
@@ -84,7 +86,7 @@ class Session {
   PreparedVolume volume_;
   std::optional<SurfaceMesh> surface_, smooth_, remeshed_;
   std::optional<SizingField> sizing_;
-  std::optional<TetMesh> mesh_;
+  std::optional<TetMesh> filled_, optimised_;
   std::optional<LabelLookUp> lookup_;
   std::optional<QualityReport> quality_;
   std::array<StageRecord, kStageCount> records_;

@@ -173,10 +173,25 @@ void visit_fields(V& v, FillParams& p) {
   v.choice({"backend", "", 0, 0, "Which mesher fills the surface."}, p.backend,
            Choices<TetBackend>{{"tetgen", TetBackend::kTetgen}});
   v.field({"radius_edge", "", 1.2, 10, "Bound on circumradius over shortest edge."}, p.radius_edge);
-  v.field({"min_dihedral_deg", "deg", 0, 18, "Smallest dihedral angle that refinement aims at."},
+  v.field({"min_dihedral_deg", "deg", 0, 18, "Smallest dihedral angle that refinement aims at; 0: none."},
           p.min_dihedral_deg);
   v.field({"max_dihedral_deg", "deg", 130, 180, "Largest dihedral angle that optimisation aims at."},
           p.max_dihedral_deg);
+}
+
+template <class V>
+void visit_fields(V& v, OptimiseParams& p) {
+  v.field({"rounds", "", 0, 20, "Rounds of work on badly shaped tetrahedra; 0 leaves them."}, p.rounds);
+  v.field({"min_dihedral_deg", "deg", 1, 45, "Tetrahedra with a smaller dihedral angle are worked on."},
+          p.min_dihedral_deg);
+  v.field({"insertion_deg", "deg", 1, 45,
+           "Where tetrahedra stay below this, vertices are inserted, and those on the surface slide."},
+          p.insertion_deg);
+  v.field(
+      {"slide", "", 0, 0.5,
+       "How far from the label surface vertices may slide, as a part of the wished edge length; 0: not at "
+       "all."},
+      p.slide);
 }
 
 template <class V>
@@ -206,6 +221,7 @@ void visit_fields(V& v, Recipe& r) {
   v.group({"sizing", "", 0, 0, "The wish for element size."}, r.sizing);
   v.group({"remesh", "", 0, 0, "The adapted surface."}, r.remesh);
   v.group({"tetra", "", 0, 0, "The tetrahedra."}, r.tetra);
+  v.group({"optimise", "", 0, 0, "Better shapes for the tetrahedra."}, r.optimise);
   v.group({"lookup", "", 0, 0, "Labels looked up instead of meshed."}, r.lookup);
   v.group({"quality", "", 0, 0, "The evidence."}, r.quality);
   v.group({"expected", "", 0, 0, "What a shared case promises."}, r.expected);

@@ -16,6 +16,7 @@
 #include "surface/extract_surface.h"
 #include "surface/smooth_surface.h"
 #include "tetra/fill_tets.h"
+#include "tetra/optimise_tets.h"
 #include "types/result.h"
 #include "volume/prepare_volume.h"
 
@@ -51,6 +52,7 @@ struct Recipe {
   SizingParams sizing;
   RemeshParams remesh;
   FillParams tetra;
+  OptimiseParams optimise;
   LookUpParams lookup;
   QualityParams quality;
   Expected expected;

@@ -13,8 +13,10 @@ enum class TetBackend { kTetgen };
 
 struct FillParams {
   TetBackend backend = TetBackend::kTetgen;
-  double radius_edge = 1.414;     ///< bound on circumradius over shortest edge
-  double min_dihedral_deg = 14;   ///< asked of the refinement, not guaranteed
+  double radius_edge = 1.414;  ///< bound on circumradius over shortest edge
+  /// Asked of the refinement, not guaranteed; 0: not asked, since the optimiser (optimise_tets.h) reaches
+  /// more with fewer points.
+  double min_dihedral_deg = 0;
   double max_dihedral_deg = 145;  ///< aimed at by the mesher's own optimisation
 };
 

@@ -1,54 +1,29 @@
 // The four cases of the paper's first table, conforming and merged, and the torso: their adapted surfaces
 // against every limit.
-#include "io/read_volume.h"
 #include "support/data.h"
 #include "sweep/command_line.h"
 #include "sweep/findings.h"
-#include "sweep/load_labels.h"
 #include "sweep/surface_figures.h"
+#include "sweep/table_cases.h"
 
 using namespace voxtet;
 using namespace voxtet::sweep;
 
 namespace {
 
-struct Case {
-  const char* file;
-  std::vector<Label> labels;
-  bool merge = false;
-  std::vector<LabelSize> sizes{};  ///< instead of twice the smallest spacing
-  bool table = true;               ///< all limits hold; else intersections, topology and dihedral only
+struct Case : TableCase {
+  bool table = true;  ///< all limits hold; else intersections, topology and dihedral only
 };
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (const auto& [file, labels] : {std::pair{"biv_mean_1mm.nii.gz", std::vector<Label>{1, 2}},
-                                     std::pair{"biv_ed_scar_1mm.nii.gz", std::vector<Label>{1, 2, 5, 6}},
-                                     std::pair{"biv_es_oblique_sax.nii.gz", std::vector<Label>{1, 2}},
-                                     std::pair{"ct_aorta_dissection_1.5mm.nii.gz", std::vector<Label>{1, 2}}})
-    for (const bool merge : {false, true}) cases.push_back({file, labels, merge});
-  cases.push_back({"biv_ed_scar_1mm.nii.gz", {1, 2, 5, 6}, false, {{5, 0.8}, {6, 0.8}}});
-  cases.push_back({"ct_torso_62labels_3mm.nii.gz", {}, false, {}, false});
+  for (const TableCase& c : table_cases()) cases.push_back({c});
+  cases.push_back({{"ct_torso_62labels_3mm.nii.gz", {}}, false});
   return cases;
 }
 
-std::string name_of(const Case& c, const std::string& method) {
-  return std::string(c.file).substr(0, std::string(c.file).find(".nii")) +
-         (c.merge ? ", merged" : ", conforming") + (c.sizes.empty() ? "" : ", graded") + ", " + method;
-}
-
 Status run_case(const Case& c, const std::string& path, const std::string& method, Session& session) {
-  const Result<LabelVolume> volume = read_volume_file(path);
-  if (!volume) return volume.error();
-  if (Status loaded = load_labels(*volume, session); !loaded) return loaded;
-  Result<Recipe> recipe = with_field(session.recipe(), "remesh.method", method);
-  if (!recipe) return recipe.error();
-  recipe->remesh.keep_topology = KeepTopology::kNothing;  // each method on its own
-  recipe->labels = c.labels;
-  if (c.merge) recipe->merge = {c.labels};
-  recipe->sizing.edge_mm = 2 * volume->smallest_spacing_mm();
-  recipe->sizing.labels = c.sizes;
-  if (Status set = session.set_recipe(*recipe); !set) return set;
+  if (Status opened = open_case(c, path, method, session); !opened) return opened;
   RunContext ctx;
   if (Status done = session.run(Stage::kSmooth, ctx); !done) return done;
   return session.run(Stage::kRemesh, ctx);

@@ -103,11 +103,11 @@ TEST(Session, ReusesWhatDidNotChange) {
     if (fraction == 0 && (ran.empty() || ran.back() != stage)) ran.push_back(stage);
   };
   ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
-  EXPECT_EQ(ran, (std::vector<std::string>{"tetra", "lookup", "quality"}));
+  EXPECT_EQ(ran, (std::vector<std::string>{"tetra", "optimise", "lookup", "quality"}));
   EXPECT_TRUE(session.record(Stage::kRemesh).cached);
   recipe.tetra.radius_edge = FillParams{}.radius_edge;
   session.set_recipe(recipe);
-  ASSERT_TRUE(session.run(Stage::kTetra, ctx).ok());
+  ASSERT_TRUE(session.run(Stage::kOptimise, ctx).ok());
   EXPECT_EQ(digest_of(*session.mesh()), first);
   EXPECT_EQ(session.quality(), nullptr) << "the quality of another mesh must not stay";
 }
@@ -230,6 +230,25 @@ TEST(Session, StopsWhenCancelledAndGoesOnLater) {
   EXPECT_EQ(session.remeshed(), nullptr);
   RunContext free_run;
   EXPECT_TRUE(session.run(Stage::kQuality, free_run).ok());
+}
+
+TEST(Session, KeepsTheFilledMeshWhenOptimisationIsCancelled) {
+  Session session;
+  session.set_recipe(small_case());
+  RunContext ctx;
+  bool stop = false;
+  ctx.on_cancelled = [&] { return stop; };
+  ctx.on_progress = [&](const std::string& stage, double) { stop = stage == "optimise"; };
+  ASSERT_FALSE(session.run(Stage::kQuality, ctx).ok());
+  ASSERT_NE(session.mesh(), nullptr);
+  EXPECT_EQ(session.mesh(), session.filled());
+  test::check_tets(*session.mesh(), *session.remeshed());
+  RunContext free_run;
+  ASSERT_TRUE(session.run(Stage::kOptimise, free_run).ok());
+  EXPECT_TRUE(session.record(Stage::kTetra).cached);
+  test::check_tets(*session.mesh());
+  EXPECT_GT(test::smallest_dihedral_deg(*session.mesh()), test::smallest_dihedral_deg(*session.filled()));
+  EXPECT_FALSE(session.record(Stage::kOptimise).notes.empty());
 }
 
 }  // namespace

@@ -36,7 +36,9 @@ Outcome fill(const SurfaceMesh& surface, double edge) {
   RunContext ctx;
   ctx.on_note = [&](const std::string&, const std::string& text) { out.notes.push_back(text); };
   ctx.on_warning = [&](const std::string&, const std::string& text) { out.warnings.push_back(text); };
-  out.mesh = fill_tets(surface, uniform_sizing(edge), {}, ctx);
+  FillParams params;
+  params.min_dihedral_deg = 14;  // so that there is something to drop
+  out.mesh = fill_tets(surface, uniform_sizing(edge), params, ctx);
   return out;
 }
 

@@ -1,0 +1,170 @@
+#include "tetra/optimise_tets.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <new>
+#include <queue>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tetra/edge_removal.h"
+#include "tetra/face_removal.h"
+#include "tetra/tet_complex.h"
+#include "tetra/vertex_insertion.h"
+#include "tetra/vertex_smoothing.h"
+#include "tetra/wall_sliding.h"
+
+namespace voxtet {
+namespace {
+
+using namespace tetra;
+
+constexpr int kSmoothingSteps = 5;
+/// Points for every one inserted, at least: a hopeless surface would take ever more.
+constexpr std::size_t kPointsForOne = 10;
+constexpr std::size_t kTetsPerQuestion = 256;
+
+struct Counts {
+  std::size_t edges = 0, faces = 0, moved = 0, inserted = 0, slid = 0;
+  bool operator==(const Counts&) const = default;
+};
+
+class Optimiser {
+ public:
+  Optimiser(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
+            const OptimiseParams& params, const RunContext& ctx)
+      : complex_(std::move(mesh)),
+        guard_(sizing),
+        smoother_(complex_, guard_),
+        inserter_(complex_, guard_),
+        slider_(complex_, smoother_, reference, sizing, params.slide),
+        params_(params),
+        ctx_(ctx),
+        most_inserted_(complex_.point_count() / kPointsForOne) {}
+
+  /// False when cancelled.
+  bool run() {
+    const double goal = quality_of_angle(params_.min_dihedral_deg);
+    const double last_goal = quality_of_angle(params_.insertion_deg);
+    const std::size_t bad_before = bad_tets(goal).size();
+    for (int round = 0; round < params_.rounds; ++round) {
+      const Counts before = counts_;
+      if (ctx_.cancelled() || !swap(goal) || !smooth(goal)) return false;
+      // Most of what is bad at first only needs another neighbour or place.
+      if (round > 0) {
+        if (!insert(last_goal)) return false;
+        if (params_.slide > 0) counts_.slid += slider_.slide(vertices_of(bad_tets(last_goal), true));
+      }
+      ctx_.progress("optimise", static_cast<double>(round + 1) / params_.rounds);
+      if (round > 0 && counts_ == before) break;
+    }
+    tell(bad_before, bad_tets(goal).size());
+    return true;
+  }
+  TetMesh release() { return std::move(complex_).release(); }
+
+ private:
+  using Entry = std::pair<double, std::uint32_t>;  ///< quality and place of a tet
+  /// The worst tet first.
+  using Queue = std::priority_queue<Entry, std::vector<Entry>, std::greater<>>;
+
+  Queue bad_tets(double goal) const {
+    std::vector<Entry> bad;
+    for (std::uint32_t t = 0; t < complex_.places(); ++t)
+      if (complex_.alive(t) && complex_.quality_of(t) < goal) bad.emplace_back(complex_.quality_of(t), t);
+    return Queue(std::greater<>{}, std::move(bad));
+  }
+
+  /// Those on walls or those that are not, of the worst tets first.
+  std::vector<std::uint32_t> vertices_of(Queue queue, bool on_wall) const {
+    std::vector<std::uint8_t> seen(complex_.point_count(), 0);
+    std::vector<std::uint32_t> vertices;
+    for (; !queue.empty(); queue.pop())
+      for (const std::uint32_t v : complex_.corners(queue.top().second))
+        if (complex_.on_wall(v) == on_wall && !std::exchange(seen[v], std::uint8_t{1})) vertices.push_back(v);
+    return vertices;
+  }
+
+  bool cancelled() { return ++questions_ % kTetsPerQuestion == 0 && ctx_.cancelled(); }
+
+  /// Calls improve(t) for the tets below the goal, and again for those it makes; false when cancelled.
+  template <class Improve>
+  bool for_bad_tets(double goal, const Improve& improve) {
+    Queue queue = bad_tets(goal);
+    while (!queue.empty()) {
+      if (cancelled()) return false;
+      const auto [quality, t] = queue.top();
+      queue.pop();
+      if (!complex_.alive(t) || complex_.quality_of(t) != quality || !improve(t)) continue;
+      for (const std::uint32_t made : complex_.made())
+        if (complex_.quality_of(made) < goal) queue.emplace(complex_.quality_of(made), made);
+    }
+    return true;
+  }
+
+  bool swap(double goal) {
+    return for_bad_tets(goal, [this](std::uint32_t t) {
+      for (std::uint32_t i = 0; i < 4; ++i)
+        for (std::uint32_t j = 0; j < i; ++j)
+          if (remove_edge(complex_, t, i, j, guard_)) return ++counts_.edges > 0;
+      for (std::uint32_t c = 0; c < 4; ++c)
+        if (remove_faces(complex_, t, c, guard_)) return ++counts_.faces > 0;
+      return false;
+    });
+  }
+
+  bool smooth(double goal) {
+    for (const std::uint32_t v : vertices_of(bad_tets(goal), false)) {
+      if (cancelled()) return false;
+      counts_.moved += smoother_.smooth(v, kSmoothingSteps);
+    }
+    return true;
+  }
+
+  bool insert(double goal) {
+    return for_bad_tets(goal, [this](std::uint32_t t) {
+      return counts_.inserted < most_inserted_ && inserter_.insert(t) && ++counts_.inserted > 0;
+    });
+  }
+
+  void tell(std::size_t bad_before, std::size_t bad_after) const {
+    const std::string goal = std::to_string(static_cast<int>(params_.min_dihedral_deg));
+    ctx_.note("optimise",
+              "tets below " + goal + " degrees: " + std::to_string(bad_before) + ", then " +
+                  std::to_string(bad_after) + "; edges removed: " + std::to_string(counts_.edges) +
+                  ", faces removed: " + std::to_string(counts_.faces) + ", vertices moved: " +
+                  std::to_string(counts_.moved) + ", inserted: " + std::to_string(counts_.inserted) +
+                  ", slid on the surface: " + std::to_string(counts_.slid));
+    if (counts_.inserted == most_inserted_ && most_inserted_ > 0)
+      ctx_.warn("optimise", "vertices were inserted up to the limit of one for every " +
+                                std::to_string(kPointsForOne) + ": the surface leaves too little room");
+  }
+
+  TetComplex complex_;
+  SizeGuard guard_;
+  VertexSmoother smoother_;
+  VertexInserter inserter_;
+  WallSlider slider_;
+  OptimiseParams params_;
+  const RunContext& ctx_;
+  Counts counts_;
+  std::size_t most_inserted_, questions_ = 0;
+};
+
+}  // namespace
+
+Result<TetMesh> optimise_tets(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
+                              const OptimiseParams& params, RunContext& ctx) {
+  if (params.rounds < 1 || mesh.tets.empty()) return mesh;
+  try {
+    Optimiser optimiser(std::move(mesh), reference, sizing, params, ctx);
+    if (!optimiser.run()) return cancelled_error("optimise");
+    return optimiser.release();
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kOutOfMemory, "optimise", "memory ran out while tetrahedra were optimised", {}};
+  }
+}
+
+}  // namespace voxtet

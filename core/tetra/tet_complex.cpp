@@ -1,0 +1,202 @@
+#include "tetra/tet_complex.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/adjacency.h"
+#include "geometry/orientation.h"
+
+namespace voxtet::tetra {
+namespace {
+
+constexpr Tet kGone{kNone, kNone, kNone, kNone};
+
+std::array<std::uint32_t, 3> ascending(std::array<std::uint32_t, 3> c) {
+  if (c[0] > c[1]) std::swap(c[0], c[1]);
+  if (c[1] > c[2]) std::swap(c[1], c[2]);
+  if (c[0] > c[1]) std::swap(c[0], c[1]);
+  return c;
+}
+
+std::array<std::uint32_t, 3> side_of(const Tet& corners, std::uint32_t corner) {
+  const auto& side = kSideCorners[corner];
+  return ascending({corners[side[0]], corners[side[1]], corners[side[2]]});
+}
+
+}  // namespace
+
+TetComplex::TetComplex(TetMesh mesh)
+    : points_(std::move(mesh.points)),
+      on_wall_(points_.size(), 0),
+      tet_at_(points_.size(), kNone),
+      faces_(std::move(mesh.faces)),
+      face_sides_(std::move(mesh.face_sides)) {
+  cells_.reserve(mesh.tets.size());
+  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) {
+    cells_.push_back(
+        {mesh.tets[t], {kNone, kNone, kNone, kNone}, quality_at(mesh.tets[t]), 0, mesh.labels[t]});
+    for (const std::uint32_t v : mesh.tets[t]) tet_at_[v] = t;
+  }
+  for (const Triangle& face : faces_)
+    for (const std::uint32_t v : face) on_wall_[v] = 1;
+  for (const TetFace& face : tet_faces(mesh.tets, points_.size())) {
+    if (face.count < 2) continue;
+    std::array<Facet, 2> sides{};
+    for (const std::size_t s : {0U, 1U}) {
+      const std::uint32_t t = s == 0 ? face.first : face.second;
+      std::uint32_t corner = 0;
+      while (std::find(face.corners.begin(), face.corners.end(), cells_[t].corners[corner]) !=
+             face.corners.end())
+        ++corner;
+      sides[s] = 4 * t + corner;
+    }
+    cells_[face.first].across[corner_of(sides[0])] = sides[1];
+    cells_[face.second].across[corner_of(sides[1])] = sides[0];
+  }
+}
+
+bool TetComplex::is_positive(const Tet& t) const {
+  return orientation(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]) > 0;
+}
+
+TetMesh TetComplex::release() && {
+  TetMesh mesh;
+  std::vector<std::uint32_t> renumbered(points_.size(), kNone);
+  for (std::uint32_t v = 0; v < points_.size(); ++v) {
+    if (tet_at_[v] == kNone) continue;
+    renumbered[v] = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.push_back(points_[v]);
+  }
+  for (const Cell& cell : cells_) {
+    if (cell.corners == kGone) continue;
+    Tet tet;
+    for (std::size_t c = 0; c < 4; ++c) tet[c] = renumbered[cell.corners[c]];
+    mesh.tets.push_back(tet);
+    mesh.labels.push_back(cell.label);
+  }
+  mesh.faces = std::move(faces_);
+  mesh.face_sides = std::move(face_sides_);
+  for (Triangle& face : mesh.faces)
+    for (std::uint32_t& v : face) v = renumbered[v];
+  return mesh;
+}
+
+bool TetComplex::find_ring(std::uint32_t t, std::uint32_t i, std::uint32_t j, EdgeRing& ring) const {
+  ring.a = corners(t)[i];
+  ring.b = corners(t)[j];
+  ring.size = 0;
+  const std::uint32_t first = t;
+  std::uint32_t leaving = kOtherCorners[i][j][0], next = corners(t)[kOtherCorners[i][j][1]];
+  do {
+    if (ring.size == EdgeRing::kMost) return false;
+    ring.ring[ring.size] = corners(t)[leaving];
+    ring.tets[ring.size++] = t;
+    const Facet facet = across(t, leaving);
+    if (facet == kNone || label(tet_of(facet)) != label(t)) return false;
+    t = tet_of(facet);
+    leaving = corner_at(t, next);
+    next = corners(t)[corner_of(facet)];
+  } while (t != first);
+  return true;
+}
+
+void TetComplex::find_star(std::uint32_t vertex, std::vector<std::uint32_t>& star) {
+  ++mark_;
+  star.assign(1, tet_at_[vertex]);
+  cells_[star[0]].mark = mark_;
+  for (std::size_t next = 0; next < star.size(); ++next) {
+    const Cell& cell = cells_[star[next]];
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (cell.corners[c] == vertex || cell.across[c] == kNone) continue;
+      const std::uint32_t other = tet_of(cell.across[c]);
+      if (std::exchange(cells_[other].mark, mark_) != mark_) star.push_back(other);
+    }
+  }
+}
+
+std::uint32_t TetComplex::take_place() {
+  if (free_.empty()) {
+    cells_.emplace_back();
+    return places() - 1;
+  }
+  const std::uint32_t place = free_.back();
+  free_.pop_back();
+  return place;
+}
+
+void TetComplex::link_outside(std::span<const std::uint32_t> gone) {
+  ++mark_;
+  for (const std::uint32_t t : gone) cells_[t].mark = mark_;
+  waiting_.clear();
+  for (const std::uint32_t t : gone)
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      const Facet facet = across(t, c);
+      if (facet == kNone || cells_[tet_of(facet)].mark != mark_)
+        waiting_.push_back({side_of(corners(t), c), facet});
+    }
+}
+
+void TetComplex::link(std::uint32_t t) {
+  for (std::uint32_t c = 0; c < 4; ++c) {
+    const Facet own = 4 * t + c;
+    const std::array<std::uint32_t, 3> side = side_of(corners(t), c);
+    const auto met = std::find_if(waiting_.begin(), waiting_.end(),
+                                  [&](const Waiting& other) { return other.corners == side; });
+    if (met == waiting_.end()) {
+      waiting_.push_back({side, own});
+      continue;
+    }
+    cells_[t].across[c] = met->facet;
+    if (met->facet != kNone) cells_[tet_of(met->facet)].across[corner_of(met->facet)] = own;
+    *met = waiting_.back();
+    waiting_.pop_back();
+  }
+}
+
+bool TetComplex::replace(std::span<const std::uint32_t> gone, std::span<const Tet> made) {
+  for (const Tet& t : made)
+    if (!is_positive(t)) return false;
+  const Label label = cells_[gone[0]].label;
+  link_outside(gone);
+  for (const std::uint32_t t : gone) {
+    for (const std::uint32_t v : corners(t)) tet_at_[v] = kNone;
+    cells_[t].corners = kGone;
+  }
+  // The last one first, so that places are taken in the order of `gone`.
+  free_.insert(free_.end(), gone.rbegin(), gone.rend());
+  made_.clear();
+  for (const Tet& tet : made) {
+    const std::uint32_t t = take_place();
+    cells_[t] = {tet, {kNone, kNone, kNone, kNone}, quality_at(tet), 0, label};
+    for (const std::uint32_t v : tet) tet_at_[v] = t;
+    link(t);
+    made_.push_back(t);
+  }
+  return true;
+}
+
+std::uint32_t TetComplex::add_point(const Point& at) {
+  points_.push_back(at);
+  on_wall_.push_back(0);
+  tet_at_.push_back(kNone);
+  return point_count() - 1;
+}
+
+void TetComplex::drop_point() {
+  points_.pop_back();
+  on_wall_.pop_back();
+  tet_at_.pop_back();
+}
+
+bool TetComplex::move_point(std::uint32_t vertex, const Point& to, std::span<const std::uint32_t> star) {
+  const Point from = std::exchange(points_[vertex], to);
+  const bool positive =
+      std::all_of(star.begin(), star.end(), [this](std::uint32_t t) { return is_positive(corners(t)); });
+  if (!positive)
+    points_[vertex] = from;
+  else
+    for (const std::uint32_t t : star) cells_[t].quality = quality_at(corners(t));
+  return positive;
+}
+
+}  // namespace voxtet::tetra

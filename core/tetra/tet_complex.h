@@ -1,0 +1,131 @@
+// Tetrahedra that know their neighbours, for local changes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tetra/tet_quality.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet::tetra {
+
+inline constexpr std::uint32_t kNone = 0xffffffffU;
+
+/// The side of a tet opposite to one of its corners, packed as 4 * tet + corner; kNone for the outside.
+using Facet = std::uint32_t;
+inline std::uint32_t tet_of(Facet facet) {
+  return facet >> 2;
+}
+inline std::uint32_t corner_of(Facet facet) {
+  return facet & 3;
+}
+
+/// The corners other than i and j, such that (i, j, first, second) is an even permutation of 0, 1, 2, 3.
+inline constexpr std::uint32_t kOtherCorners[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}, {1, 2}},
+                                                         {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
+                                                         {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
+                                                         {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
+/// The corners of the side opposite to a corner, such that (corner, these) is an even permutation.
+inline constexpr std::uint32_t kSideCorners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+/// The tets around an edge (a, b) inside one label, in order: tet i has the corners a, b, ring[i], ring[i +
+/// 1], and these are positive.
+struct EdgeRing {
+  static constexpr std::uint32_t kMost = 7;
+  std::uint32_t a = 0, b = 0, size = 0;
+  std::array<std::uint32_t, kMost> ring, tets;
+};
+
+/// A tetrahedral mesh with neighbours, the quality of each tet, and one tet for each point. Sides between
+/// different labels or a label and background are walls: no operation here changes them. Every tet is
+/// positive by the exact predicate.
+class TetComplex {
+ public:
+  /// Needs a mesh as TetMesh describes it.
+  explicit TetComplex(TetMesh mesh);
+  /// The mesh without the places of tets and points that are gone; points keep their order.
+  TetMesh release() &&;
+
+  /// Places for tets: also those of tets that are gone.
+  std::uint32_t places() const { return static_cast<std::uint32_t>(cells_.size()); }
+  bool alive(std::uint32_t t) const { return cells_[t].corners[0] != kNone; }
+  const Tet& corners(std::uint32_t t) const { return cells_[t].corners; }
+  Label label(std::uint32_t t) const { return cells_[t].label; }
+  double quality_of(std::uint32_t t) const { return cells_[t].quality; }
+  /// The other tet's side that lies on this one, or kNone.
+  Facet across(std::uint32_t t, std::uint32_t corner) const { return cells_[t].across[corner]; }
+  /// The tet behind a side, or kNone where the side is a wall.
+  std::uint32_t behind(std::uint32_t t, std::uint32_t corner) const {
+    const Facet facet = across(t, corner);
+    return facet != kNone && label(tet_of(facet)) == label(t) ? tet_of(facet) : kNone;
+  }
+  /// Which corner of a tet a vertex is; 4 where it is none.
+  std::uint32_t corner_at(std::uint32_t t, std::uint32_t vertex) const {
+    const Tet& c = cells_[t].corners;
+    return c[0] == vertex ? 0 : c[1] == vertex ? 1 : c[2] == vertex ? 2 : c[3] == vertex ? 3 : 4;
+  }
+
+  const Point& point(std::uint32_t vertex) const { return points_[vertex]; }
+  std::uint32_t point_count() const { return static_cast<std::uint32_t>(points_.size()); }
+  /// On a wall.
+  bool on_wall(std::uint32_t vertex) const { return on_wall_[vertex]; }
+  double quality_at(const Tet& t) const {
+    return quality(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]);
+  }
+
+  /// False where the edge between two corners of a tet has a wall at it or more than EdgeRing::kMost tets.
+  bool find_ring(std::uint32_t t, std::uint32_t i, std::uint32_t j, EdgeRing& ring) const;
+  /// All tets at a vertex, walls or not, into `star`.
+  void find_star(std::uint32_t vertex, std::vector<std::uint32_t>& star);
+
+  /// Puts `made` in the place of the tets `gone`: both of one label, filling the same space behind the same
+  /// sides. Nothing happens, and the result is false, unless all of `made` are positive by the exact
+  /// predicate. Points that lose all tets are gone, too; made() then holds the places of the new tets.
+  bool replace(std::span<const std::uint32_t> gone, std::span<const Tet> made);
+  const std::vector<std::uint32_t>& made() const { return made_; }
+
+  /// The walls, as TetMesh lists them.
+  const std::vector<Triangle>& walls() const { return faces_; }
+  const std::vector<Sides>& wall_sides() const { return face_sides_; }
+
+  /// Adds a point that no tet uses yet.
+  std::uint32_t add_point(const Point& at);
+  /// Forgets the point added last, which no tet uses.
+  void drop_point();
+  /// Moves a vertex; `star` are its tets. False, and nothing happens, unless all of them stay positive by the
+  /// exact predicate.
+  bool move_point(std::uint32_t vertex, const Point& to, std::span<const std::uint32_t> star);
+
+ private:
+  struct Cell {
+    Tet corners;
+    std::array<Facet, 4> across;
+    double quality;
+    std::uint32_t mark;  ///< of the walk that met it last
+    Label label;
+  };
+  bool is_positive(const Tet& t) const;
+  void link_outside(std::span<const std::uint32_t> gone);
+  void link(std::uint32_t t);
+  std::uint32_t take_place();
+
+  /// Sides that wait for the tet on their other side, found by their corners.
+  struct Waiting {
+    std::array<std::uint32_t, 3> corners;
+    Facet facet;
+  };
+
+  std::vector<Point> points_;
+  std::vector<std::uint8_t> on_wall_;
+  std::vector<std::uint32_t> tet_at_;  ///< one tet of each vertex; kNone for points that are gone
+  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> free_, made_;
+  std::vector<Waiting> waiting_;
+  std::vector<Triangle> faces_;
+  std::vector<Sides> face_sides_;
+  std::uint32_t mark_ = 0;
+};
+
+}  // namespace voxtet::tetra

@@ -1,0 +1,144 @@
+#include "tetra/vertex_insertion.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace voxtet::tetra {
+namespace {
+
+/// Tets of a cavity, at most.
+constexpr std::size_t kMostTets = 50;
+/// Tets dug in vain before giving up.
+constexpr std::size_t kPatience = 12;
+constexpr int kSmoothingSteps = 8;
+/// The lowest quality has to grow by this factor to be worth a vertex.
+constexpr double kLeastGain = 1.02;
+/// New edges may be out of the range of sizes by this factor more than those of the cavity: between two walls
+/// that are near each other a vertex has no other place.
+constexpr double kSizeSlack = 1.5;
+
+}  // namespace
+
+void VertexInserter::absorb(std::uint32_t t, const Point& at) {
+  cavity_.push_back(t);
+  for (std::uint32_t c = 0; c < 4; ++c) {
+    const Facet facet = complex_.across(t, c);
+    const auto met =
+        facet == kNone ? sides_.end() : std::find_if(sides_.begin(), sides_.end(), [facet](const Side& s) {
+          return 4 * s.tet + s.corner == facet;
+        });
+    if (met != sides_.end()) {
+      *met = sides_.back();
+      sides_.pop_back();
+      continue;
+    }
+    const Tet& corners = complex_.corners(t);
+    const auto& side = kSideCorners[c];
+    sides_.push_back({t, c,
+                      quality(at, complex_.point(corners[side[0]]), complex_.point(corners[side[1]]),
+                              complex_.point(corners[side[2]]))});
+  }
+}
+
+/// Absorbs the tet behind the worst side, again and again, and goes back to the best cavity on the way. With
+/// `walls_count` the best one is that with the best of all sides, else of those that are no walls.
+void VertexInserter::dig(const Point& at, bool walls_count) {
+  std::vector<std::uint32_t> start = std::move(cavity_);
+  cavity_.clear();
+  sides_.clear();
+  for (const std::uint32_t t : start) absorb(t, at);
+  double best = -1;
+  std::size_t best_size = cavity_.size();
+  while (cavity_.size() < kMostTets && cavity_.size() < best_size + kPatience) {
+    double lowest_wall = std::numeric_limits<double>::infinity(), lowest = lowest_wall;
+    std::uint32_t next = kNone;
+    for (const Side& side : sides_) {
+      const std::uint32_t behind = complex_.behind(side.tet, side.corner);
+      if (behind == kNone) {
+        lowest_wall = std::min(lowest_wall, side.quality);
+      } else if (side.quality < lowest) {
+        lowest = side.quality;
+        next = behind;
+      }
+    }
+    if (lowest_wall == 0) break;
+    const double reached = walls_count ? std::min(lowest, lowest_wall) : lowest;
+    if (reached > best) {
+      best = reached;
+      best_size = cavity_.size();
+    }
+    if (next == kNone) break;
+    absorb(next, at);
+  }
+  start.assign(cavity_.begin(), cavity_.begin() + static_cast<std::ptrdiff_t>(best_size));
+  cavity_.clear();
+  sides_.clear();
+  for (const std::uint32_t t : start) absorb(t, at);
+}
+
+double VertexInserter::lowest_before() const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t t : cavity_) lowest = std::min(lowest, complex_.quality_of(t));
+  return lowest;
+}
+
+Apex VertexInserter::smooth(const Point& at) {
+  star_.clear();
+  for (const Side& s : sides_) {
+    const Tet& corners = complex_.corners(s.tet);
+    const auto& side = kSideCorners[s.corner];
+    star_.push_back({complex_.point(corners[side[0]]), complex_.point(corners[side[1]]),
+                     complex_.point(corners[side[2]])});
+  }
+  return ascend(at, star_, kSmoothingSteps);
+}
+
+bool VertexInserter::sizes_allow(const Point& at) const {
+  double before = 1, after = 0;
+  for (const StarSide& side : star_)
+    for (std::size_t i = 0; i < 3; ++i) {
+      before = std::max(before, guard_.misfit(side[i], side[(i + 1) % 3]));
+      after = std::max(after, guard_.misfit(at, side[i]));
+    }
+  return after <= kSizeSlack * before;
+}
+
+bool VertexInserter::commit(const Point& at) {
+  const std::uint32_t vertex = complex_.add_point(at);
+  made_.clear();
+  for (const Side& s : sides_) {
+    const Tet& corners = complex_.corners(s.tet);
+    const auto& side = kSideCorners[s.corner];
+    made_.push_back({vertex, corners[side[0]], corners[side[1]], corners[side[2]]});
+  }
+  if (complex_.replace(cavity_, made_)) return true;
+  complex_.drop_point();
+  return false;
+}
+
+bool VertexInserter::insert_at(const Point& start, std::uint32_t t, bool walls_count) {
+  Apex apex{start, 0};
+  cavity_.assign(1, t);
+  // From where it went first it may take another cavity, and then another place.
+  for (int round = 0; round < 2; ++round) {
+    dig(apex.at, walls_count || round > 0);
+    apex = smooth(apex.at);
+    if (!(apex.quality > 0)) return false;
+  }
+  return apex.quality > kLeastGain * lowest_before() && sizes_allow(apex.at) && commit(apex.at);
+}
+
+bool VertexInserter::insert(std::uint32_t t) {
+  const Tet c = complex_.corners(t);
+  const std::array<Point, 4> p{complex_.point(c[0]), complex_.point(c[1]), complex_.point(c[2]),
+                               complex_.point(c[3])};
+  for (const bool walls_count : {true, false}) {
+    if (insert_at((p[0] + p[1] + p[2] + p[3]) / 4, t, walls_count)) return true;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (insert_at((p[i] + p[j]) / 2, t, walls_count)) return true;
+  }
+  return false;
+}
+
+}  // namespace voxtet::tetra

@@ -1,0 +1,46 @@
+// A new vertex in a cavity that is dug around a bad tet.
+// B. M. Klingner and J. R. Shewchuk, "Aggressive tetrahedral mesh improvement", 16th International Meshing
+// Roundtable (2007).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tetra/size_guard.h"
+#include "tetra/tet_complex.h"
+#include "tetra/vertex_smoothing.h"
+
+namespace voxtet::tetra {
+
+/// Inserts vertices into a complex. Holds what would else be allocated for each.
+class VertexInserter {
+ public:
+  VertexInserter(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
+
+  /// Replaces tet t and such tets around it as it takes by a star around a new vertex, when that raises the
+  /// lowest quality and the sizes of the new edges are allowed. complex.made() are then the new tets.
+  bool insert(std::uint32_t t);
+
+ private:
+  /// A side of the cavity, seen from inside.
+  struct Side {
+    std::uint32_t tet, corner;
+    double quality;  ///< of the tet it makes with the new vertex
+  };
+  bool insert_at(const Point& start, std::uint32_t t, bool walls_count);
+  void dig(const Point& at, bool walls_count);
+  void absorb(std::uint32_t t, const Point& at);
+  double lowest_before() const;
+  bool sizes_allow(const Point& at) const;
+  Apex smooth(const Point& at);
+  bool commit(const Point& at);
+
+  TetComplex& complex_;
+  const SizeGuard& guard_;
+  std::vector<std::uint32_t> cavity_;
+  std::vector<Side> sides_;
+  std::vector<StarSide> star_;
+  std::vector<Tet> made_;
+};
+
+}  // namespace voxtet::tetra

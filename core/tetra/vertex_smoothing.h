@@ -1,0 +1,58 @@
+// A vertex goes where the worst of its tets is best.
+// L. A. Freitag and C. Ollivier-Gooch, "Tetrahedral mesh improvement using swapping and smoothing", Int. J.
+// Numer. Meth. Engng 40 (1997): steepest ascent of a minimum of smooth functions.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tetra/size_guard.h"
+#include "tetra/tet_complex.h"
+
+namespace voxtet::tetra {
+
+/// A side of a star: (apex, side[0], side[1], side[2]) is one of its tets.
+using StarSide = std::array<Point, 3>;
+
+struct Apex {
+  Point at;
+  double quality = 0;  ///< the lowest of the star's tets
+};
+
+/// A surface that an apex stays on.
+class Track {
+ public:
+  virtual ~Track() = default;
+  /// The place on the surface for a point near it; the start itself where that is too far from it.
+  virtual Point pull(const Point& to) const = 0;
+};
+
+/// Climbs from `start`, whose star has positive tets only, by at most so many steps, anywhere or on a track.
+/// Each raises the lowest quality of the star; reorders `sides`.
+Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Track* track = nullptr);
+
+/// The point nearest to the origin in the convex hull of one to four.
+Point nearest_in_hull(std::span<const Point> points);
+
+/// Moves vertices of a complex. Holds what would else be allocated for each.
+class VertexSmoother {
+ public:
+  VertexSmoother(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
+
+  /// Moves a vertex that is on no wall, or along a track. True when the lowest quality of its tets rose and
+  /// the sizes of its edges are allowed; star() are then its tets.
+  bool smooth(std::uint32_t vertex, int steps, const Track* track = nullptr);
+  const std::vector<std::uint32_t>& star() const { return star_; }
+
+ private:
+  bool sizes_allow(std::uint32_t vertex, const Point& to);
+
+  TetComplex& complex_;
+  const SizeGuard& guard_;
+  std::vector<std::uint32_t> star_, others_;
+  std::vector<StarSide> sides_;
+};
+
+}  // namespace voxtet::tetra

@@ -1,0 +1,52 @@
+// Vertices on walls slide along the label surface.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tetra/nearby_surface.h"
+#include "tetra/tet_complex.h"
+#include "tetra/vertex_smoothing.h"
+#include "types/sizing_field.h"
+#include "types/surface_mesh.h"
+
+namespace voxtet::tetra {
+
+/// Slides vertices of walls that lie inside one patch: between the same two labels all around.
+class WallSlider {
+ public:
+  /// `reference` is the label surface; its sides are those of the walls. `envelope`: how far from it vertices
+  /// may go, as a part of the wished edge length.
+  WallSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
+             const SizingField& sizing, double envelope);
+
+  /// Slides the vertices one after the other where that raises the lowest quality of their tets, and
+  /// returns how many moved. Each goes no farther from its first place than a fifth of its shortest edge on
+  /// the walls, and no farther from the label surface than the envelope or than it was. Should walls meet
+  /// then, all stay where they were.
+  std::size_t slide(std::span<const std::uint32_t> vertices);
+
+ private:
+  /// The walls around a vertex inside a patch.
+  struct Patch {
+    std::uint32_t vertex;
+    Sides sides;
+    double shortest_edge, longest_edge;
+  };
+  std::optional<Patch> patch_at(std::uint32_t vertex);
+  std::size_t slide_patches(std::span<const Patch> patches, std::span<std::uint8_t> moved);
+  bool walls_meet(std::span<const Patch> patches, std::span<const std::uint8_t> moved) const;
+
+  TetComplex& complex_;
+  VertexSmoother& smoother_;
+  const SurfaceMesh& reference_;
+  const SizingField& sizing_;
+  double envelope_;
+  std::vector<Point> start_;               ///< of each vertex there was at first
+  std::vector<std::uint32_t> wall_count_;  ///< walls at each of them
+  std::vector<std::uint32_t> star_;
+};
+
+}  // namespace voxtet::tetra
