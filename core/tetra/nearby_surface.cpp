@@ -1,14 +1,14 @@
 #include "tetra/nearby_surface.h"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace voxtet::tetra {
 namespace {
 
 /// Cells of a grid along its longest axis, at most.
-constexpr double kMostCells = 128;
+constexpr double kMostCells = 256;
 
 /// A grid over the places, with those cells marked that are near one.
 class CellMarks {
@@ -18,38 +18,46 @@ class CellMarks {
     for (const BoundaryPlace& place : places) box.extend(place.at);
     cell_ = std::max(reach_mm, box.sizes().maxCoeff() / kMostCells);
     low_ = box.min().array() - 2 * cell_;
-    for (Eigen::Index d = 0; d < 3; ++d)
-      size_[static_cast<std::size_t>(d)] = static_cast<int>(box.sizes()[d] / cell_) + 5;
-    marked_.assign(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
-                       static_cast<std::size_t>(size_[2]),
-                   0);
-    for (const BoundaryPlace& place : places)
-      for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j)
-          for (int k = -1; k <= 1; ++k)
-            marked_[static_cast<std::size_t>(cell_at(place.at + cell_ * Eigen::Vector3d(i, j, k)))] = 1;
+    size_ = (box.sizes() / cell_).cast<int>().array() + 5;
+    marked_.assign(static_cast<std::size_t>(size_.cast<std::ptrdiff_t>().prod()), 0);
+    for (const BoundaryPlace& place : places) {
+      const Eigen::Array3i middle = cell_of(place.at);
+      for_cells(middle - 1, middle + 1, [this](std::size_t cell) {
+        marked_[cell] = 1;
+        return false;
+      });
+    }
   }
 
-  bool near(const Eigen::Vector3d& point) const {
-    const std::ptrdiff_t cell = cell_at(point);
-    return cell >= 0 && marked_[static_cast<std::size_t>(cell)];
+  /// Whether a triangle's box reaches into a marked cell.
+  bool near(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const {
+    const Eigen::Array3i low = cell_of(a.cwiseMin(b).cwiseMin(c)), high = cell_of(a.cwiseMax(b).cwiseMax(c));
+    return for_cells(low, high, [this](std::size_t cell) { return marked_[cell] != 0; });
   }
 
  private:
-  /// -1 outside of the grid.
-  std::ptrdiff_t cell_at(const Eigen::Vector3d& point) const {
-    std::ptrdiff_t cell = 0;
-    for (std::size_t d = 3; d-- > 0;) {
-      const double x = (point[static_cast<Eigen::Index>(d)] - low_[static_cast<Eigen::Index>(d)]) / cell_;
-      if (!(x >= 0 && x < size_[d])) return -1;
-      cell = cell * size_[d] + static_cast<int>(x);
-    }
-    return cell;
+  /// Points outside of the grid have the nearest cell, which is never marked: the outermost ones are not.
+  Eigen::Array3i cell_of(const Eigen::Vector3d& point) const {
+    const Eigen::Array3d x = (point - low_).array() / cell_;
+    return x.max(0.0).min(size_.cast<double>() - 1).cast<int>();
+  }
+  /// Calls until one gives true; whether one did.
+  template <class Visit>
+  bool for_cells(const Eigen::Array3i& low, const Eigen::Array3i& high, const Visit& visit) const {
+    for (int k = low[2]; k <= high[2]; ++k)
+      for (int j = low[1]; j <= high[1]; ++j)
+        for (int i = low[0]; i <= high[0]; ++i)
+          if (visit(static_cast<std::size_t>(i) +
+                    static_cast<std::size_t>(size_[0]) *
+                        (static_cast<std::size_t>(j) +
+                         static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(k))))
+            return true;
+    return false;
   }
 
   double cell_ = 1;
   Eigen::Vector3d low_;
-  std::array<int, 3> size_{};
+  Eigen::Array3i size_;
   std::vector<std::uint8_t> marked_;
 };
 
@@ -59,14 +67,11 @@ NearbySurface::NearbySurface(const SurfaceMesh& surface, std::span<const Boundar
                              double reach_mm) {
   if (places.empty()) return;
   const CellMarks marks(places, reach_mm);
-  std::vector<std::uint8_t> near(surface.points.size());
-  std::transform(surface.points.begin(), surface.points.end(), near.begin(),
-                 [&](const Eigen::Vector3d& point) { return marks.near(point); });
   std::map<Sides, std::vector<Triangle>> triangles;
   for (const BoundaryPlace& place : places) triangles[place.sides];
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
-    if (!near[a] && !near[b] && !near[c]) continue;
+    if (!marks.near(surface.points[a], surface.points[b], surface.points[c])) continue;
     if (const auto group = triangles.find(surface.sides[t]); group != triangles.end())
       group->second.push_back(surface.triangles[t]);
   }

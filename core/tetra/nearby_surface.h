@@ -1,6 +1,7 @@
 // The parts of a large surface that lie near a few points, by the labels they separate.
 #pragma once
 
+#include <Eigen/Core>
 #include <map>
 #include <span>
 #include <vector>
@@ -20,7 +21,7 @@ struct BoundaryPlace {
 /// made for places that are few.
 class NearbySurface {
  public:
-  /// Triangles with a corner within `reach_mm` of a place with the same sides are found; others may be.
+  /// Triangles within `reach_mm` of a place with the same sides are found; others may be.
   NearbySurface(const SurfaceMesh& surface, std::span<const BoundaryPlace> places, double reach_mm);
 
   /// The triangles between two labels; null where none are near.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/adjacency.h"
+#include "geometry/buckets.h"
 #include "geometry/orientation.h"
 
 namespace voxtet::tetra {
@@ -39,19 +39,21 @@ TetComplex::TetComplex(TetMesh mesh)
   }
   for (const Triangle& face : faces_)
     for (const std::uint32_t v : face) on_wall_[v] = 1;
-  for (const TetFace& face : tet_faces(mesh.tets, points_.size())) {
-    if (face.count < 2) continue;
-    std::array<Facet, 2> sides{};
-    for (const std::size_t s : {0U, 1U}) {
-      const std::uint32_t t = s == 0 ? face.first : face.second;
-      std::uint32_t corner = 0;
-      while (std::find(face.corners.begin(), face.corners.end(), cells_[t].corners[corner]) !=
-             face.corners.end())
-        ++corner;
-      sides[s] = 4 * t + corner;
-    }
-    cells_[face.first].across[corner_of(sides[0])] = sides[1];
-    cells_[face.second].across[corner_of(sides[1])] = sides[0];
+  connect();
+}
+
+void TetComplex::connect() {
+  Buckets<Waiting> sides(points_.size());
+  const auto for_sides = [this](const auto& visit) {
+    for (std::uint32_t t = 0; t < places(); ++t)
+      for (std::uint32_t c = 0; c < 4; ++c) visit(Waiting{side_of(corners(t), c), 4 * t + c});
+  };
+  for_sides([&](const Waiting& side) { sides.count(side.corners[0]); });
+  sides.allocate();
+  for_sides([&](const Waiting& side) { sides.add(side.corners[0], side); });
+  for (std::size_t lowest = 0; lowest < sides.size(); ++lowest) {
+    waiting_.clear();
+    for (const Waiting& side : sides.at(lowest)) meet(side);
   }
 }
 
@@ -124,7 +126,7 @@ std::uint32_t TetComplex::take_place() {
   return place;
 }
 
-void TetComplex::link_outside(std::span<const std::uint32_t> gone) {
+void TetComplex::wait_outside(std::span<const std::uint32_t> gone) {
   ++mark_;
   for (const std::uint32_t t : gone) cells_[t].mark = mark_;
   waiting_.clear();
@@ -136,28 +138,24 @@ void TetComplex::link_outside(std::span<const std::uint32_t> gone) {
     }
 }
 
-void TetComplex::link(std::uint32_t t) {
-  for (std::uint32_t c = 0; c < 4; ++c) {
-    const Facet own = 4 * t + c;
-    const std::array<std::uint32_t, 3> side = side_of(corners(t), c);
-    const auto met = std::find_if(waiting_.begin(), waiting_.end(),
-                                  [&](const Waiting& other) { return other.corners == side; });
-    if (met == waiting_.end()) {
-      waiting_.push_back({side, own});
-      continue;
-    }
-    cells_[t].across[c] = met->facet;
-    if (met->facet != kNone) cells_[tet_of(met->facet)].across[corner_of(met->facet)] = own;
-    *met = waiting_.back();
-    waiting_.pop_back();
+void TetComplex::meet(const Waiting& side) {
+  const auto other = std::find_if(waiting_.begin(), waiting_.end(),
+                                  [&](const Waiting& w) { return w.corners == side.corners; });
+  if (other == waiting_.end()) {
+    waiting_.push_back(side);
+    return;
   }
+  cells_[tet_of(side.facet)].across[corner_of(side.facet)] = other->facet;
+  if (other->facet != kNone) cells_[tet_of(other->facet)].across[corner_of(other->facet)] = side.facet;
+  *other = waiting_.back();
+  waiting_.pop_back();
 }
 
 bool TetComplex::replace(std::span<const std::uint32_t> gone, std::span<const Tet> made) {
   for (const Tet& t : made)
     if (!is_positive(t)) return false;
   const Label label = cells_[gone[0]].label;
-  link_outside(gone);
+  wait_outside(gone);
   for (const std::uint32_t t : gone) {
     for (const std::uint32_t v : corners(t)) tet_at_[v] = kNone;
     cells_[t].corners = kGone;
@@ -169,7 +167,7 @@ bool TetComplex::replace(std::span<const std::uint32_t> gone, std::span<const Te
     const std::uint32_t t = take_place();
     cells_[t] = {tet, {kNone, kNone, kNone, kNone}, quality_at(tet), 0, label};
     for (const std::uint32_t v : tet) tet_at_[v] = t;
-    link(t);
+    for (std::uint32_t c = 0; c < 4; ++c) meet({side_of(tet, c), 4 * t + c});
     made_.push_back(t);
   }
   return true;

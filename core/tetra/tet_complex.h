@@ -106,16 +106,17 @@ class TetComplex {
     std::uint32_t mark;  ///< of the walk that met it last
     Label label;
   };
-  bool is_positive(const Tet& t) const;
-  void link_outside(std::span<const std::uint32_t> gone);
-  void link(std::uint32_t t);
-  std::uint32_t take_place();
-
-  /// Sides that wait for the tet on their other side, found by their corners.
+  /// A side without the tet on its other side, which will have the same corners (ascending).
   struct Waiting {
     std::array<std::uint32_t, 3> corners;
-    Facet facet;
+    Facet facet;  ///< kNone: the outside
   };
+  void connect();
+  /// Connects a side with the one that waits for it, or lets it wait.
+  void meet(const Waiting& side);
+  void wait_outside(std::span<const std::uint32_t> gone);
+  std::uint32_t take_place();
+  bool is_positive(const Tet& t) const;
 
   std::vector<Point> points_;
   std::vector<std::uint8_t> on_wall_;

@@ -126,6 +126,7 @@ Point nearest_in_hull(std::span<const Point> points) {
 
 Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Track* track) {
   Apex apex{start, lowest_quality(start, sides, 0)};
+  if (!(apex.quality > 0)) return apex;
   std::vector<Slope> slopes;
   for (int s = 0; s < steps; ++s) {
     find_slopes(apex.at, sides, apex.quality, slopes);

@@ -29,8 +29,8 @@ class Track {
   virtual Point pull(const Point& to) const = 0;
 };
 
-/// Climbs from `start`, whose star has positive tets only, by at most so many steps, anywhere or on a track.
-/// Each raises the lowest quality of the star; reorders `sides`.
+/// Climbs from `start` by at most so many steps, anywhere or on a track. Each raises the lowest quality of the
+/// star; there is none from a star with a tet that is not positive. Reorders `sides`.
 Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Track* track = nullptr);
 
 /// The point nearest to the origin in the convex hull of one to four.

@@ -98,7 +98,7 @@ std::size_t WallSlider::slide_patches(std::span<const Patch> patches, std::span<
     places.push_back({complex_.point(patch.vertex), patch.sides});
     longest = std::max(longest, patch.longest_edge);
   }
-  const NearbySurface nearby(reference_, places, 2 * longest);
+  const NearbySurface nearby(reference_, places, (kReach + kFarthest) * longest);
   std::size_t count = 0;
   for (std::size_t p = 0; p < patches.size(); ++p) {
     const Patch& patch = patches[p];

@@ -10,6 +10,7 @@
 #include "support/test_surfaces.h"
 #include "tetra/edge_removal.h"
 #include "tetra/face_removal.h"
+#include "tetra/nearby_surface.h"
 #include "tetra/vertex_insertion.h"
 #include "tetra/vertex_smoothing.h"
 
@@ -245,6 +246,29 @@ TEST(VertexInserter, LeavesWhatWouldBecomeTooSmall) {
   const SizeGuard guard(large);
   VertexInserter inserter(complex, guard);
   EXPECT_FALSE(inserter.insert(0));
+}
+
+TEST(NearbySurface, GivesTheClosestPointsOfTheWholeSurfaceBetweenTheLabels) {
+  SurfaceMesh surface = test::sphere({0, 0, 0}, 10, 3, 1, 0);
+  test::append(surface, test::sphere({1, 0, 0}, 9.5, 3, 2, 1));
+  const std::vector<Triangle> outer(surface.triangles.begin(), surface.triangles.begin() + 1280);
+  ASSERT_EQ(surface.sides[outer.size() - 1], (Sides{1, 0}));
+  ASSERT_EQ(surface.sides[outer.size()], (Sides{2, 1}));
+  const ClosestPointTree whole(surface.points, outer);
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  std::vector<BoundaryPlace> places;
+  for (int i = 0; i < 40; ++i) {
+    const Point direction(normal(random), normal(random), normal(random));
+    places.push_back({10.2 * direction.normalized(), {1, 0}});
+  }
+  const NearbySurface nearby(surface, places, 0.5);
+  EXPECT_EQ(nearby.between({2, 1}), nullptr) << "asked for by no place";
+  const ClosestPointTree* tree = nearby.between({1, 0});
+  ASSERT_NE(tree, nullptr);
+  EXPECT_LT(tree->triangles().size(), outer.size());
+  for (const BoundaryPlace& place : places)
+    EXPECT_EQ(tree->closest(place.at).point, whole.closest(place.at).point);
 }
 
 }  // namespace
