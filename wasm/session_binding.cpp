@@ -113,7 +113,6 @@ class SessionBinding {
         if (const SizingField* s = session_.sizing(); s && array == "h_mm")
           return view_of(s->h_mm.data(), s->h_mm.size());
         break;
-      case Stage::kTetra:
       case Stage::kOptimise: return mesh_view(array);
       case Stage::kLookup:
         if (session_.lookup())

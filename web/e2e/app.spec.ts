@@ -26,7 +26,7 @@ test('a link shows what it holds, runs only on a click, and ends in histograms',
   await expect(page.locator('.histogram canvas')).toHaveCount(3);
   await expect(page.locator('.checklist li')).not.toHaveCount(0);
   await expect(page.locator('.checklist li.fail')).toHaveCount(0);
-  for (const name of ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'tetra', 'quality']) {
+  for (const name of ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'optimise', 'quality']) {
     await stage(page, name).click();
     await expect(stage(page, name)).toHaveAttribute('aria-current', 'step');
   }

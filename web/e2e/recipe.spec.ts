@@ -62,7 +62,7 @@ test('an error of the mesher shows its triangles on the adapted surface', async 
         const engine = await createVoxtet(options);
         const run = engine.Session.prototype.run;
         engine.Session.prototype.run = function (stage, progress) {
-          if (stage !== 'tetra') return run.call(this, stage, progress);
+          if (stage !== 'optimise') return run.call(this, stage, progress);
           const points = this.view('remesh', 'points');
           const where = { points: [Array.from(points.slice(0, 3))], elements: [0, 1] };
           const message = 'the surface intersects itself: 2 triangles';
@@ -78,7 +78,7 @@ test('an error of the mesher shows its triangles on the adapted surface', async 
   await page.getByRole('button', { name: 'Open and run' }).click();
   await expect(page.getByRole('alert')).toContainText('the surface intersects itself');
   await idle(page);
-  await expect(stage(page, 'tetra')).toHaveAttribute('data-state', 'failed');
+  await expect(stage(page, 'optimise')).toHaveAttribute('data-state', 'failed');
   await expect(stage(page, 'remesh')).toHaveAttribute('aria-current', 'step');
   await stage(page, 'surface').click();
   await page.getByRole('button', { name: 'Show where' }).click();

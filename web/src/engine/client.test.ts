@@ -108,7 +108,7 @@ describe('EngineClient', () => {
       onProgress: (stage) => progressed.add(stage),
       onStage(summary, arrays) {
         seen.push(summary.name);
-        if (summary.name === 'tetra' && 'neighbours' in arrays) neighbours = arrays.neighbours?.length ?? 0;
+        if (summary.name === 'optimise' && 'neighbours' in arrays) neighbours = arrays.neighbours?.length ?? 0;
       },
     });
     expect(seen).toEqual([...stageNames]);

@@ -175,7 +175,7 @@ export class EngineClient {
       const progress = Comlink.proxy((stage: StageName, fraction: number) =>
         handlers.onProgress?.(stage, fraction),
       );
-      await this.answer(generation, 'tetra', generation.api.run('quality', progress));
+      await this.answer(generation, 'optimise', generation.api.run('quality', progress));
       return this.answer(generation, 'export', generation.api.exportMesh(format, space));
     });
   }

@@ -1,7 +1,7 @@
 /** What the engine says and takes: the JSON of the wasm surface, typed. Lengths mm, patient space RAS. */
 
-/** The stages that the app shows. The engine's `lookup` runs by itself before `quality`. */
-export const stageNames = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'tetra', 'quality'] as const;
+/** The stages that the app shows. The engine's `tetra` runs by itself before `optimise`, `lookup` before `quality`. */
+export const stageNames = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'optimise', 'quality'] as const;
 export type StageName = (typeof stageNames)[number];
 
 export type Vec3 = [number, number, number];
@@ -233,6 +233,7 @@ export interface Recipe {
     verify: boolean;
   };
   tetra: { backend: string; radius_edge: number; min_dihedral_deg: number; max_dihedral_deg: number };
+  optimise: { rounds: number; min_dihedral_deg: number; insertion_deg: number; slide: number };
   lookup: { labels: number[]; samples_min: number; samples_max: number };
   quality: { histogram_bins: number; sample_spacing_voxels: number };
 }
@@ -303,7 +304,7 @@ export interface StageArrays {
   smooth: SurfaceArrays;
   sizing: { h_mm: Float32Array };
   remesh: SurfaceArrays;
-  tetra: TetArrays;
+  optimise: TetArrays;
   quality: Record<TetMeasure, Float32Array> & Partial<Record<LookedUpArray, Float32Array>>;
 }
 

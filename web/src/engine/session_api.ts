@@ -28,13 +28,23 @@ const arrayNames: Record<StageName, readonly string[]> = {
   smooth: ['points', 'triangles', 'sides'],
   sizing: ['h_mm'],
   remesh: ['points', 'triangles', 'sides'],
-  tetra: ['points', 'tets', 'labels'],
+  optimise: ['points', 'tets', 'labels'],
   quality: tetMeasures,
 };
 
 function lookedUpArrays(labels: readonly number[]): LookedUpArray[] {
   if (labels.length === 0) return [];
   return ['centroid_label', 'majority_label', ...labels.map((label) => `fraction_${label}` as const)];
+}
+
+/** Share of the time until there are good tetrahedra that filling the surface takes. */
+const fillingShare = 0.7;
+
+/** Progress as that of a stage that the app shows. */
+function asShown(name: string, fraction: number): [string, number] {
+  if (name === 'tetra') return ['optimise', fillingShare * fraction];
+  if (name === 'optimise') return ['optimise', fillingShare + (1 - fillingShare) * fraction];
+  return [name, fraction];
 }
 
 function isShownStage(name: string): name is StageName {
@@ -89,7 +99,8 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
       let current: string = stage;
       let lastTime = 0;
       return guarded(stage, () => {
-        const reply = session.run(stage, (name, fraction) => {
+        const reply = session.run(stage, (engineStage, engineFraction) => {
+          const [name, fraction] = asShown(engineStage, engineFraction);
           if (!isShownStage(name)) return;
           const now = performance.now();
           if (name === current && fraction < 1 && now - lastTime < progressIntervalMs) return;
@@ -112,7 +123,7 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
         };
         keep(stage, arrayNames[stage]);
         if (stage === 'quality') keep('lookup', lookedUpArrays(lookedUp));
-        if (stage === 'tetra' && arrays.tets) {
+        if (stage === 'optimise' && arrays.tets) {
           arrays.neighbours = tetNeighbours(arrays.tets as Uint32Array, arrays.points.length / 3);
         }
         return { ok: true, value: arrays as never };

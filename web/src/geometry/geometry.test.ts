@@ -11,10 +11,10 @@ async function ball() {
   const engine = await createVoxtet();
   const session = new engine.Session();
   session.setRecipe('{"source":{"phantom":{}}}');
-  session.run('tetra', () => undefined);
-  const points = session.view('tetra', 'points') as Float32Array;
-  const tets = session.view('tetra', 'tets') as Uint32Array;
-  const labels = session.view('tetra', 'labels') as Uint16Array;
+  session.run('optimise', () => undefined);
+  const points = session.view('optimise', 'points') as Float32Array;
+  const tets = session.view('optimise', 'tets') as Uint32Array;
+  const labels = session.view('optimise', 'labels') as Uint16Array;
   const surface = {
     points,
     triangles: session.view('remesh', 'triangles') as Uint32Array,

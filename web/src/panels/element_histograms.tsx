@@ -43,7 +43,7 @@ function BrushRow({ metric, unit }: { metric: 'edge_mm' | 'dihedral_deg'; unit: 
 function startBrush(metric: 'edge_mm' | 'dihedral_deg') {
   return (lo: number, hi: number) => {
     focusTet.value = null;
-    if (stageShown.value !== 'tetra') stageShown.value = 'quality';
+    if (stageShown.value !== 'optimise') stageShown.value = 'quality';
     brush.value = { metric, lo, hi, shown: null };
   };
 }

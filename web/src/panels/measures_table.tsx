@@ -8,7 +8,7 @@ function WorstButton({ metric }: { metric: Metric }) {
   const isTetMeasure = metric.elements === 'tets' && (tetMeasures as readonly string[]).includes(metric.name);
   if (!isTetMeasure || metric.worst.length === 0) return null;
   const fly = () => {
-    if (stageShown.value !== 'tetra') stageShown.value = 'quality';
+    if (stageShown.value !== 'optimise') stageShown.value = 'quality';
     const at = focusTet.value === null ? -1 : metric.worst.indexOf(focusTet.value);
     brush.value = null;
     focusTet.value = metric.worst[(at + 1) % metric.worst.length];

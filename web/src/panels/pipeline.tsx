@@ -10,7 +10,7 @@ const titles: Record<StageName, string> = {
   smooth: 'Smooth',
   sizing: 'Sizing',
   remesh: 'Remesh',
-  tetra: 'Tetrahedra',
+  optimise: 'Tetrahedra',
   quality: 'Quality',
 };
 
@@ -20,7 +20,7 @@ const lessons: Record<StageName, string> = {
   smooth: 'The same boundaries without the staircase, volumes kept',
   sizing: 'The edge length asked for at every place',
   remesh: 'Triangles adapted to the wished edge length',
-  tetra: 'The inside filled with labelled tetrahedra',
+  optimise: 'The inside filled with labelled tetrahedra, their shapes improved',
   quality: 'Every element measured',
 };
 
@@ -38,7 +38,7 @@ function detail(name: StageName, status: StageStatus): string {
       ? `${about(counts.size.reduce((product, n) => product * n, 1))} voxels`
       : name === 'sizing'
         ? `${counts.min_mm.toFixed(1)}–${counts.max_mm.toFixed(1)} mm`
-        : name === 'tetra'
+        : name === 'optimise'
           ? `${about(counts.tets)} tets`
           : name === 'quality'
             ? 'measured'

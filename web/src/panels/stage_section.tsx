@@ -5,7 +5,7 @@ import { schema } from '../store/run';
 import { CheckField, NumberField, SelectField } from './fields';
 import { choiceWords, fieldUnit, fieldWords } from './stage_words';
 
-type StageGroup = 'volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'quality';
+type StageGroup = 'volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'optimise' | 'quality';
 
 const groups: readonly (readonly [StageGroup, string])[] = [
   ['volume', 'Volume'],
@@ -13,6 +13,7 @@ const groups: readonly (readonly [StageGroup, string])[] = [
   ['smooth', 'Smoothing'],
   ['remesh', 'Adapted surface'],
   ['tetra', 'Tetrahedra'],
+  ['optimise', 'Better shapes'],
   ['quality', 'Evidence'],
 ];
 

@@ -24,6 +24,9 @@ const words: Record<string, string> = {
   'tetra.radius_edge': 'Radius over edge',
   'tetra.min_dihedral_deg': 'Smallest dihedral',
   'tetra.max_dihedral_deg': 'Largest dihedral',
+  'optimise.min_dihedral_deg': 'Work below',
+  'optimise.insertion_deg': 'Insert vertices below',
+  'optimise.slide': 'Slide on the surface',
   'quality.sample_spacing_voxels': 'Sample spacing',
 };
 

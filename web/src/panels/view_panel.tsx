@@ -41,7 +41,7 @@ function lookedUpOptions(): [ColourBy, string][] {
 
 function ColourChoice() {
   const stage = stageShown.value;
-  const onTets = stage === 'tetra' || stage === 'quality';
+  const onTets = stage === 'optimise' || stage === 'quality';
   const measured = onTets && shownDigests.value.quality !== undefined;
   const options: [ColourBy, string][] = onTets
     ? [

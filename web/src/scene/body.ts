@@ -132,8 +132,8 @@ export function tetBody(mesh: TetArrays, plane: TetFilter['plane'], ball: TetFil
 
 /** The points of whatever stage has them, for the extent of the view. */
 export function pointsOf(stage: StageName): Float32Array | undefined {
-  const own = stage === 'quality' ? 'tetra' : stage;
-  if (own === 'surface' || own === 'smooth' || own === 'remesh' || own === 'tetra')
+  const own = stage === 'quality' ? 'optimise' : stage;
+  if (own === 'surface' || own === 'smooth' || own === 'remesh' || own === 'optimise')
     return shownResult(own)?.points;
   return shownResult('surface')?.points;
 }

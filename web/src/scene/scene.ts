@@ -186,7 +186,7 @@ export function mountScene(container: HTMLElement): () => void {
       if (mesh) showBody(stage, surfaceBody(stage, mesh));
       else legend.value = null;
     } else {
-      const mesh = shownResult('tetra');
+      const mesh = shownResult('optimise');
       if (!mesh) {
         legend.value = null;
         return;
@@ -209,7 +209,7 @@ export function mountScene(container: HTMLElement): () => void {
 
   const clipSurface = () => {
     const { on, normal, place } = cut.value;
-    const whole = stageShown.value === 'tetra' || stageShown.value === 'quality';
+    const whole = stageShown.value === 'optimise' || stageShown.value === 'quality';
     for (const material of [opaque.flat, opaque.smooth]) {
       const plane = material.uniforms.clipPlane.value;
       if (on && !whole) plane.set(...normal, planeOffset(viewer, normal, place));
@@ -238,7 +238,7 @@ export function mountScene(container: HTMLElement): () => void {
     }),
     effect(() => {
       const tet = focusTet.value;
-      const mesh = untracked(() => shownResult('tetra'));
+      const mesh = untracked(() => shownResult('optimise'));
       if (tet === null || !mesh || 4 * tet >= mesh.tets.length) return;
       const { centre, size } = tetCentre(mesh, tet);
       viewer.flyTo(centre, 2.6 * size);
@@ -292,8 +292,8 @@ export function mountScene(container: HTMLElement): () => void {
   }
 
   function describe(stage: StageName, element: number): void {
-    if (stage === 'tetra' || stage === 'quality') {
-      const mesh = shownResult('tetra');
+    if (stage === 'optimise' || stage === 'quality') {
+      const mesh = shownResult('optimise');
       const measures = shownResult('quality');
       if (!mesh) return;
       const lines: [string, string][] = [['Label', nameOf(mesh.labels[element])]];

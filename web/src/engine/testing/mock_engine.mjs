@@ -1,7 +1,7 @@
 /** A small engine of the same surface as the wasm module: a ball in a ball, cut into five tetrahedra a cube. */
 import { oppositeFace, tetNeighbours } from '../../geometry/tet_neighbours';
 
-const stages = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'tetra', 'lookup', 'quality'];
+const stages = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'tetra', 'optimise', 'lookup', 'quality'];
 const cubeTets = [
   [0, 1, 3, 5],
   [0, 3, 2, 6],
@@ -34,7 +34,8 @@ const defaults = {
     shape_weight: 0.6,
     verify: false,
   },
-  tetra: { backend: 'tetgen', radius_edge: 1.414, min_dihedral_deg: 14, max_dihedral_deg: 145 },
+  tetra: { backend: 'tetgen', radius_edge: 1.414, min_dihedral_deg: 0, max_dihedral_deg: 145 },
+  optimise: { rounds: 4, min_dihedral_deg: 35, insertion_deg: 33, slide: 0.05 },
   lookup: { labels: [], samples_min: 4, samples_max: 64 },
   quality: { histogram_bins: 64, sample_spacing_voxels: 0.25 },
 };
@@ -245,7 +246,7 @@ class Session {
     if (name === 'volume') return this.summary();
     if (name === 'sizing')
       return { size: [12, 12, 12], index_to_mm: this.summary().index_to_mm, min_mm: 1, max_mm: 4 };
-    if (name === 'tetra')
+    if (name === 'tetra' || name === 'optimise')
       return { points: this.mesh.points.length / 3, tets: this.mesh.labels.length, faces: 0 };
     return { points: this.mesh.points.length / 3, triangles: boundary(this.mesh).sides.length / 2 };
   }
@@ -259,7 +260,7 @@ class Session {
         array.includes('dihedral') ? 20 + (i % 80) : 0.5 + (i % 10) / 5,
       );
     }
-    if (stage === 'tetra') return this.mesh[array];
+    if (stage === 'optimise') return this.mesh[array];
     return array === 'points' ? this.mesh.points : boundary(this.mesh)[array];
   }
   exportMesh(format, space) {
