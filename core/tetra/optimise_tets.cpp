@@ -55,7 +55,8 @@ class Optimiser {
       // Most of what is bad at first only needs another neighbour or place.
       if (round > 0) {
         if (!insert(last_goal)) return false;
-        if (params_.slide > 0) counts_.slid += slider_.slide(vertices_of(bad_tets(last_goal), true));
+        if (params_.slide > 0)
+          counts_.slid += slider_.slide(vertices_of(bad_tets(last_goal), true), last_goal);
       }
       ctx_.progress("optimise", static_cast<double>(round + 1) / params_.rounds);
       if (round > 0 && counts_ == before) break;
@@ -118,7 +119,7 @@ class Optimiser {
   bool smooth(double goal) {
     for (const std::uint32_t v : vertices_of(bad_tets(goal), false)) {
       if (cancelled()) return false;
-      counts_.moved += smoother_.smooth(v, kSmoothingSteps);
+      counts_.moved += smoother_.smooth(v, goal, kSmoothingSteps);
     }
     return true;
   }

@@ -33,8 +33,8 @@ inline double quality(const Point& a, const Point& b, const Point& c, const Poin
   };
   const double apex =
       std::min({term(u, nb, mc.dot(md)), term(v, nc, mb.dot(md)), term(w, nd, mb.dot(mc))}) * na;
-  const double base = std::min({term(bc, nb * nc, ma.dot(md)), term(bd, nb * nd, ma.dot(mc)),
-                                term(cd, nc * nd, ma.dot(mb))});
+  const double base =
+      std::min({term(bc, nb * nc, ma.dot(md)), term(bd, nb * nd, ma.dot(mc)), term(cd, nc * nd, ma.dot(mb))});
   return six_volumes * six_volumes * std::min(apex, base) / areas;
 }
 

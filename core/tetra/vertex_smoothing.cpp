@@ -161,7 +161,7 @@ bool VertexSmoother::sizes_allow(std::uint32_t vertex, const Point& to) {
   });
 }
 
-bool VertexSmoother::smooth(std::uint32_t vertex, int steps, const Track* track) {
+bool VertexSmoother::smooth(std::uint32_t vertex, double enough, int steps, const Track* track) {
   complex_.find_star(vertex, star_);
   sides_.clear();
   double before = std::numeric_limits<double>::infinity();
@@ -173,6 +173,7 @@ bool VertexSmoother::smooth(std::uint32_t vertex, int steps, const Track* track)
     before = complex_.quality_of(t);
     std::swap(sides_.front(), sides_.back());
   }
+  if (before >= enough) return false;
   const Apex apex = ascend(complex_.point(vertex), sides_, steps, track);
   return apex.quality > before && sizes_allow(vertex, apex.at) && complex_.move_point(vertex, apex.at, star_);
 }

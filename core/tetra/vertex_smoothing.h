@@ -29,8 +29,8 @@ class Track {
   virtual Point pull(const Point& to) const = 0;
 };
 
-/// Climbs from `start` by at most so many steps, anywhere or on a track. Each raises the lowest quality of the
-/// star; there is none from a star with a tet that is not positive. Reorders `sides`.
+/// Climbs from `start` by at most so many steps, anywhere or on a track. Each raises the lowest quality of
+/// the star; there is none from a star with a tet that is not positive. Reorders `sides`.
 Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Track* track = nullptr);
 
 /// The point nearest to the origin in the convex hull of one to four.
@@ -41,10 +41,9 @@ class VertexSmoother {
  public:
   VertexSmoother(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
 
-  /// Moves a vertex that is on no wall, or along a track. True when the lowest quality of its tets rose and
-  /// the sizes of its edges are allowed; star() are then its tets.
-  bool smooth(std::uint32_t vertex, int steps, const Track* track = nullptr);
-  const std::vector<std::uint32_t>& star() const { return star_; }
+  /// Moves a vertex that is on no wall, or along a track, unless the lowest quality of its tets is enough.
+  /// True when that rose and the sizes of the vertex's edges are allowed; else nothing happens.
+  bool smooth(std::uint32_t vertex, double enough, int steps, const Track* track = nullptr);
 
  private:
   bool sizes_allow(std::uint32_t vertex, const Point& to);

@@ -91,7 +91,8 @@ std::optional<WallSlider::Patch> WallSlider::patch_at(std::uint32_t vertex) {
   return patch;
 }
 
-std::size_t WallSlider::slide_patches(std::span<const Patch> patches, std::span<std::uint8_t> moved) {
+std::size_t WallSlider::slide_patches(std::span<const Patch> patches, double enough,
+                                      std::span<std::uint8_t> moved) {
   std::vector<BoundaryPlace> places;
   double longest = 0;
   for (const Patch& patch : patches) {
@@ -109,7 +110,7 @@ std::size_t WallSlider::slide_patches(std::span<const Patch> patches, std::span<
     if (distance > kFarthest * patch.shortest_edge) continue;
     const Envelope track(*surface, at, start_[patch.vertex], std::max(distance, envelope_ * sizing_.at(at)),
                          kReach * patch.shortest_edge);
-    moved[p] = smoother_.smooth(patch.vertex, kSteps, &track);
+    moved[p] = smoother_.smooth(patch.vertex, enough, kSteps, &track);
     count += moved[p];
   }
   return count;
@@ -125,7 +126,7 @@ bool WallSlider::walls_meet(std::span<const Patch> patches, std::span<const std:
   return !SelfIntersectionTree(walls).find(concerned, 1).empty();
 }
 
-std::size_t WallSlider::slide(std::span<const std::uint32_t> vertices) {
+std::size_t WallSlider::slide(std::span<const std::uint32_t> vertices, double enough) {
   std::vector<Patch> patches;
   std::vector<Point> before;
   for (const std::uint32_t v : vertices)
@@ -134,7 +135,7 @@ std::size_t WallSlider::slide(std::span<const std::uint32_t> vertices) {
       before.push_back(complex_.point(v));
     }
   std::vector<std::uint8_t> moved(patches.size(), 0);
-  const std::size_t count = slide_patches(patches, moved);
+  const std::size_t count = slide_patches(patches, enough, moved);
   if (count == 0 || !walls_meet(patches, moved)) return count;
   for (std::size_t p = patches.size(); p-- > 0;) {
     if (!moved[p]) continue;

@@ -22,11 +22,11 @@ class WallSlider {
   WallSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
              const SizingField& sizing, double envelope);
 
-  /// Slides the vertices one after the other where that raises the lowest quality of their tets, and
-  /// returns how many moved. Each goes no farther from its first place than a fifth of its shortest edge on
-  /// the walls, and no farther from the label surface than the envelope or than it was. Should walls meet
+  /// Slides the vertices one after the other where the lowest quality of their tets is not enough and rises,
+  /// and returns how many moved. Each goes no farther from its first place than a fifth of its shortest edge
+  /// on the walls, and no farther from the label surface than the envelope or than it was. Should walls meet
   /// then, all stay where they were.
-  std::size_t slide(std::span<const std::uint32_t> vertices);
+  std::size_t slide(std::span<const std::uint32_t> vertices, double enough);
 
  private:
   /// The walls around a vertex inside a patch.
@@ -36,7 +36,7 @@ class WallSlider {
     double shortest_edge, longest_edge;
   };
   std::optional<Patch> patch_at(std::uint32_t vertex);
-  std::size_t slide_patches(std::span<const Patch> patches, std::span<std::uint8_t> moved);
+  std::size_t slide_patches(std::span<const Patch> patches, double enough, std::span<std::uint8_t> moved);
   bool walls_meet(std::span<const Patch> patches, std::span<const std::uint8_t> moved) const;
 
   TetComplex& complex_;

@@ -1,6 +1,7 @@
 // The Table-1 cases as tetrahedra, before and after the optimiser, against the promised angles and speed.
 #include <ctime>
 
+#include "geometry/digest.h"
 #include "quality/measure_quality.h"
 #include "quality/summarise.h"
 #include "support/data.h"
@@ -180,6 +181,7 @@ int main(int argc, char** argv) {
       }
       print_row(name, *figures);
       nlohmann::json row = figures_json(*figures);
+      row["digest"] = digest_of(*session.mesh());
       if (fidelity) {
         print_fidelity("before", *session.filled(), session, row);
         print_fidelity("after", *session.mesh(), session, row);

@@ -218,7 +218,8 @@ TEST(VertexSmoother, CentresTheVertexOfACube) {
   const SizingField wish = test::uniform_sizing(1);
   const SizeGuard guard(wish);
   VertexSmoother smoother(complex, guard);
-  for (int i = 0; i < 10; ++i) smoother.smooth(8, 10);
+  for (int i = 0; i < 10; ++i) smoother.smooth(8, 1, 10);
+  EXPECT_FALSE(smoother.smooth(8, 0.1, 10)) << "good enough";
   EXPECT_LT((complex.point(8) - Point(0.5, 0.5, 0.5)).norm(), 0.03);
 }
 
