@@ -1,8 +1,10 @@
 #include "bench/peers/fill_peer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -15,6 +17,9 @@
 
 namespace voxtet::peers {
 namespace {
+
+constexpr int kMaxTrials = 6;
+constexpr double kLikeCount = 0.05;
 
 double volume_mm3(const Filled& filled, const Tet& t) {
   return tet_volume_mm3({filled.points[t[0]], filled.points[t[1]], filled.points[t[2]], filled.points[t[3]]});
@@ -50,11 +55,23 @@ class TriangleFinder {
   std::vector<std::pair<Triangle, std::uint32_t>> entries_;
 };
 
+/// Scales the wished sizes until the number of tetrahedra is as wished, as nearly as a few trials get.
+void calibrate(FillTask& task, double tets, const FillSurface& fill, const std::string& variant) {
+  for (int trial = 0; trial < kMaxTrials; ++trial) {
+    const Result<Filled> filled = fill(task, variant);
+    if (!filled || filled->tets.empty()) return;
+    const double ratio = static_cast<double>(filled->tets.size()) / tets;
+    if (std::abs(ratio - 1) < kLikeCount) return;
+    for (float& h : task.sizing.h_mm) h *= static_cast<float>(std::cbrt(ratio));
+  }
+}
+
 /// The label on that side of a triangle where the tetrahedron lies.
 Label side_of(const SurfaceMesh& surface, std::uint32_t triangle, const Filled& filled, std::uint32_t tet) {
   const auto [a, b, c] = surface.triangles[triangle];
   for (const std::uint32_t v : filled.tets[tet])
-    if (v != a && v != b && v != c) return surface.sides[triangle][volume_mm3(filled, {a, b, c, v}) < 0 ? 0 : 1];
+    if (v != a && v != b && v != c)
+      return surface.sides[triangle][volume_mm3(filled, {a, b, c, v}) < 0 ? 0 : 1];
   return kBackground;
 }
 
@@ -104,16 +121,17 @@ void drop_unused(std::size_t surface_points, TetgenMesh& mesh) {
 }  // namespace
 
 int fill_main(int argc, char** argv, const FillSurface& fill) {
-  if (argc < 3) {
-    std::fprintf(stderr, "%s: expected SURFACE OUT [VARIANT]\n", argv[0]);
+  if (argc != 5) {
+    std::fprintf(stderr, "%s: expected SURFACE OUT VARIANT TETS\n", argv[0]);
     return 2;
   }
-  const Result<FillTask> task = read_fill_task(argv[1]);
+  Result<FillTask> task = read_fill_task(argv[1]);
   if (!task) {
     std::fprintf(stderr, "%s\n", task.error().message.c_str());
     return 1;
   }
-  const std::string out = argv[2], variant = argc > 3 ? argv[3] : "";
+  const std::string out = argv[2], variant = argv[3];
+  if (const double tets = std::atof(argv[4]); tets > 0) calibrate(*task, tets, fill, variant);
   Result<Filled> filled = Filled{};
   nlohmann::json figures;
   figures["seconds"] = seconds_of([&] { filled = fill(*task, variant); });
@@ -124,8 +142,8 @@ int fill_main(int argc, char** argv, const FillSurface& fill) {
   }
   TetgenMesh parts = parts_of(task->surface, *std::move(filled));
   drop_unused(task->surface.points.size(), parts);
-  TetMesh unlabelled{parts.points, parts.tets, std::vector<Label>(parts.tets.size(), 1), {}, {}};
-  Result<TetMesh> mesh = label_tets(task->surface, std::move(parts));
+  const TetMesh unlabelled{parts.points, parts.tets, std::vector<Label>(parts.tets.size(), 1), {}, {}};
+  const Result<TetMesh> mesh = label_tets(task->surface, std::move(parts));
   if (mesh) return finish(out, *mesh, figures);
   // Measured all the same: what it gave has shapes, though not the surface that was asked for.
   figures["error"] = mesh.error().message;

@@ -1,5 +1,5 @@
-// The measures of a peer's mesh, by the code that measures voxtet's own: `measure_peer SURFACE MESH.vtu`, JSON to
-// standard output. Sizes are log2(edge / wish) over all edges.
+// The measures of a peer's mesh, by the code that measures voxtet's own: `measure_peer SURFACE MESH.vtu`,
+// JSON to standard output. Sizes are log2(edge / wish) over all edges.
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -34,7 +34,8 @@ nlohmann::json volumes_json(const TetMesh& mesh) {
   std::map<Label, double> volumes;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const auto [a, b, c, d] = mesh.tets[t];
-    volumes[mesh.labels[t]] += tet_volume_mm3({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
+    volumes[mesh.labels[t]] +=
+        tet_volume_mm3({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]});
   }
   nlohmann::json out = nlohmann::json::object();
   for (const auto& [label, mm3] : volumes) out[std::to_string(label)] = mm3;

@@ -1,4 +1,5 @@
-// What every peer program does around its mesher: processor time and memory of the mesher alone, and the results.
+// What every peer program does around its mesher: processor time and memory of the mesher alone, and the
+// results.
 #pragma once
 
 #include <functional>

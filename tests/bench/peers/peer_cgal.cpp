@@ -1,6 +1,6 @@
 // CGAL Mesh_3 from the label image, with perturb and exude, at a wished number of tetrahedra:
-// `peer_cgal VOLUME OUT EDGE_MM DISTANCE_MM TETS`. Sizes are scaled until refinement alone gives that number within
-// a twentieth; the run that counts then does everything once more.
+// `peer_cgal VOLUME OUT EDGE_MM DISTANCE_MM TETS`. Sizes are scaled until refinement alone gives that number
+// within a twentieth; the run that counts then does everything once more.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Image_3.h>
 #include <CGAL/Labeled_mesh_domain_3.h>
@@ -29,7 +29,8 @@ using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 namespace parameters = CGAL::parameters;
 
-/// CGAL's sizes bound radii: of a facet's surface ball and of a cell. Median edges come out at the wish with these.
+/// CGAL's sizes bound radii: of a facet's surface ball and of a cell. Median edges come out at the wish with
+/// these.
 constexpr double kFacetRadiusPerEdge = 0.77, kCellRadiusPerEdge = 0.79;
 constexpr int kMaxTrials = 5;
 constexpr double kLikeCount = 0.05;
@@ -38,7 +39,8 @@ constexpr double kLikeCount = 0.05;
 CGAL::Image_3 image_of(const LabelVolume& volume) {
   const auto n = [&](int d) { return static_cast<std::size_t>(volume.size[static_cast<std::size_t>(d)]); };
   const Eigen::Vector3d spacing = volume.spacing_mm();
-  _image* image = _createImage(n(0), n(1), n(2), 1, spacing.x(), spacing.y(), spacing.z(), 2, WK_FIXED, SGN_UNSIGNED);
+  _image* image =
+      _createImage(n(0), n(1), n(2), 1, spacing.x(), spacing.y(), spacing.z(), 2, WK_FIXED, SGN_UNSIGNED);
   std::copy(volume.labels.begin(), volume.labels.end(), static_cast<Label*>(image->data));
   return CGAL::Image_3(image);
 }
@@ -69,9 +71,11 @@ TetMesh take(const Complex& complex, const LabelVolume& volume) {
   for (auto cell = complex.cells_in_complex_begin(); cell != complex.cells_in_complex_end(); ++cell) {
     Tet tet{};
     for (int c = 0; c < 4; ++c) {
-      const auto [at, added] = place.try_emplace(cell->vertex(c), static_cast<std::uint32_t>(mesh.points.size()));
+      const auto [at, added] =
+          place.try_emplace(cell->vertex(c), static_cast<std::uint32_t>(mesh.points.size()));
       const auto& p = cell->vertex(c)->point();
-      if (added) mesh.points.push_back(volume.to_mm({p.x() / spacing.x(), p.y() / spacing.y(), p.z() / spacing.z()}));
+      if (added)
+        mesh.points.push_back(volume.to_mm({p.x() / spacing.x(), p.y() / spacing.y(), p.z() / spacing.z()}));
       tet[static_cast<std::size_t>(c)] = at->second;
     }
     if (mirrored) std::swap(tet[2], tet[3]);

@@ -1,4 +1,5 @@
-// Netgen by nglib, as it comes: three rounds of optimisation.
+// Netgen by nglib, as it comes, with three rounds of optimisation. Its sizes inside follow the surface.
+// Ng_RestrictMeshSizePoint hardly changes them.
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -42,6 +43,7 @@ Result<peers::Filled> fill(const peers::FillTask& task, const std::string&) {
   hand_over(task.surface, mesh);
   nglib::Ng_Meshing_Parameters parameters;
   parameters.maxh = *std::max_element(task.sizing.h_mm.begin(), task.sizing.h_mm.end());
+  nglib::Ng_RestrictMeshSizeGlobal(mesh, parameters.maxh);
   const nglib::Ng_Result result = nglib::Ng_GenerateVolumeMesh(mesh, &parameters);
   if (result != nglib::NG_OK)
     return Error{ErrorCode::kMeshing, "peers", "nglib answered with code " + std::to_string(result), {}};

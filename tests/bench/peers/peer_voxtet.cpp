@@ -1,5 +1,5 @@
-// voxtet itself, volume to tetrahedra, one thread: `peer_voxtet CASE.json OUT`. Leaves what the others start from:
-// OUT.surface (surface_file.h) and OUT.nii, the labels to be meshed.
+// voxtet itself, volume to tetrahedra, one thread: `peer_voxtet CASE.json OUT`. Leaves what the others start
+// from: OUT.surface (surface_file.h) and OUT.nii, the labels to be meshed.
 #include <algorithm>
 #include <cstdio>
 

@@ -63,7 +63,8 @@ Result<FillTask> read_fill_task(const std::string& path) {
   get(file, task.sizing.index_to_mm.data(), 16);
   get(file, task.sizing.mm_to_index.data(), 16);
   get(file, task.sizing.h_mm);
-  if (!file) return file_error(path, "found no whole surface and sizing field, expected what peer_voxtet wrote");
+  if (!file)
+    return file_error(path, "found no whole surface and sizing field, expected what peer_voxtet wrote");
   return task;
 }
 

@@ -1,5 +1,5 @@
-// The adapted surface and the sizing field in a file, so that every mesher starts from the same bytes in a process of
-// its own.
+// The adapted surface and the sizing field in a file, so that every mesher starts from the same bytes in a
+// process of its own.
 #pragma once
 
 #include <string>
@@ -16,7 +16,8 @@ struct FillTask {
   SizingField sizing;
 };
 
-/// In this machine's own byte order: the file is read where it was written. Errors: kBadInput naming the file.
+/// In this machine's own byte order: the file is read where it was written. Errors: kBadInput naming the
+/// file.
 Status write_fill_task(const FillTask& task, const std::string& path);
 Result<FillTask> read_fill_task(const std::string& path);
 
