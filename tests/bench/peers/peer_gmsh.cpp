@@ -2,13 +2,17 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bench/peers/fill_peer.h"
+#include "bench/peers/surface_regions.h"
 
 using namespace voxtet;
 
@@ -16,19 +20,28 @@ namespace {
 
 constexpr int kTriangle = 2, kTetrahedron = 4;  // Gmsh's element types
 
+/// A discrete surface for each pair of regions that meet, a volume for each region.
 void hand_over(const SurfaceMesh& surface) {
-  std::vector<std::size_t> tags(surface.points.size()), corners;
+  std::vector<std::size_t> tags(surface.points.size());
   std::iota(tags.begin(), tags.end(), 1);
   std::vector<double> coordinates;
   for (const Eigen::Vector3d& p : surface.points)
     coordinates.insert(coordinates.end(), p.data(), p.data() + 3);
-  for (const Triangle& t : surface.triangles)
-    for (const std::uint32_t v : t) corners.push_back(v + 1);
+  const peers::SurfaceRegions regions = peers::find_regions(surface);
+  std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> corners;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    for (const std::uint32_t v : surface.triangles[t]) corners[regions.of_triangle[t]].push_back(v + 1);
   gmsh::model::add("surface");
-  gmsh::model::addDiscreteEntity(2, 1);
-  gmsh::model::mesh::addNodes(2, 1, tags, coordinates);
-  gmsh::model::mesh::addElementsByType(1, kTriangle, {}, corners);
-  gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop({1})});
+  std::vector<std::vector<int>> faces(regions.count + 1);
+  int tag = 0;
+  for (const auto& [sides, triangles] : corners) {
+    gmsh::model::addDiscreteEntity(2, ++tag);
+    if (tag == 1) gmsh::model::mesh::addNodes(2, tag, tags, coordinates);
+    gmsh::model::mesh::addElementsByType(tag, kTriangle, {}, triangles);
+    for (const std::uint32_t side : sides) faces[side].push_back(tag);
+  }
+  for (std::size_t region = 1; region < faces.size(); ++region)
+    gmsh::model::geo::addVolume({gmsh::model::geo::addSurfaceLoop(faces[region])});
   gmsh::model::geo::synchronize();
 }
 

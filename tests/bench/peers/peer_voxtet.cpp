@@ -60,7 +60,8 @@ int main(int argc, char** argv) {
   nlohmann::json figures{{"surface_seconds", surface_s},
                          {"seconds", fill_s},
                          {"peak_mb", peak_mb(session)},
-                         {"triangles", session.remeshed()->triangles.size()}};
+                         {"triangles", session.remeshed()->triangles.size()},
+                         {"warnings", session.warnings()}};
   if (!done) {
     figures["error"] = done.error().message;
     return peers::finish(out, {}, figures);
