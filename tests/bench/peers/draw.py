@@ -111,6 +111,11 @@ def title_of(case):
     return f"{case['volume']}, labels {labels}, {'merged' if case['merged'] else 'conforming'}"
 
 
+def surface_of(case):
+    found = [f", a surface of {row['triangles']:,} triangles" for row in case["rows"] if "triangles" in row]
+    return "".join(found[:1])
+
+
 def failures(cases, names):
     lines = [f"- {title_of(case)}: {names[row['mesher']][0]}: {row['error']}" for case in cases for row in case["rows"] if "error" in row]
     return "\n".join(lines) or "None."
@@ -132,7 +137,7 @@ def page(results):
         chosen = [c for c in cases if c["merged"] == merged]
         parts["summary_" + kind] = summary(chosen, names)
         parts["cases_" + kind] = "\n\n".join(
-            f"### {title_of(c)}\n\nEdge {c['edge_mm']:.2f} mm.\n\n{case_table(c, names)}" for c in chosen)
+            f"### {title_of(c)}\n\nEdge {c['edge_mm']:.2f} mm{surface_of(c)}.\n\n{case_table(c, names)}" for c in chosen)
     for key, value in parts.items():
         text = text.replace("{{" + key + "}}", value)
     return text
