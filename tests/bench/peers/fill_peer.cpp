@@ -25,7 +25,7 @@ double volume_mm3(const Filled& filled, const Tet& t) {
   return tet_volume_mm3({filled.points[t[0]], filled.points[t[1]], filled.points[t[2]], filled.points[t[3]]});
 }
 
-/// Some meshers count the other orientation as positive.
+/// Makes the volumes positive where the mesher counts the other orientation as such.
 void turn(Filled& filled) {
   double sum = 0;
   for (const Tet& t : filled.tets) sum += volume_mm3(filled, t);
@@ -33,7 +33,7 @@ void turn(Filled& filled) {
   for (Tet& t : filled.tets) std::swap(t[2], t[3]);
 }
 
-/// The triangle with these corners, if any; `order` sorts the triangles by their ascending corners.
+/// Finds a triangle of the surface by its corners, in any order.
 class TriangleFinder {
  public:
   explicit TriangleFinder(const SurfaceMesh& surface) {

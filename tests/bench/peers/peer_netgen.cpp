@@ -1,4 +1,4 @@
-// Netgen by nglib, as it comes, with three rounds of optimisation. Its sizes inside follow the surface.
+// Netgen by nglib, as it comes, with three rounds of optimisation. Its sizes inside follow the surface:
 // Ng_RestrictMeshSizePoint hardly changes them.
 #include <algorithm>
 #include <cstddef>
