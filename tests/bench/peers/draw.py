@@ -60,6 +60,10 @@ def times(value):
     return "–" if value is None else f"{value:.2f}"
 
 
+def signed(value):
+    return f"{round(value, 2) + 0.0:+.2f}"  # -0 as 0
+
+
 def table(header, rows):
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
@@ -99,8 +103,8 @@ def case_table(case, names):
         rows.append([name + (" ⚠" if "error" in row else ""), f"{row['tets']:,}"]
                     + [f"{dihedral(row)[key]:.1f}" for key in ("min", "p01", "p1", "mean")]
                     + [f"{row['shapes']['max_dihedral_deg']['max']:.1f}", f"{row['shapes']['radius_ratio']['mean']:.3f}",
-                       f"{row['sizes']['median']:+.2f}", f"{row['sizes']['p95_absolute']:.2f}",
-                       f"{volume_error(row, case):+.2f}", "–" if row["mesher"] == "cgal" else f"{row['seconds']:.2f}",
+                       signed(row["sizes"]["median"]), f"{row['sizes']['p95_absolute']:.2f}",
+                       signed(volume_error(row, case)), "–" if row["mesher"] == "cgal" else f"{row['seconds']:.2f}",
                        f"{whole:.2f}", f"{row['tets'] / whole:,.0f}",
                        f"{row['peak_mb']:.0f}", times(whole / whole_seconds(ours, ours) if "tets" in ours else None)])
     return table(header, rows)

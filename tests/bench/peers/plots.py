@@ -78,7 +78,7 @@ def speed(points, names):
     for degrees in range(0, most + 1, 5):
         y = top + tall * (1 - degrees / most)
         parts += [line(left, y, left + wide, y), text(left - 6, y + 4, f"{degrees}°", 10, "end", PALE)]
-    for mesher, rate, degrees in points:
+    for mesher, rate, degrees in reversed(points):  # the first mesher on top
         x, y = left + wide * (math.log10(rate) - low) / (high - low), top + tall * (1 - degrees / most)
         parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{COLOURS[mesher]}" stroke="white"/>')
     for index, mesher in enumerate(names):
