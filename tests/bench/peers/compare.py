@@ -134,8 +134,9 @@ def compare(name, labels, merged, options):
             "sizing": {"edge_mm": EDGE_VOXELS * spacing}}
     case_file = folder / "case.json"
     case_file.write_text(json.dumps(case))
-    surface = folder / "voxtet.surface"
-    surface.unlink(missing_ok=True)
+    surface, volume_file = folder / "voxtet.surface", folder / "voxtet.nii"
+    for old in (surface, volume_file):
+        old.unlink(missing_ok=True)
 
     rows = []
 
@@ -155,7 +156,7 @@ def compare(name, labels, merged, options):
         else:
             tets = ours.get("tets", 0) if scaled else 0
             add(mesher, peer([PROGRAMS / program, surface, folder / mesher, variant, tets], folder / mesher, surface, options))
-    add("cgal", peer([PROGRAMS / "peer_cgal", folder / "voxtet.nii", folder / "cgal", EDGE_VOXELS * spacing,
+    add("cgal", peer([PROGRAMS / "peer_cgal", volume_file, folder / "cgal", EDGE_VOXELS * spacing,
                       DISTANCE_VOXELS * spacing, ours.get("tets", 100000)], folder / "cgal", surface, options))
     return {"volume": name, "labels": labels, "merged": merged, "edge_mm": EDGE_VOXELS * spacing, "rows": rows,
             "voxel_mm3": float(np.isin(voxels, labels).sum() * abs(np.linalg.det(affine[:3, :3])))}
