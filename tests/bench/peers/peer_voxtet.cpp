@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
   Status done = std::monostate{};
   if (done = run(Stage::kRemesh, session, surface_s); !done) return fail(done.error());
   if (Status left = leave_inputs(session, out); !left) return fail(left.error());
-  done = run(Stage::kTetra, session, fill_s);
+  done = run(Stage::kOptimise, session, fill_s);
   nlohmann::json figures{{"surface_seconds", surface_s},
                          {"seconds", fill_s},
                          {"peak_mb", peak_mb(session)},
