@@ -1,5 +1,6 @@
 #include "tetra/optimise_tets.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -24,6 +25,8 @@ using namespace tetra;
 constexpr int kSmoothingSteps = 5;
 /// Points for every one inserted, at least: a hopeless surface would take ever more.
 constexpr std::size_t kPointsForOne = 10;
+/// As many may be inserted into the smallest mesh.
+constexpr std::size_t kAlwaysAllowed = 200;
 constexpr std::size_t kTetsPerQuestion = 256;
 
 struct Counts {
@@ -42,7 +45,7 @@ class Optimiser {
         slider_(complex_, smoother_, reference, sizing, params.slide),
         params_(params),
         ctx_(ctx),
-        most_inserted_(complex_.point_count() / kPointsForOne) {}
+        most_inserted_(std::max(kAlwaysAllowed, complex_.point_count() / kPointsForOne)) {}
 
   /// False when cancelled.
   bool run() {
@@ -138,9 +141,9 @@ class Optimiser {
                   ", faces removed: " + std::to_string(counts_.faces) + ", vertices moved: " +
                   std::to_string(counts_.moved) + ", inserted: " + std::to_string(counts_.inserted) +
                   ", slid on the surface: " + std::to_string(counts_.slid));
-    if (counts_.inserted == most_inserted_ && most_inserted_ > 0)
-      ctx_.warn("optimise", "vertices were inserted up to the limit of one for every " +
-                                std::to_string(kPointsForOne) + ": the surface leaves too little room");
+    if (counts_.inserted == most_inserted_)
+      ctx_.warn("optimise", "vertices were inserted up to the limit of " + std::to_string(most_inserted_) +
+                                ": the surface leaves too little room");
   }
 
   TetComplex complex_;

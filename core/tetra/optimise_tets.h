@@ -25,9 +25,9 @@ struct OptimiseParams {
 /// and, but for those that slide inside a face between two labels, their points. Points keep their order;
 /// some inside of a label go, new ones come last. New edges are between 0.4 and 1.9 times the wish of
 /// `sizing`, or nearer to that than those they replace; those of an inserted vertex may be 1.5 times farther.
-/// No more than one vertex for every ten is inserted. All volumes stay positive, by exact predicates.
-/// `reference` is the label surface, with the sides of the mesh's faces. ctx.note says what was done.
-/// Errors: kCancelled; kOutOfMemory.
+/// No more than one vertex for every ten, or 200, is inserted. All volumes stay positive, by exact
+/// predicates. `reference` is the label surface, with the sides of the mesh's faces. ctx.note says what was
+/// done. Errors: kCancelled; kOutOfMemory.
 Result<TetMesh> optimise_tets(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
                               const OptimiseParams& params, RunContext& ctx);
 
