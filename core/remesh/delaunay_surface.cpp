@@ -2,7 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 
+#include "geometry/compare_topology.h"
+#include "geometry/label_topology.h"
 #include "geometry/surface_measures.h"
 #include "geometry/untangle.h"
 #include "remesh/drop_fragments.h"
@@ -22,12 +25,23 @@ namespace {
 /// Measured on hearts, aorta and spheres: the median edge of a refined surface is 1.30 times the largest
 /// radius allowed for the surface Delaunay balls.
 constexpr double kEdgePerRadius = 1.30;
-constexpr int kRepairRounds = 3;
 // In units of the smallest spacing:
-constexpr double kMissed = 0.4;            ///< a reference farther than this from the surface was missed
-constexpr double kSeedSeparation = 0.25;   ///< between first points
-constexpr double kRepairSeparation = 0.5;  ///< between points added where the surface missed something
-constexpr double kLeastPinchRadius = 0.3;  ///< of a facet that is refined to open a pinch
+constexpr double kMissed = 0.4;           ///< a reference farther than this from the surface was missed
+constexpr double kSeedSeparation = 0.25;  ///< between first points
+
+/// How a surface is refined where it does not follow the reference; lengths in units of the smallest spacing.
+struct Repair {
+  int rounds;                 ///< at most
+  bool thorough;              ///< only around labels whose topology differs, and with a closer look
+  double separation;          ///< between points added where the surface missed something
+  double least_pinch_radius;  ///< of a facet that is refined to open a pinch
+  double turned_cosine;       ///< of the largest angle between reference and surface
+};
+constexpr std::array<Repair, 5> kRepairs{{{3, false, 0.5, 0.3, 0},
+                                          {2, true, 0.3, 0.2, 0.3},
+                                          {2, true, 0.15, 0.2, 0.3},
+                                          {2, true, 0.09, 0.2, 0.3},
+                                          {2, true, 0.15, 0.1, 0.5}}};
 
 double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
@@ -64,41 +78,38 @@ std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells) {
   return out;
 }
 
-/// Adds points where the surface misses the reference or a label touches itself; how many.
-std::size_t repair(DelaunayRefiner& refiner, const CellComplex& cells,
-                   const std::vector<Eigen::Vector3d>& missed, double voxel_mm) {
-  std::size_t added = 0;
-  // First, because new points do away with cells.
-  for (const InterfaceFacet& facet : facets_at_pinches(cells))
-    added += refiner.request(facet.cell, facet.corner, kLeastPinchRadius * voxel_mm);
-  return added + refiner.insert(missed, kRepairSeparation * voxel_mm);
-}
-
-/// How the reference joins voxels: an extraction of many labels along diagonals too.
-Connectivity connectivity_of(const SurfaceMesh& reference) {
-  const bool many = std::any_of(reference.sides.begin(), reference.sides.end(),
-                                [&](const Sides& sides) { return sides != reference.sides.front(); });
-  return many ? Connectivity::kKuhn : Connectivity::kFaces;
+/// Labels whose topology or contacts differ, background left out; ascending.
+std::vector<Label> differing_labels(const TopologyLedger& wanted, const TopologyLedger& found) {
+  std::vector<Label> labels;
+  for (const TopologyDifference& difference : compare_topology(wanted, found))
+    for (const Label label : {difference.label, difference.other})
+      if (label != kBackground) labels.push_back(label);
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  return labels;
 }
 
 }  // namespace
 
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
-                                     const SizingField& sizing, const DelaunayParams& params,
-                                     RunContext& ctx) {
+                                     const TopologyLedger& wanted, const SizingField& sizing,
+                                     const DelaunayParams& params, RunContext& ctx) {
   const double voxel = field.smallest_spacing_mm();
-  const VoxelPieces pieces = find_pieces(field, connectivity_of(reference));
+  const VoxelPieces pieces = find_pieces(field);
   const std::vector<double> volumes = enclosed_volumes_mm3(reference);
   const Seeds seeds = seed_interfaces(field, reference, sizing);
   if (ctx.cancelled()) return cancelled_error("remesh");
   DelaunayRefiner refiner(field, sizing,
                           {params.facet_angle_deg, params.max_distance_voxels * voxel, 1 / kEdgePerRadius});
   refiner.insert(seeds.points, kSeedSeparation * voxel);
-  for (int round = 0;; ++round) {
+  auto repair = kRepairs.begin();
+  int rounds_left = repair->rounds;
+  for (;;) {
     if (!refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count()))))
       return cancelled_error("remesh");
     CellComplex cells = refiner.cells();
     drop_fragments(cells, field, pieces);
+    const std::vector<InterfaceFacet> pinches = facets_at_pinches(cells);
     mend_pinches(cells, field);
     relabel_cells(cells);
     drop_fragments(cells, field, pieces);
@@ -106,11 +117,22 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
     fit_surface(surface, field, volumes);
     if (ctx.cancelled()) return cancelled_error("remesh");
-    if (round < kRepairRounds) {
+    std::size_t added = 0;
+    while (repair != kRepairs.end() && added == 0) {
+      const std::vector<Label> broken =
+          repair->thorough ? differing_labels(wanted, label_topology(surface)) : std::vector<Label>{};
+      if (repair->thorough && broken.empty()) break;
       const std::vector<Eigen::Vector3d> missed =
-          missed_places(reference, surface, field, kMissed * voxel, kRepairSeparation * voxel);
-      if (repair(refiner, cells, missed, voxel) > 0) continue;
+          missed_places(reference, surface, field,
+                        {kMissed * voxel, repair->separation * voxel, broken, repair->turned_cosine});
+      // Pinches first, because new points do away with cells.
+      for (const InterfaceFacet& facet : pinches)
+        added += refiner.request(facet.cell, facet.corner, repair->least_pinch_radius * voxel);
+      added += refiner.insert(missed, repair->separation * voxel);
+      if (added > 0 && --rounds_left > 0) break;
+      if (++repair != kRepairs.end()) rounds_left = repair->rounds;
     }
+    if (added > 0) continue;
     if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error("remesh");
     return surface;
   }

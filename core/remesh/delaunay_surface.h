@@ -6,6 +6,7 @@
 #include "types/run_context.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
+#include "types/topology_ledger.h"
 
 namespace voxtet::remesh {
 
@@ -16,10 +17,12 @@ struct DelaunayParams {
 
 /// Seeds every interface, refines, then mends what a triangulation of finite size gets wrong at junctions
 /// (fragments, needle wedges, pinches), fits the points to the field, and adds points wherever `reference`,
-/// the label surface the field was made of, was missed, for a few rounds. Facets are a subset of one Delaunay
-/// triangulation until the fit, which is taken back where it would make them intersect. Errors: kCancelled.
+/// the label surface the field was made of, was missed, for a few rounds: ever closer ones, regardless of the
+/// sizing field, while the topology of the surface is not `wanted`, that of the reference. Facets are a
+/// subset of one Delaunay triangulation until the fit, which is taken back where it would make them
+/// intersect. Errors: kCancelled.
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
-                                     const SizingField& sizing, const DelaunayParams& params,
-                                     RunContext& ctx);
+                                     const TopologyLedger& wanted, const SizingField& sizing,
+                                     const DelaunayParams& params, RunContext& ctx);
 
 }  // namespace voxtet::remesh

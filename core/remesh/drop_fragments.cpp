@@ -60,9 +60,9 @@ bool is_piece(const CellComplex& cells, const std::vector<std::uint32_t>& group,
 
 }  // namespace
 
-VoxelPieces find_pieces(const LabelField& field, Connectivity connectivity) {
+VoxelPieces find_pieces(const LabelField& field) {
   VoxelPieces pieces;
-  pieces.ids = label_components(field.size(), field.centre_labels(), pieces.sizes, connectivity);
+  pieces.ids = label_components(field.size(), field.centre_labels(), pieces.sizes, field.connectivity());
   return pieces;
 }
 

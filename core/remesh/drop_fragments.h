@@ -15,7 +15,7 @@ namespace voxtet::remesh {
 struct VoxelPieces {
   std::vector<std::uint32_t> ids, sizes;
 };
-VoxelPieces find_pieces(const LabelField& field, Connectivity connectivity);
+VoxelPieces find_pieces(const LabelField& field);
 
 /// Facet-connected groups of cells of one label that are no piece of the label on their own take the label
 /// that most facets of their rim lead to: those that hold no voxel centre of the label, and those that hold

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/closest_point.h"
+#include "remesh/thin_voxels.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -117,10 +118,10 @@ class Scatter {
       const Eigen::Vector3d centre =
           origin_ + to_mm_ * Eigen::Vector3d(static_cast<double>(v % sx), static_cast<double>(v / sx % sy),
                                              static_cast<double>(v / (sx * sy)));
+      const float nearest = is_thin(grid_, v) ? LabelDistances::kNearestThin : LabelDistances::kNearest;
       for (std::uint32_t e = out_.offsets[v]; e < out_.offsets[v + 1]; ++e) {
         const double distance = to_boundary(centre, e) / unit_mm;
-        const float value =
-            std::clamp(static_cast<float>(distance), LabelDistances::kNearest, LabelDistances::kFarthest);
+        const float value = std::clamp(static_cast<float>(distance), nearest, LabelDistances::kFarthest);
         out_.values[e] = out_.labels[e] == grid_.labels[v] ? value : -value;
       }
     }

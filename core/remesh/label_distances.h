@@ -23,9 +23,10 @@ struct LabelGrid {
 
 /// Per voxel centre, the labels among its 26 neighbours with the signed distance to each label's boundary in
 /// units of the smallest spacing: positive for the voxel's own label alone, absolute value within
-/// [kNearest, kFarthest]. A voxel among its like has an empty list.
+/// [kNearest, kFarthest], at thin voxels (thin_voxels.h) at least kNearestThin, so that sheets and wires are
+/// wide enough to be followed. A voxel among its like has an empty list.
 struct LabelDistances {
-  static constexpr float kNearest = 0.05F, kFarthest = 2.0F;
+  static constexpr float kNearest = 0.05F, kNearestThin = 0.3F, kFarthest = 2.0F;
 
   std::vector<std::uint32_t> offsets;  ///< voxel_count + 1
   std::vector<Label> labels;           ///< ascending within a voxel

@@ -39,6 +39,25 @@ double trilinear(const Number* v, const std::array<double, 3>& t) {
   return ab + t[2] * (cd - ab);
 }
 
+/// Linear on the tetrahedra around the diagonal from the first to the last corner.
+template <class Number>
+double kuhn(const Number* v, const std::array<double, 3>& t) {
+  std::array<std::size_t, 3> axes{0, 1, 2};  // from the largest coordinate to the smallest
+  if (t[axes[0]] < t[axes[1]]) std::swap(axes[0], axes[1]);
+  if (t[axes[1]] < t[axes[2]]) std::swap(axes[1], axes[2]);
+  if (t[axes[0]] < t[axes[1]]) std::swap(axes[0], axes[1]);
+  const std::size_t second = std::size_t{1} << axes[0], third = second | std::size_t{1} << axes[1];
+  return v[0] * (1 - t[axes[0]]) + v[second] * (t[axes[0]] - t[axes[1]]) +
+         v[third] * (t[axes[1]] - t[axes[2]]) + v[7] * t[axes[2]];
+}
+
+/// How the extraction of a surface joins voxels: that of several labels along diagonals too.
+Connectivity connectivity_of(const SurfaceMesh& surface) {
+  const bool many = std::any_of(surface.sides.begin(), surface.sides.end(),
+                                [&](const Sides& sides) { return sides != surface.sides.front(); });
+  return many ? Connectivity::kKuhn : Connectivity::kFaces;
+}
+
 /// Gradient of `trilinear` with respect to t.
 Eigen::Vector3d trilinear_gradient(const std::array<double, 8>& v, const std::array<double, 3>& t) {
   const std::array<double, 3> u{1 - t[0], 1 - t[1], 1 - t[2]};
@@ -91,6 +110,7 @@ struct CellTable {
 
 LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface) {
   smallest_spacing_mm_ = volume.spacing_mm().minCoeff();
+  connectivity_ = connectivity_of(surface);
   index_to_mm_ = volume.linear();
   mm_to_index_ = volume.linear().inverse();
   mm_origin_ = volume.origin() - volume.linear() * Eigen::Vector3d::Constant(kPad);
@@ -156,6 +176,11 @@ std::int32_t LabelField::code_at(const Eigen::Vector3d& index, std::array<double
   return cells_[offset];
 }
 
+template <class Number>
+double LabelField::interpolate(const Number* corners, const std::array<double, 3>& t) const {
+  return connectivity_ == Connectivity::kKuhn ? kuhn(corners, t) : trilinear(corners, t);
+}
+
 Label LabelField::at_index(const Eigen::Vector3d& index) const {
   Sample sample{};
   margin(index, kBackground, sample);
@@ -171,7 +196,7 @@ double LabelField::margin(const Eigen::Vector3d& index, Label wanted, Sample& sa
   }
   if (code >= kPairBase) {
     const Pair& pair = pairs_[static_cast<std::size_t>(code - kPairBase)];
-    const double difference = trilinear(pair.difference.data(), t);
+    const double difference = interpolate(pair.difference.data(), t);
     sample = {difference >= 0 ? pair.a : pair.b, pair.a == wanted || pair.b == wanted};
     return pair.a == wanted ? difference : pair.b == wanted ? -difference : -1;
   }
@@ -179,7 +204,7 @@ double LabelField::margin(const Eigen::Vector3d& index, Label wanted, Sample& sa
   double best = -1, own = -1, rival = -1;
   sample.mixed = false;
   for (std::uint32_t e = many_start_[many]; e < many_start_[many + 1]; ++e) {
-    const double value = trilinear(&many_values_[8 * static_cast<std::size_t>(e)], t);
+    const double value = interpolate(&many_values_[8 * static_cast<std::size_t>(e)], t);
     if (value > best) {
       best = value;
       sample.label = many_labels_[e];
@@ -230,7 +255,7 @@ std::optional<double> LabelField::distance(const Eigen::Vector3d& mm, Label a, L
   std::array<double, 8> difference{};
   if (!corner_differences(mm, a, b, difference, t)) return std::nullopt;
   const double slope = (mm_to_index_.transpose() * trilinear_gradient(difference, t)).norm();
-  const double value = trilinear(difference.data(), t);
+  const double value = interpolate(difference.data(), t);
   return slope > 0 ? std::optional<double>(value / slope) : std::nullopt;
 }
 

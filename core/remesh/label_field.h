@@ -2,8 +2,10 @@
 // smoothed label surface.
 //
 // Every label, background included, has a signed distance to its boundary, positive inside, known at voxel
-// centres and interpolated trilinearly; the label of a point is the one whose distance is largest. Because
-// background competes like any other label, no cusps of background open along label interfaces.
+// centres and interpolated between them; the label of a point is the one whose distance is largest. Because
+// background competes like any other label, no cusps of background open along label interfaces. The
+// interpolation follows the extraction, so that diagonal neighbours join where they do on the surface:
+// trilinear for one label, linear on the Kuhn tetrahedra for several.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,6 +14,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/label_components.h"
 #include "remesh/label_distances.h"
 #include "types/label_volume.h"
 #include "types/surface_mesh.h"
@@ -55,12 +58,14 @@ class LabelField {
   /// Label at a voxel centre of the padded grid, offset x fastest.
   const std::vector<Label>& centre_labels() const { return centre_labels_; }
   double smallest_spacing_mm() const { return smallest_spacing_mm_; }
+  /// Which voxels of a label are joined.
+  Connectivity connectivity() const { return connectivity_; }
 
   Eigen::Vector3d to_index(const Eigen::Vector3d& mm) const { return mm_to_index_ * mm + index_origin_; }
   Eigen::Vector3d to_mm(const Eigen::Vector3d& index) const { return index_to_mm_ * index + mm_origin_; }
 
  private:
-  /// A cell in which exactly two labels can win: trilinear difference, positive where `a` wins.
+  /// A cell in which exactly two labels can win: difference at the corners, positive where `a` wins.
   struct Pair {
     std::array<float, 8> difference;
     Label a, b;
@@ -78,6 +83,8 @@ class LabelField {
   bool corner_differences(const Eigen::Vector3d& mm, Label a, Label b, std::array<double, 8>& difference,
                           std::array<double, 3>& t) const;
   double margin(const Eigen::Vector3d& index, Label wanted, Sample& sample) const;
+  template <class Number>
+  double interpolate(const Number* corners, const std::array<double, 3>& t) const;
 
   std::array<int, 3> size_{};
   std::vector<Label> centre_labels_;
@@ -91,6 +98,7 @@ class LabelField {
   Eigen::Matrix3d index_to_mm_, mm_to_index_;
   Eigen::Vector3d mm_origin_, index_origin_;
   double smallest_spacing_mm_ = 1;
+  Connectivity connectivity_ = Connectivity::kFaces;
 };
 
 }  // namespace voxtet::remesh

@@ -1,6 +1,8 @@
 #include "remesh/missed_places.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -11,20 +13,32 @@ namespace voxtet::remesh {
 namespace {
 
 constexpr std::size_t kMostSamples = 100'000;
+constexpr double kTurnedShare = 0.1;  ///< of the limit: nearer than this, a turned triangle does no harm
 
 std::uint32_t pair_of(const Sides& sides) {
   return (static_cast<std::uint32_t>(sides[0]) << 16) | sides[1];
 }
 
-/// Ids of triangles (every `stride`-th) grouped by their two labels.
-std::vector<std::uint32_t> by_pair(const SurfaceMesh& surface, std::size_t stride) {
+/// Ids of triangles (every `stride`-th), of `labels` alone if there are any, grouped by their two labels.
+std::vector<std::uint32_t> by_pair(const SurfaceMesh& surface, std::size_t stride,
+                                   const std::vector<Label>& labels) {
+  const auto listed = [&](Label label) { return std::binary_search(labels.begin(), labels.end(), label); };
   std::vector<std::uint32_t> ids;
   for (std::size_t t = 0; t < surface.triangles.size(); t += stride)
-    ids.push_back(static_cast<std::uint32_t>(t));
+    if (labels.empty() || listed(surface.sides[t][0]) || listed(surface.sides[t][1]))
+      ids.push_back(static_cast<std::uint32_t>(t));
   std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
     return pair_of(surface.sides[a]) < pair_of(surface.sides[b]);
   });
   return ids;
+}
+
+Eigen::Vector3d cross_of(const SurfaceMesh& surface, const Triangle& t) {
+  return triangle_cross(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
+}
+
+bool is_turned(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double cosine) {
+  return a.dot(b) < cosine * std::sqrt(a.squaredNorm() * b.squaredNorm());
 }
 
 Eigen::Vector3d centroid(const SurfaceMesh& surface, std::uint32_t t) {
@@ -35,12 +49,10 @@ Eigen::Vector3d centroid(const SurfaceMesh& surface, std::uint32_t t) {
 /// The point near a triangle's centroid, along its normal, where the field changes between its two labels.
 std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint32_t t,
                                           const LabelField& field, double reach_mm) {
-  const auto [a, b, c] = surface.triangles[t];
   const Eigen::Vector3d middle = centroid(surface, t);
-  const Eigen::Vector3d normal =
-      triangle_cross(surface.points[a], surface.points[b], surface.points[c]).normalized();
+  const Eigen::Vector3d normal = cross_of(surface, surface.triangles[t]).normalized();
   const auto [behind, front] = surface.sides[t];
-  for (const double reach : {0.5 * reach_mm, reach_mm}) {
+  for (const double reach : {0.2 * reach_mm, 0.5 * reach_mm, reach_mm}) {
     const Eigen::Vector3d from = middle - reach * normal, to = middle + reach * normal;
     if (field.at(from) != behind || field.at(to) != front) continue;
     Label other = kBackground;
@@ -52,10 +64,12 @@ std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint3
 }  // namespace
 
 std::vector<Eigen::Vector3d> missed_places(const SurfaceMesh& reference, const SurfaceMesh& surface,
-                                           const LabelField& field, double limit_mm, double separation_mm) {
-  const std::vector<std::uint32_t> samples =
-      by_pair(reference, std::max<std::size_t>(1, reference.triangles.size() / kMostSamples));
-  const std::vector<std::uint32_t> ids = by_pair(surface, 1);
+                                           const LabelField& field, const MissedCriteria& criteria) {
+  const double limit = criteria.limit_mm, separation2 = criteria.separation_mm * criteria.separation_mm;
+  const bool thorough = !criteria.thorough.empty();
+  const std::size_t stride = std::max<std::size_t>(1, reference.triangles.size() / kMostSamples);
+  const std::vector<std::uint32_t> samples = by_pair(reference, thorough ? 1 : stride, criteria.thorough);
+  const std::vector<std::uint32_t> ids = by_pair(surface, 1, {});
   std::vector<Eigen::Vector3d> missed;
   std::vector<Triangle> triangles;
   auto from = ids.begin();
@@ -68,17 +82,14 @@ std::vector<Eigen::Vector3d> missed_places(const SurfaceMesh& reference, const S
     for (; from != ids.end() && pair_of(surface.sides[*from]) == pair; ++from)
       triangles.push_back(surface.triangles[*from]);
     const std::size_t known = missed.size();
-    const auto check = [&](std::uint32_t t, double distance) {
-      if (!(distance > limit_mm)) return;
-      const std::optional<Eigen::Vector3d> p = onto_field(reference, t, field, limit_mm);
-      const auto close = [&](const Eigen::Vector3d& q) {
-        return (q - *p).squaredNorm() < separation_mm * separation_mm;
-      };
+    const auto add = [&](std::uint32_t t) {
+      const std::optional<Eigen::Vector3d> p = onto_field(reference, t, field, limit);
+      const auto close = [&](const Eigen::Vector3d& q) { return (q - *p).squaredNorm() < separation2; };
       if (p && std::none_of(missed.begin() + static_cast<std::ptrdiff_t>(known), missed.end(), close))
         missed.push_back(*p);
     };
     if (triangles.empty()) {
-      for (; s != last; ++s) check(*s, 2 * limit_mm);
+      for (; s != last; ++s) add(*s);
       continue;
     }
     const ClosestPointTree tree(surface.points, triangles);
@@ -86,7 +97,10 @@ std::vector<Eigen::Vector3d> missed_places(const SurfaceMesh& reference, const S
     for (; s != last; ++s) {
       const ClosestPointTree::Hit hit = tree.closest(centroid(reference, *s), hint);
       hint = hit.triangle;
-      check(*s, hit.distance_mm);
+      const bool lid = thorough && hit.distance_mm > kTurnedShare * limit &&
+                       is_turned(cross_of(reference, reference.triangles[*s]),
+                                 cross_of(surface, triangles[hit.triangle]), criteria.turned_cosine);
+      if (lid || hit.distance_mm > limit) add(*s);
     }
   }
   return missed;

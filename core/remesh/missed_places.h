@@ -9,11 +9,21 @@
 
 namespace voxtet::remesh {
 
-/// Samples of `reference` (triangles' centroids, at most about 80,000, evenly through its list) that are
-/// farther than `limit_mm` from the triangles of `surface` between the same two labels, each moved along its
-/// normal onto the field's interface of the two labels, where that is within `limit_mm`; left out where it
-/// is not. Not closer to each other than `separation_mm`. In the order of the reference.
+struct MissedCriteria {
+  double limit_mm;       ///< farther than this from the surface counts as missed
+  double separation_mm;  ///< between the places
+  /// Around these labels (ascending) every triangle of the reference is a sample, and missed also where the
+  /// closest triangle is turned by more than an angle: the wall of a tunnel has its lid near, but nothing
+  /// parallel. Without any, some 100,000 triangles of all labels are samples.
+  std::vector<Label> thorough = {};
+  double turned_cosine = 0.3;  ///< of that angle
+};
+
+/// Samples of `reference` (triangles' centroids, evenly through its list) that are farther than the limit
+/// from the triangles of `surface` between the same two labels, each moved along its normal onto the field's
+/// interface of the two labels, where that is within the limit; left out where it is not. In the order of the
+/// reference.
 std::vector<Eigen::Vector3d> missed_places(const SurfaceMesh& reference, const SurfaceMesh& surface,
-                                           const LabelField& field, double limit_mm, double separation_mm);
+                                           const LabelField& field, const MissedCriteria& criteria);
 
 }  // namespace voxtet::remesh

@@ -151,10 +151,11 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
   const LabelField field(volume, reference);
   if (ctx.cancelled()) return cancelled_error(kStage);
   ctx.progress(kStage, 0.08);
-  Result<SurfaceMesh> surface =
-      delaunay_surface(field, reference, sizing, {params.facet_angle_deg, params.max_distance_voxels}, ctx);
+  const TopologyLedger wanted = label_topology(reference);
+  Result<SurfaceMesh> surface = delaunay_surface(field, reference, wanted, sizing,
+                                                 {params.facet_angle_deg, params.max_distance_voxels}, ctx);
   if (!surface) return surface;
-  const TopologyLedger wanted = label_topology(reference), found = label_topology(*surface);
+  const TopologyLedger found = label_topology(*surface);
   const std::string broken = broken_topology(wanted, found, params.keep_topology);
   if (broken.empty()) {
     ctx.note(kStage, "method delaunay");

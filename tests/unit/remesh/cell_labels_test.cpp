@@ -152,7 +152,7 @@ TEST(MendPinches, LeavesFewPinchesOfATriangulationAsCoarseAsTheBodies) {
     const LabelVolume volume = paint.take();
     const LabelField field = field_of(volume);
     CellComplex cells = refined(volume, field, 3);
-    drop_fragments(cells, field, find_pieces(field, Connectivity::kKuhn));
+    drop_fragments(cells, field, find_pieces(field));
     before += all_defects(cells);
     mend_pinches(cells, field);
     const std::size_t mended = all_defects(cells);
@@ -174,7 +174,7 @@ TEST(RelabelCells, AddsNoPinchesAndBluntsWedges) {
     const LabelVolume volume = test::heart_volume(26 + n, 22, 22 + n);
     const LabelField field = field_of(volume);
     CellComplex cells = refined(volume, field, 2);
-    drop_fragments(cells, field, find_pieces(field, Connectivity::kKuhn));
+    drop_fragments(cells, field, find_pieces(field));
     mend_pinches(cells, field);
     const std::size_t mended = all_defects(cells);
     const std::vector<Label> labels = test::labels_of(extract_interface(cells));
@@ -214,12 +214,12 @@ TEST(DropFragments, DropsWhatHoldsNoVoxelOfItsLabelUnlessItIsAllThatThereIs) {
     const auto label_of = [&](int i, int j, int k) {
       return cells.labels[6 * static_cast<std::size_t>(i + 20 * (j + 20 * k))];
     };
-    EXPECT_EQ(drop_fragments(cells, field, find_pieces(field, Connectivity::kKuhn)), 12U);
+    EXPECT_EQ(drop_fragments(cells, field, find_pieces(field)), 12U);
     EXPECT_EQ(label_of(12, 14, 6), 0);
     EXPECT_EQ(label_of(13, 13, 3), 0);
     EXPECT_EQ(label_of(17, 17, 17), 1);
     EXPECT_EQ(label_of(16, 14, 4), 2);
-    EXPECT_EQ(drop_fragments(cells, field, find_pieces(field, Connectivity::kKuhn)), 0U);
+    EXPECT_EQ(drop_fragments(cells, field, find_pieces(field)), 0U);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "remesh/thin_voxels.h"
 #include "support/test_surfaces.h"
 
 namespace voxtet::remesh {
@@ -174,6 +175,28 @@ TEST(LabelDistances, AreLeftOutAmongEqualVoxels) {
   EXPECT_TRUE(entries(distances, voxel(4, 7, 7)).empty());
   EXPECT_TRUE(entries(distances, voxel(0, 0, 0)).empty());
   EXPECT_EQ(entries(distances, voxel(6, 7, 7)).size(), 2U);
+}
+
+TEST(ThinVoxels, AreThoseOfSheetsAndWiresNotOfBumpsAndBodies) {
+  // A body with a bump, a wire that leaves it, and a sheet apart.
+  LabelGrid grid{{20, 12, 12}, {}};
+  grid.labels.assign(grid.voxel_count(), kBackground);
+  const auto at = [](std::size_t i, std::size_t j, std::size_t k) { return i + 20 * (j + 12 * k); };
+  for (std::size_t k = 3; k < 8; ++k)
+    for (std::size_t j = 3; j < 8; ++j) {
+      for (std::size_t i = 3; i < 7; ++i) grid.labels[at(i, j, k)] = 1;
+      grid.labels[at(16, j, k)] = 1;
+    }
+  grid.labels[at(4, 5, 8)] = 1;
+  for (std::size_t i = 7; i < 12; ++i) grid.labels[at(i, 5, 5)] = 1;
+  EXPECT_FALSE(is_thin(grid, at(3, 3, 3))) << "corner of the body";
+  EXPECT_FALSE(is_thin(grid, at(4, 5, 8))) << "bump";
+  EXPECT_FALSE(is_thin(grid, at(4, 5, 7))) << "under the bump";
+  EXPECT_TRUE(is_thin(grid, at(7, 5, 5))) << "root of the wire";
+  EXPECT_TRUE(is_thin(grid, at(11, 5, 5))) << "end of the wire";
+  EXPECT_TRUE(is_thin(grid, at(16, 5, 5))) << "sheet";
+  EXPECT_TRUE(is_thin(grid, at(16, 3, 3))) << "corner of the sheet";
+  EXPECT_FALSE(is_thin(grid, at(9, 5, 9))) << "background";
 }
 
 }  // namespace

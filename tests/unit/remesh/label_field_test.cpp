@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "geometry/label_topology.h"
 #include "support/label_bodies.h"
 #include "support/label_surface.h"
 #include "support/random_labels.h"
@@ -56,6 +58,23 @@ TEST(LabelField, ChangesItsLabelWhereTheSurfaceIs) {
     const Vector3d direction = random_direction(random), centre = Vector3d::Constant(15);
     EXPECT_EQ(field.at(centre + 8.92 * direction), 1);
     EXPECT_EQ(field.at(centre + 9.08 * direction), 0);
+  }
+}
+
+TEST(LabelField, JoinsVoxelsOfSeveralLabelsAlongTheDiagonalsOfTheExtraction) {
+  // Two voxels of label 1 across the diagonal of a cell inside label 2, along and against (1, 1, 1).
+  for (const bool along : {true, false}) {
+    const LabelVolume volume = test::make_volume(8, 8, 8, [&](int i, int j, int k) {
+      const bool border = std::min({i, j, k}) < 1 || std::max({i, j, k}) > 6;
+      const bool one = (i == 3 && j == 3 && k == 3) || (i == 4 && j == 4 && k == (along ? 4 : 2));
+      return border ? 0 : one ? 1 : 2;
+    });
+    const SurfaceMesh surface = test::label_surface(volume);
+    const LabelField field(volume, surface);
+    const Label middle = field.at(Vector3d(3.5, 3.5, along ? 3.5 : 2.5));
+    EXPECT_EQ(middle, along ? 1 : 2);
+    const std::vector<LabelTopology> labels = label_topology(surface).labels;
+    EXPECT_EQ(labels.front().components, along ? 1U : 2U) << "the extraction joins otherwise";
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support/label_bodies.h"
+#include "support/label_surface.h"
 #include "support/test_surfaces.h"
 
 namespace voxtet::remesh {
@@ -31,15 +32,15 @@ SurfaceMesh both(Label second) {
 
 TEST(MissedPlaces, AreNoneOfASurfaceThatIsTheReference) {
   const SurfaceMesh reference = both(1);
-  EXPECT_TRUE(
-      missed_places(reference, reference, LabelField(two_balls(1), reference), kLimit, kSeparation).empty());
+  EXPECT_TRUE(missed_places(reference, reference, LabelField(two_balls(1), reference), {kLimit, kSeparation})
+                  .empty());
 }
 
 TEST(MissedPlaces, CoverABodyThatTheSurfaceLacks) {
   for (const Label second : std::vector<Label>{1, 2, 65535}) {
     const SurfaceMesh reference = both(second), one = test::sphere(kFirst, kRadius, 3, 1, 0);
     const std::vector<Vector3d> missed =
-        missed_places(reference, one, LabelField(two_balls(second), reference), kLimit, kSeparation);
+        missed_places(reference, one, LabelField(two_balls(second), reference), {kLimit, kSeparation});
     EXPECT_GT(missed.size(), 100U) << second;
     Vector3d low = missed.front(), high = missed.front();
     for (std::size_t p = 0; p < missed.size(); ++p) {
@@ -59,7 +60,7 @@ TEST(MissedPlaces, AreWhereTheSurfaceIsFartherThanTheLimit) {
   for (Vector3d& p : dented.points)
     if ((p - top).norm() < 1.5) p.z() -= 1;
   const std::vector<Vector3d> missed =
-      missed_places(reference, dented, LabelField(two_balls(1), reference), kLimit, kSeparation);
+      missed_places(reference, dented, LabelField(two_balls(1), reference), {kLimit, kSeparation});
   ASSERT_FALSE(missed.empty());
   for (const Vector3d& p : missed) EXPECT_LT((p - top).norm(), 2);
 }
@@ -69,9 +70,31 @@ TEST(MissedPlaces, DoNotTakeTheInterfaceOfOtherLabelsForTheirOwn) {
   SurfaceMesh wrong = reference;
   for (std::size_t t = wrong.sides.size() / 2; t < wrong.sides.size(); ++t) wrong.sides[t] = {3, 0};
   const std::vector<Vector3d> missed =
-      missed_places(reference, wrong, LabelField(two_balls(1), reference), kLimit, kSeparation);
+      missed_places(reference, wrong, LabelField(two_balls(1), reference), {kLimit, kSeparation});
   EXPECT_GT(missed.size(), 100U);
   for (const Vector3d& p : missed) EXPECT_NEAR((p - kSecond).norm(), kRadius, 0.15);
+}
+
+TEST(MissedPlaces, AreTheWallsOfANarrowTunnelWhoseLidsAreNear) {
+  // A plate of 2 voxels with a hole of one voxel; the surface is the plate's without it.
+  const auto plate = [](bool hole) {
+    return test::make_volume(13, 13, 8, [&](int i, int j, int k) {
+      const bool body = i > 1 && i < 11 && j > 1 && j < 11 && (k == 3 || k == 4);
+      return body && !(hole && i == 6 && j == 6) ? 1 : 0;
+    });
+  };
+  const LabelVolume volume = plate(true);
+  const SurfaceMesh reference = test::label_surface(volume), lidded = test::label_surface(plate(false));
+  const LabelField field(volume, reference);
+  constexpr double kWide = 1.5;  // farther than any wall is from a lid
+  EXPECT_TRUE(missed_places(reference, lidded, field, {kWide, 0.2}).empty());
+  const std::vector<Vector3d> missed = missed_places(reference, lidded, field, {kWide, 0.2, {1}});
+  EXPECT_GE(missed.size(), 4U) << "one a wall";
+  for (const Vector3d& p : missed) {
+    EXPECT_LT((p - Vector3d(6, 6, p.z())).norm(), 1) << p.transpose();
+    EXPECT_TRUE(p.z() > 2.4 && p.z() < 4.6) << p.transpose();
+  }
+  EXPECT_TRUE(missed_places(reference, lidded, field, {kWide, 0.2, {2}}).empty()) << "another label";
 }
 
 }  // namespace

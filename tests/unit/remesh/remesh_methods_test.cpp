@@ -47,14 +47,15 @@ const std::vector<std::string> kDelaunayNote{"method delaunay"}, kRemeshNote{"me
 
 TEST(RemeshMethods, FallBackWhereDelaunayWouldLoseOrPinchALabel) {
   int fallen = 0;
-  for (std::uint64_t seed = 0; seed < 4; ++seed) {
-    const LabelVolume volume = test::random_volume(9, 3, seed);
+  // One in sixty of these volumes: found by looking through four hundred.
+  for (const std::uint64_t seed : {1U, 31U, 121U}) {
+    const LabelVolume volume = test::random_labels(seed).volume;
     const SurfaceMesh reference = test::label_surface(volume);
     RemeshParams params;
     params.keep_topology = KeepTopology::kLabels;
-    const Outcome out = remesh_with(volume, reference, 4, params);
+    const Outcome out = remesh_with(volume, reference, 3 * volume.smallest_spacing_mm(), params);
     EXPECT_TRUE(test::is_valid_surface(out.surface)) << seed;
-    EXPECT_EQ(test::labels_of(out.surface), (std::vector<Label>{1, 2, 3}));
+    EXPECT_EQ(test::labels_of(out.surface), test::labels_of(reference));
     EXPECT_TRUE(find_self_intersections(out.surface, 1).empty()) << seed;
     if (!out.warned_of(kFellBack)) continue;
     ++fallen;
