@@ -31,17 +31,19 @@ constexpr double kSeedSeparation = 0.25;  ///< between first points
 
 /// How a surface is refined where it does not follow the reference; lengths in units of the smallest spacing.
 struct Repair {
-  int rounds;                 ///< at most
-  bool thorough;              ///< only around labels whose topology differs, and with a closer look
+  bool thorough;              ///< with a closer look around labels whose topology differs
   double separation;          ///< between points added where the surface missed something
   double least_pinch_radius;  ///< of a facet that is refined to open a pinch
   double turned_cosine;       ///< of the largest angle between reference and surface
 };
-constexpr std::array<Repair, 5> kRepairs{{{3, false, 0.5, 0.3, 0},
-                                          {2, true, 0.3, 0.2, 0.3},
-                                          {2, true, 0.15, 0.2, 0.3},
-                                          {2, true, 0.09, 0.2, 0.3},
-                                          {2, true, 0.15, 0.1, 0.5}}};
+/// One after the other, until there is nothing to repair.
+constexpr std::array<Repair, 7> kRepairs{{{false, 0.5, 0.3, 0},
+                                          {true, 0.3, 0.2, 0.3},
+                                          {true, 0.3, 0.2, 0.3},
+                                          {true, 0.15, 0.2, 0.3},
+                                          {true, 0.15, 0.1, 0.5},
+                                          {true, 0.09, 0.1, 0.5},
+                                          {true, 0.09, 0.1, 0.5}}};
 
 double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
@@ -103,7 +105,6 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
                           {params.facet_angle_deg, params.max_distance_voxels * voxel, 1 / kEdgePerRadius});
   refiner.insert(seeds.points, kSeedSeparation * voxel);
   auto repair = kRepairs.begin();
-  int rounds_left = repair->rounds;
   for (;;) {
     if (!refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count()))))
       return cancelled_error("remesh");
@@ -118,19 +119,17 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     fit_surface(surface, field, volumes);
     if (ctx.cancelled()) return cancelled_error("remesh");
     std::size_t added = 0;
-    while (repair != kRepairs.end() && added == 0) {
+    for (; repair != kRepairs.end() && added == 0; ++repair) {
       const std::vector<Label> broken =
           repair->thorough ? differing_labels(wanted, label_topology(surface)) : std::vector<Label>{};
-      if (repair->thorough && broken.empty()) break;
       const std::vector<Eigen::Vector3d> missed =
           missed_places(reference, surface, field,
                         {kMissed * voxel, repair->separation * voxel, broken, repair->turned_cosine});
+      if (repair->thorough && broken.empty() && missed.empty()) break;
       // Pinches first, because new points do away with cells.
       for (const InterfaceFacet& facet : pinches)
         added += refiner.request(facet.cell, facet.corner, repair->least_pinch_radius * voxel);
       added += refiner.insert(missed, repair->separation * voxel);
-      if (added > 0 && --rounds_left > 0) break;
-      if (++repair != kRepairs.end()) rounds_left = repair->rounds;
     }
     if (added > 0) continue;
     if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error("remesh");

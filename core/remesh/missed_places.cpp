@@ -19,14 +19,17 @@ std::uint32_t pair_of(const Sides& sides) {
   return (static_cast<std::uint32_t>(sides[0]) << 16) | sides[1];
 }
 
-/// Ids of triangles (every `stride`-th), of `labels` alone if there are any, grouped by their two labels.
+bool beside_any(const Sides& sides, const std::vector<Label>& labels) {
+  return std::binary_search(labels.begin(), labels.end(), sides[0]) ||
+         std::binary_search(labels.begin(), labels.end(), sides[1]);
+}
+
+/// Ids of triangles (every `stride`-th, and those beside the listed labels) grouped by their two labels.
 std::vector<std::uint32_t> by_pair(const SurfaceMesh& surface, std::size_t stride,
                                    const std::vector<Label>& labels) {
-  const auto listed = [&](Label label) { return std::binary_search(labels.begin(), labels.end(), label); };
   std::vector<std::uint32_t> ids;
-  for (std::size_t t = 0; t < surface.triangles.size(); t += stride)
-    if (labels.empty() || listed(surface.sides[t][0]) || listed(surface.sides[t][1]))
-      ids.push_back(static_cast<std::uint32_t>(t));
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    if (t % stride == 0 || beside_any(surface.sides[t], labels)) ids.push_back(static_cast<std::uint32_t>(t));
   std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
     return pair_of(surface.sides[a]) < pair_of(surface.sides[b]);
   });
@@ -66,15 +69,15 @@ std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint3
 std::vector<Eigen::Vector3d> missed_places(const SurfaceMesh& reference, const SurfaceMesh& surface,
                                            const LabelField& field, const MissedCriteria& criteria) {
   const double limit = criteria.limit_mm, separation2 = criteria.separation_mm * criteria.separation_mm;
-  const bool thorough = !criteria.thorough.empty();
   const std::size_t stride = std::max<std::size_t>(1, reference.triangles.size() / kMostSamples);
-  const std::vector<std::uint32_t> samples = by_pair(reference, thorough ? 1 : stride, criteria.thorough);
+  const std::vector<std::uint32_t> samples = by_pair(reference, stride, criteria.thorough);
   const std::vector<std::uint32_t> ids = by_pair(surface, 1, {});
   std::vector<Eigen::Vector3d> missed;
   std::vector<Triangle> triangles;
   auto from = ids.begin();
   for (auto s = samples.begin(); s != samples.end();) {
     const std::uint32_t pair = pair_of(reference.sides[*s]);
+    const bool thorough = beside_any(reference.sides[*s], criteria.thorough);
     const auto last =
         std::find_if(s, samples.end(), [&](std::uint32_t t) { return pair_of(reference.sides[t]) != pair; });
     while (from != ids.end() && pair_of(surface.sides[*from]) < pair) ++from;

@@ -12,9 +12,9 @@ namespace voxtet::remesh {
 struct MissedCriteria {
   double limit_mm;       ///< farther than this from the surface counts as missed
   double separation_mm;  ///< between the places
-  /// Around these labels (ascending) every triangle of the reference is a sample, and missed also where the
-  /// closest triangle is turned by more than an angle: the wall of a tunnel has its lid near, but nothing
-  /// parallel. Without any, some 100,000 triangles of all labels are samples.
+  /// Around these labels (ascending) every triangle of the reference is a sample, not only some 100,000 of
+  /// all, and missed also where the closest triangle is turned by more than an angle: the wall of a tunnel
+  /// has its lid near, but nothing parallel.
   std::vector<Label> thorough = {};
   double turned_cosine = 0.3;  ///< of that angle
 };

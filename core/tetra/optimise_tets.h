@@ -17,7 +17,7 @@ struct OptimiseParams {
   int rounds = 4;                ///< 0 leaves the mesh as it is
   /// How far a vertex that slides may be from the label surface, as a part of the wished edge length, where
   /// it is not already; 0: the boundary stays as it is.
-  double slide = 0.05;
+  double slide = 0.1;
 };
 
 /// Works on the worst tets first: removes edges and faces, moves vertices, inserts vertices. What is done

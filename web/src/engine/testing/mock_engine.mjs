@@ -35,7 +35,7 @@ const defaults = {
     verify: false,
   },
   tetra: { backend: 'tetgen', radius_edge: 1.414, min_dihedral_deg: 0, max_dihedral_deg: 145 },
-  optimise: { rounds: 4, min_dihedral_deg: 35, insertion_deg: 33, slide: 0.05 },
+  optimise: { rounds: 4, min_dihedral_deg: 35, insertion_deg: 33, slide: 0.1 },
   lookup: { labels: [], samples_min: 4, samples_max: 64 },
   quality: { histogram_bins: 64, sample_spacing_voxels: 0.25 },
 };
