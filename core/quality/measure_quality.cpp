@@ -7,6 +7,7 @@
 #include "geometry/adjacency.h"
 #include "geometry/compare_topology.h"
 #include "geometry/label_topology.h"
+#include "geometry/parallel.h"
 #include "geometry/tet_measures.h"
 #include "geometry/triangle_measures.h"
 #include "quality/checklist.h"
@@ -78,37 +79,41 @@ Status check_mesh_arrays(const TetMesh& mesh) {
 }
 
 /// One value a tetrahedron in `out`, and its six dihedral angles in `all_angles` where that is given.
-void measure_tets_into(const TetMesh& mesh, const SizingField* sizing, TetMeasures& out,
+void measure_tets_into(const TetMesh& mesh, const SizingField* sizing, int threads, TetMeasures& out,
                        std::vector<float>* all_angles) {
   for (std::vector<float>* values : {&out.min_dihedral_deg, &out.max_dihedral_deg, &out.radius_ratio,
                                      &out.mean_ratio, &out.aspect_ratio, &out.edge_mm})
-    values->reserve(mesh.tets.size());
-  if (all_angles) all_angles->reserve(6 * mesh.tets.size());
-  for (const Tet& t : mesh.tets) {
-    const TetCorners corners = corners_of(mesh, t);
+    values->resize(mesh.tets.size());
+  if (sizing) out.size_log2.resize(mesh.tets.size());
+  if (all_angles) all_angles->resize(6 * mesh.tets.size());
+  const auto measure = [&](std::size_t i) {
+    const TetCorners corners = corners_of(mesh, mesh.tets[i]);
     const TetShape shape = measure_tet(corners);
     const auto [low, high] = std::minmax_element(shape.dihedral_deg.begin(), shape.dihedral_deg.end());
     const double edge = mean_of(shape.edge_mm);
-    out.min_dihedral_deg.push_back(static_cast<float>(*low));
-    out.max_dihedral_deg.push_back(static_cast<float>(*high));
-    out.radius_ratio.push_back(static_cast<float>(shape.radius_ratio));
-    out.mean_ratio.push_back(static_cast<float>(shape.mean_ratio));
-    out.aspect_ratio.push_back(static_cast<float>(shape.aspect_ratio));
-    out.edge_mm.push_back(static_cast<float>(edge));
+    out.min_dihedral_deg[i] = static_cast<float>(*low);
+    out.max_dihedral_deg[i] = static_cast<float>(*high);
+    out.radius_ratio[i] = static_cast<float>(shape.radius_ratio);
+    out.mean_ratio[i] = static_cast<float>(shape.mean_ratio);
+    out.aspect_ratio[i] = static_cast<float>(shape.aspect_ratio);
+    out.edge_mm[i] = static_cast<float>(edge);
     if (all_angles)
-      for (const double angle : shape.dihedral_deg) all_angles->push_back(static_cast<float>(angle));
-    if (sizing) {
-      const Eigen::Vector3d centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
-      const double wish = centre.allFinite() ? sizing->at(centre) : std::numeric_limits<double>::quiet_NaN();
-      out.size_log2.push_back(static_cast<float>(std::log2(edge / wish)));
-    }
-  }
+      for (std::size_t k = 0; k < 6; ++k)
+        (*all_angles)[6 * i + k] = static_cast<float>(shape.dihedral_deg[k]);
+    if (!sizing) return;
+    const Eigen::Vector3d centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+    const double wish = centre.allFinite() ? sizing->at(centre) : std::numeric_limits<double>::quiet_NaN();
+    out.size_log2[i] = static_cast<float>(std::log2(edge / wish));
+  };
+  parallel_for(threads, mesh.tets.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) measure(i);
+  });
 }
 
-std::vector<MetricSummary> tet_metrics(const TetMesh& mesh, int bins) {
+std::vector<MetricSummary> tet_metrics(const TetMesh& mesh, int bins, int threads) {
   TetMeasures m;
   std::vector<float> all_angles;
-  measure_tets_into(mesh, nullptr, m, &all_angles);
+  measure_tets_into(mesh, nullptr, threads, m, &all_angles);
   return {summarise({"min_dihedral_deg", "deg", "tets", 0, 75, Worst::kLowest}, m.min_dihedral_deg, bins),
           summarise({"max_dihedral_deg", "deg", "tets", 60, 180, Worst::kHighest}, m.max_dihedral_deg, bins),
           summarise({"dihedral_deg", "deg", "tets", 0, 180, Worst::kNone}, all_angles, bins),
@@ -165,7 +170,7 @@ bool has_places(const TetMesh& mesh) {
 
 /// The part of the report that needs the mesh alone, its ledger included.
 QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& faces,
-                             const SizingField* sizing, int bins) {
+                             const SizingField* sizing, int bins, int threads) {
   QualityReport report;
   report.topology.after = label_topology(label_boundary(mesh, faces));
   if (!has_places(mesh)) {
@@ -173,7 +178,7 @@ QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& fa
         check_mesh_alone(mesh, faces, report.topology.after, std::numeric_limits<double>::quiet_NaN());
     return report;
   }
-  report.metrics = tet_metrics(mesh, bins);
+  report.metrics = tet_metrics(mesh, bins, threads);
   for (MetricSummary& m : edge_metrics(mesh, sizing, bins)) report.metrics.push_back(std::move(m));
   report.checklist = check_mesh_alone(mesh, faces, report.topology.after, report.metrics.front().min);
   return report;
@@ -183,7 +188,7 @@ QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& fa
 
 TetMeasures measure_tets(const TetMesh& mesh, const SizingField* sizing) {
   TetMeasures out;
-  measure_tets_into(mesh, sizing, out, nullptr);
+  measure_tets_into(mesh, sizing, 1, out, nullptr);
   return out;
 }
 
@@ -191,7 +196,8 @@ Result<QualityReport> measure_mesh(const TetMesh& mesh, const QualityParams& par
   if (Status valid = check_params(params); !valid) return valid.error();
   if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
   if (ctx.cancelled()) return cancelled_error("quality");
-  return report_of_mesh(mesh, tet_faces(mesh.tets, mesh.points.size()), nullptr, params.histogram_bins);
+  return report_of_mesh(mesh, tet_faces(mesh.tets, mesh.points.size()), nullptr, params.histogram_bins,
+                        ctx.threads);
 }
 
 Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReference& reference,
@@ -200,7 +206,7 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
   const int bins = params.histogram_bins;
   const std::vector<TetFace> faces = tet_faces(mesh.tets, mesh.points.size());
-  QualityReport report = report_of_mesh(mesh, faces, &reference.sizing, bins);
+  QualityReport report = report_of_mesh(mesh, faces, &reference.sizing, bins, ctx.threads);
   if (!has_places(mesh)) return report;
   ctx.progress("quality", 0.3);
   if (ctx.cancelled()) return cancelled_error("quality");

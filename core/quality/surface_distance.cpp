@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "geometry/closest_point.h"
+#include "geometry/parallel.h"
 #include "geometry/surface_measures.h"
 
 namespace voxtet {
@@ -70,13 +72,16 @@ struct Piece {
   }
 };
 
-/// Distances one way.
+/// Distances one way. Two of them may run at once: neither changes what the other reads.
 class DirectedDistance {
  public:
-  DirectedDistance(const Boundaries& from, Boundaries& to, const DistanceParams& params, RunContext& ctx)
-      : from_(from), to_(to), params_(params), ctx_(ctx) {}
+  /// `ctx` is asked now and then whether to stop, unless it is null; `cancelled` tells both ways.
+  DirectedDistance(const Boundaries& from, Boundaries& to, const DistanceParams& params,
+                   const RunContext* ctx, std::atomic<bool>& cancelled)
+      : from_(from), to_(to), params_(params), ctx_(ctx), cancelled_(cancelled) {}
 
-  Result<DistanceSummary> measure() {
+  /// Meaningless once cancelled.
+  DistanceSummary measure() {
     std::vector<std::vector<Sample>> corners;
     for (const auto& [label, part] : from_.trees())
       corners.push_back(at_points(part.points(), to_.opposite(label)));
@@ -84,13 +89,12 @@ class DirectedDistance {
     std::size_t i = 0;
     for (const auto& [label, part] : from_.trees()) sample(part, to_.opposite(label), corners[i++], spacing);
     for (int divisions = 0; !open_.empty() && divisions < kMaxDivisions && !cancelled_; ++divisions) divide();
-    if (cancelled_) return cancelled_error("quality");
-    return summary();
+    return cancelled_ ? DistanceSummary{} : summary();
   }
 
  private:
   Sample closest(const Eigen::Vector3d& point, const ClosestPointTree& to) {
-    if (++queries_ % kPollEvery == 0 && ctx_.cancelled()) cancelled_ = true;
+    if (++queries_ % kPollEvery == 0 && ctx_ != nullptr && ctx_->cancelled()) cancelled_ = true;
     const ClosestPointTree::Hit hit = to.closest(point, hint_);
     hint_ = hit.triangle;
     largest_ = std::max(largest_, hit.distance_mm);
@@ -245,13 +249,13 @@ class DirectedDistance {
   const Boundaries& from_;
   Boundaries& to_;
   const DistanceParams& params_;
-  RunContext& ctx_;
+  const RunContext* ctx_;
+  std::atomic<bool>& cancelled_;
   std::vector<std::pair<float, float>> found_;  ///< distance, weight
   std::vector<Piece> open_;                     ///< heap, largest bound first
   double largest_ = 0;                          ///< found so far
   double bound_ = 0;                            ///< of the pieces no longer open
   std::uint32_t hint_ = 0, queries_ = 0, next_id_ = 0;
-  bool cancelled_ = false;
 };
 
 }  // namespace
@@ -259,12 +263,22 @@ class DirectedDistance {
 Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleSet& b,
                                            const DistanceParams& params, RunContext& ctx) {
   if (a.triangles.empty() || b.triangles.empty()) return SurfaceDistances{};
-  Boundaries of_a(a), of_b(b);
-  Result<DistanceSummary> forth = DirectedDistance(of_a, of_b, params, ctx).measure();
-  if (!forth) return forth.error();
-  Result<DistanceSummary> back = DirectedDistance(of_b, of_a, params, ctx).measure();
-  if (!back) return back.error();
-  return SurfaceDistances{*forth, *back};
+  const auto both = [&ctx](const auto& body) {
+    parallel_for(ctx.threads, 2, [&](std::size_t first, std::size_t last) {
+      for (std::size_t way = first; way < last; ++way) body(way);
+    });
+  };
+  std::array<std::optional<Boundaries>, 2> boundaries;
+  both([&](std::size_t way) { boundaries[way].emplace(way == 0 ? a : b); });
+  std::atomic<bool> cancelled = false;
+  std::array<DistanceSummary, 2> found;
+  both([&](std::size_t way) {
+    // Only the stage's own thread, which takes the first way, may ask.
+    const RunContext* asked = way == 0 || ctx.threads < 2 ? &ctx : nullptr;
+    found[way] = DirectedDistance(*boundaries[way], *boundaries[1 - way], params, asked, cancelled).measure();
+  });
+  if (cancelled) return cancelled_error("quality");
+  return SurfaceDistances{found[0], found[1]};
 }
 
 }  // namespace voxtet

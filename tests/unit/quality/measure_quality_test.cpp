@@ -282,6 +282,31 @@ TEST(MeasureQuality, StopsWhenCancelledAtEveryPoll) {
   }
 }
 
+TEST(MeasureQuality, IsTheSameForAnyNumberOfThreads) {
+  const TetMesh mesh = test::kuhn_cube(9);
+  const LabelVolume volume = cube_voxels(9);
+  const SizingField sizing = constant_size(1);
+  const SurfaceMesh surface = faces_of(mesh), other = faces_of(straight_cube(9));
+  const auto with = [&](int threads) {
+    RunContext ctx;
+    ctx.threads = threads;
+    return measure_quality(mesh, {volume, volume, other, surface, sizing}, {}, ctx).value();
+  };
+  const auto numbers = [](const QualityReport& report) {
+    std::vector<double> all;
+    for (const MetricSummary& m : report.metrics) {
+      all.insert(all.end(), {m.min, m.p01, m.p1, m.p5, m.median, m.p95, m.p99, m.max, m.mean, m.sd});
+      all.insert(all.end(), m.worst.begin(), m.worst.end());
+    }
+    for (const DistanceSummary& d : {report.mesh_to_surface, report.surface_to_mesh})
+      all.insert(all.end(), {d.mean_mm, d.rms_mm, d.p95_mm, d.max_mm, d.uncertainty_mm});
+    return all;
+  };
+  const std::vector<double> one = numbers(with(1));
+  EXPECT_GT(one.size(), 100U);
+  for (const int threads : {2, 3}) EXPECT_EQ(numbers(with(threads)), one) << threads;
+}
+
 TEST(MeasureMesh, CountsFlatTetsAndNearlyEqualPoints) {
   TetMesh flat;
   flat.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, 0.3, -1e-13}};
