@@ -15,6 +15,7 @@
 #include "tetra/tet_complex.h"
 #include "tetra/vertex_insertion.h"
 #include "tetra/vertex_smoothing.h"
+#include "tetra/wall_flipping.h"
 #include "tetra/wall_sliding.h"
 
 namespace voxtet {
@@ -30,7 +31,7 @@ constexpr std::size_t kAlwaysAllowed = 200;
 constexpr std::size_t kTetsPerQuestion = 256;
 
 struct Counts {
-  std::size_t edges = 0, faces = 0, moved = 0, inserted = 0, slid = 0;
+  std::size_t edges = 0, faces = 0, moved = 0, inserted = 0, slid = 0, flipped = 0;
   bool operator==(const Counts&) const = default;
 };
 
@@ -43,6 +44,7 @@ class Optimiser {
         smoother_(complex_, guard_),
         inserter_(complex_, guard_),
         slider_(complex_, smoother_, reference, sizing, params.slide),
+        flipper_(complex_, reference, sizing, guard_, params.slide),
         params_(params),
         ctx_(ctx),
         most_inserted_(std::max(kAlwaysAllowed, complex_.point_count() / kPointsForOne)) {}
@@ -58,8 +60,10 @@ class Optimiser {
       // Most of what is bad at first only needs another neighbour or place.
       if (round > 0) {
         if (!insert(last_goal)) return false;
-        if (params_.slide > 0)
+        if (params_.slide > 0) {
           counts_.slid += slider_.slide(vertices_of(bad_tets(last_goal), true), last_goal);
+          counts_.flipped += flipper_.flip(tets_of(bad_tets(last_goal)));
+        }
       }
       ctx_.progress("optimise", static_cast<double>(round + 1) / params_.rounds);
       if (round > 0 && counts_ == before) break;
@@ -79,6 +83,12 @@ class Optimiser {
     for (std::uint32_t t = 0; t < complex_.places(); ++t)
       if (complex_.alive(t) && complex_.quality_of(t) < goal) bad.emplace_back(complex_.quality_of(t), t);
     return Queue(std::greater<>{}, std::move(bad));
+  }
+
+  static std::vector<std::uint32_t> tets_of(Queue queue) {
+    std::vector<std::uint32_t> tets;
+    for (; !queue.empty(); queue.pop()) tets.push_back(queue.top().second);
+    return tets;
   }
 
   /// Those on walls or those that are not, of the worst tets first.
@@ -140,7 +150,8 @@ class Optimiser {
                   std::to_string(bad_after) + "; edges removed: " + std::to_string(counts_.edges) +
                   ", faces removed: " + std::to_string(counts_.faces) + ", vertices moved: " +
                   std::to_string(counts_.moved) + ", inserted: " + std::to_string(counts_.inserted) +
-                  ", slid on the surface: " + std::to_string(counts_.slid));
+                  ", slid on the surface: " + std::to_string(counts_.slid) +
+                  ", flipped there: " + std::to_string(counts_.flipped));
     if (counts_.inserted == most_inserted_)
       ctx_.warn("optimise", "vertices were inserted up to the limit of " + std::to_string(most_inserted_) +
                                 ": the surface leaves too little room");
@@ -151,6 +162,7 @@ class Optimiser {
   VertexSmoother smoother_;
   VertexInserter inserter_;
   WallSlider slider_;
+  WallFlipper flipper_;
   OptimiseParams params_;
   const RunContext& ctx_;
   Counts counts_;

@@ -15,14 +15,15 @@ struct OptimiseParams {
   double min_dihedral_deg = 35;  ///< tets with a dihedral angle below this are worked on
   double insertion_deg = 33;     ///< at those that stay below this vertices are inserted and slide
   int rounds = 4;                ///< 0 leaves the mesh as it is
-  /// How far a vertex that slides may be from the label surface, as a part of the wished edge length, where
-  /// it is not already; 0: the boundary stays as it is.
+  /// How far a vertex that slides or the middle of an edge that flips may be from the label surface, as a
+  /// part of the wished edge length, where it is not already; 0: the boundary stays as it is.
   double slide = 0.1;
 };
 
 /// Works on the worst tets first: removes edges and faces, moves vertices, inserts vertices. What is done
 /// raises the lowest quality (tetra/tet_quality.h) around it. The faces between labels keep their triangles
-/// and, but for those that slide inside a face between two labels, their points. Points keep their order;
+/// and points, but for points that slide inside a face between two labels and edges that flip there. Points
+/// keep their order;
 /// some inside of a label go, new ones come last. New edges are between 0.4 and 1.9 times the wish of
 /// `sizing`, or nearer to that than those they replace; those of an inserted vertex may be 1.5 times farther.
 /// No more than one vertex for every ten, or 200, is inserted. All volumes stay positive, by exact

@@ -11,19 +11,19 @@ namespace {
 
 constexpr Tet kGone{kNone, kNone, kNone, kNone};
 
-std::array<std::uint32_t, 3> ascending(std::array<std::uint32_t, 3> c) {
+std::array<std::uint32_t, 3> side_of(const Tet& corners, std::uint32_t corner) {
+  const auto& side = kSideCorners[corner];
+  return ascending(Triangle{corners[side[0]], corners[side[1]], corners[side[2]]});
+}
+
+}  // namespace
+
+Triangle ascending(Triangle c) {
   if (c[0] > c[1]) std::swap(c[0], c[1]);
   if (c[1] > c[2]) std::swap(c[1], c[2]);
   if (c[0] > c[1]) std::swap(c[0], c[1]);
   return c;
 }
-
-std::array<std::uint32_t, 3> side_of(const Tet& corners, std::uint32_t corner) {
-  const auto& side = kSideCorners[corner];
-  return ascending({corners[side[0]], corners[side[1]], corners[side[2]]});
-}
-
-}  // namespace
 
 TetComplex::TetComplex(TetMesh mesh)
     : points_(std::move(mesh.points)),
@@ -171,6 +171,61 @@ bool TetComplex::replace(std::span<const std::uint32_t> gone, std::span<const Te
     made_.push_back(t);
   }
   return true;
+}
+
+void TetComplex::relabel(std::uint32_t t, Label label) {
+  const Tet corners = cells_[t].corners;
+  std::array<bool, 4> held{};  // by a side that becomes a wall
+  for (std::uint32_t c = 0; c < 4; ++c)
+    if (behind(t, c) != kNone)
+      for (std::uint32_t other = 0; other < 4; ++other) held[other] = held[other] || other != c;
+  if (label != kBackground) {
+    for (std::uint32_t c = 0; c < 4; ++c) on_wall_[corners[c]] = held[c];
+    cells_[t].label = label;
+    return;
+  }
+  for (const std::uint32_t v : corners) tet_at_[v] = kNone;
+  for (std::uint32_t c = 0; c < 4; ++c) {
+    const Facet facet = across(t, c);
+    if (facet == kNone) continue;
+    cells_[tet_of(facet)].across[corner_of(facet)] = kNone;
+    for (std::uint32_t other = 0; other < 4; ++other)
+      if (other != c) tet_at_[corners[other]] = tet_of(facet);
+  }
+  cells_[t].corners = kGone;
+  free_.push_back(t);
+}
+
+void TetComplex::exchange_walls(std::span<const WallExchange> exchanges) {
+  struct Change {
+    Triangle key, gone;
+    const Triangle* made;  ///< null: none
+    bool operator<(const Change& other) const { return key < other.key; }
+  };
+  std::vector<Change> changes;
+  for (const WallExchange& exchange : exchanges)
+    for (std::size_t i = 0; i < exchange.gone.size(); ++i)
+      changes.push_back({ascending(exchange.gone[i]), exchange.gone[i],
+                         i < exchange.made.size() ? &exchange.made[i] : nullptr});
+  std::sort(changes.begin(), changes.end());
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const Change wanted{ascending(faces_[f]), {}, nullptr};
+    const auto found = std::lower_bound(changes.begin(), changes.end(), wanted);
+    Triangle face = faces_[f];
+    if (found != changes.end() && found->key == wanted.key) {
+      if (found->made == nullptr) continue;
+      const auto at =
+          static_cast<std::size_t>(std::find(face.begin(), face.end(), found->gone[0]) - face.begin());
+      const bool alike = face[(at + 1) % 3] == found->gone[1];
+      face = *found->made;
+      if (!alike) std::swap(face[1], face[2]);
+    }
+    faces_[kept] = face;
+    face_sides_[kept++] = face_sides_[f];
+  }
+  faces_.resize(kept);
+  face_sides_.resize(kept);
 }
 
 std::uint32_t TetComplex::add_point(const Point& at) {

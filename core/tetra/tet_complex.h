@@ -38,9 +38,18 @@ struct EdgeRing {
   std::array<std::uint32_t, kMost> ring, tets;
 };
 
+/// The corners of a side, ascending.
+Triangle ascending(Triangle corners);
+
+/// Walls that take the place of others, with the same sides; as many or fewer. Both as seen from one side of
+/// the wall.
+struct WallExchange {
+  std::vector<Triangle> gone, made;
+};
+
 /// A tetrahedral mesh with neighbours, the quality of each tet, and one tet for each point. Sides between
-/// different labels or a label and background are walls: no operation here changes them. Every tet is
-/// positive by the exact predicate.
+/// different labels or a label and background are walls: only relabel() changes them. Every tet is positive
+/// by the exact predicate.
 class TetComplex {
  public:
   /// Needs a mesh as TetMesh describes it.
@@ -89,6 +98,12 @@ class TetComplex {
   /// The walls, as TetMesh lists them.
   const std::vector<Triangle>& walls() const { return faces_; }
   const std::vector<Sides>& wall_sides() const { return face_sides_; }
+
+  /// Gives a tet, of whose sides at least one is no wall, to the label behind its walls; with background it
+  /// is gone. The list of walls is wrong until exchange_walls().
+  void relabel(std::uint32_t t, Label label);
+  /// Brings the list of walls up to date; no wall may be in two exchanges.
+  void exchange_walls(std::span<const WallExchange> exchanges);
 
   /// Adds a point that no tet uses yet.
   std::uint32_t add_point(const Point& at);

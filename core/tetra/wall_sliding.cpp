@@ -50,15 +50,8 @@ bool is_ring(std::span<const std::array<std::uint32_t, 2>> edges) {
 
 WallSlider::WallSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
                        const SizingField& sizing, double envelope)
-    : complex_(complex),
-      smoother_(smoother),
-      reference_(reference),
-      sizing_(sizing),
-      envelope_(envelope),
-      wall_count_(complex.point_count(), 0) {
+    : complex_(complex), smoother_(smoother), reference_(reference), sizing_(sizing), envelope_(envelope) {
   for (std::uint32_t v = 0; v < complex.point_count(); ++v) start_.push_back(complex.point(v));
-  for (const Triangle& wall : complex.walls())
-    for (const std::uint32_t v : wall) ++wall_count_[v];
 }
 
 std::optional<WallSlider::Patch> WallSlider::patch_at(std::uint32_t vertex) {
@@ -127,6 +120,9 @@ bool WallSlider::walls_meet(std::span<const Patch> patches, std::span<const std:
 }
 
 std::size_t WallSlider::slide(std::span<const std::uint32_t> vertices, double enough) {
+  wall_count_.assign(start_.size(), 0);
+  for (const Triangle& wall : complex_.walls())
+    for (const std::uint32_t v : wall) ++wall_count_[v];
   std::vector<Patch> patches;
   std::vector<Point> before;
   for (const std::uint32_t v : vertices)

@@ -45,7 +45,7 @@ class WallSlider {
   const SizingField& sizing_;
   double envelope_;
   std::vector<Point> start_;               ///< of each vertex there was at first
-  std::vector<std::uint32_t> wall_count_;  ///< walls at each of them
+  std::vector<std::uint32_t> wall_count_;  ///< walls at each of them now
   std::vector<std::uint32_t> star_;
 };
 
