@@ -129,14 +129,21 @@ bool VertexInserter::insert_at(const Point& start, std::uint32_t t, bool walls_c
 }
 
 bool VertexInserter::insert(std::uint32_t t) {
+  const auto centre = [this](const Tet& c) {
+    return Point((complex_.point(c[0]) + complex_.point(c[1]) + complex_.point(c[2]) + complex_.point(c[3])) /
+                 4);
+  };
   const Tet c = complex_.corners(t);
-  const std::array<Point, 4> p{complex_.point(c[0]), complex_.point(c[1]), complex_.point(c[2]),
-                               complex_.point(c[3])};
   for (const bool walls_count : {true, false}) {
-    if (insert_at((p[0] + p[1] + p[2] + p[3]) / 4, t, walls_count)) return true;
+    if (insert_at(centre(c), t, walls_count)) return true;
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (insert_at((p[i] + p[j]) / 2, t, walls_count)) return true;
+        if (insert_at((complex_.point(c[i]) + complex_.point(c[j])) / 2, t, walls_count)) return true;
+  }
+  // From within a flat tet on a wall nothing gets better: from its neighbours.
+  for (std::uint32_t side = 0; side < 4; ++side) {
+    const std::uint32_t behind = complex_.behind(t, side);
+    if (behind != kNone && insert_at(centre(complex_.corners(behind)), t, true)) return true;
   }
   return false;
 }
