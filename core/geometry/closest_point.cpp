@@ -125,7 +125,9 @@ ClosestPointTree::Child ClosestPointTree::build(std::span<Item> items, std::uint
   return {id, 0};
 }
 
-ClosestPointTree::Hit ClosestPointTree::closest(const Eigen::Vector3d& point, std::uint32_t hint) const {
+ClosestPointTree::Hit ClosestPointTree::closest(const Eigen::Vector3d& point, std::uint32_t hint,
+                                                double content_mm) const {
+  const double content2 = content_mm * content_mm;
   Hit best;
   double best2 = std::numeric_limits<double>::max();
   const auto try_slot = [&](std::uint32_t slot) {
@@ -147,7 +149,7 @@ ClosestPointTree::Hit ClosestPointTree::closest(const Eigen::Vector3d& point, st
   std::array<Waiting, 64> stack;
   std::size_t depth = 0;
   stack[depth++] = {root_, 0};
-  while (depth > 0) {
+  while (depth > 0 && best2 >= content2) {
     const auto [child, bound2] = stack[--depth];
     const float enough = static_cast<float>(best2) * kCaution;
     if (bound2 > enough) continue;

@@ -29,8 +29,9 @@ class ClosestPointTree {
   ClosestPointTree(const std::vector<Eigen::Vector3d>& points, std::span<const Triangle> triangles);
 
   /// The closest point; among equally close triangles that of the lowest index. A `hint` (a triangle likely
-  /// to be near, such as the last hit) only makes it faster.
-  Hit closest(const Eigen::Vector3d& point, std::uint32_t hint = 0) const;
+  /// to be near, such as the last hit) only makes it faster. Where any point nearer than `content_mm` will
+  /// do, the first one found is given.
+  Hit closest(const Eigen::Vector3d& point, std::uint32_t hint = 0, double content_mm = 0) const;
 
   /// Closest point of one of the triangles given.
   Eigen::Vector3d closest_on(std::uint32_t triangle, const Eigen::Vector3d& point) const {

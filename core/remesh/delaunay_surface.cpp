@@ -26,7 +26,7 @@ namespace {
 /// radius allowed for the surface Delaunay balls.
 constexpr double kEdgePerRadius = 1.30;
 // In units of the smallest spacing:
-constexpr double kMissed = 0.4;           ///< a reference farther than this from the surface was missed
+constexpr double kMissed = 0.5;           ///< a reference farther than this from the surface was missed
 constexpr double kSeedSeparation = 0.25;  ///< between first points
 
 /// How a surface is refined where it does not follow the reference; lengths in units of the smallest spacing.
@@ -104,6 +104,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   DelaunayRefiner refiner(field, sizing,
                           {params.facet_angle_deg, params.max_distance_voxels * voxel, 1 / kEdgePerRadius});
   refiner.insert(seeds.points, kSeedSeparation * voxel);
+  const std::vector<Edge> junctions = junction_edges(reference);
   auto repair = kRepairs.begin();
   for (;;) {
     if (!refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count()))))
@@ -115,16 +116,16 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     relabel_cells(cells);
     drop_fragments(cells, field, pieces);
     SurfaceMesh surface = extract_interface(cells);
-    const std::vector<Eigen::Vector3d> unmoved = surface.points;
-    fit_surface(surface, field, volumes);
     if (ctx.cancelled()) return cancelled_error("remesh");
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {
       const std::vector<Label> broken =
           repair->thorough ? differing_labels(wanted, label_topology(surface)) : std::vector<Label>{};
-      const std::vector<Eigen::Vector3d> missed =
+      std::vector<Eigen::Vector3d> missed = missed_junctions(reference, junctions, surface, kMissed * voxel);
+      const std::vector<Eigen::Vector3d> elsewhere =
           missed_places(reference, surface, field,
                         {kMissed * voxel, repair->separation * voxel, broken, repair->turned_cosine});
+      missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
       if (repair->thorough && broken.empty() && missed.empty()) break;
       // Pinches first, because new points do away with cells.
       for (const InterfaceFacet& facet : pinches)
@@ -132,6 +133,8 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       added += refiner.insert(missed, repair->separation * voxel);
     }
     if (added > 0) continue;
+    const std::vector<Eigen::Vector3d> unmoved = surface.points;
+    fit_surface(surface, field, volumes);
     if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error("remesh");
     return surface;
   }

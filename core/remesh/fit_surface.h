@@ -17,6 +17,6 @@ namespace voxtet::remesh {
 /// the distance of a facet count it as 0. Intersections are not looked for.
 void fit_surface(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& volumes_mm3);
 
-inline constexpr double kMostShiftVoxels = 0.25;
+inline constexpr double kMostShiftVoxels = 0.15;
 
 }  // namespace voxtet::remesh

@@ -7,11 +7,7 @@
 #include <vector>
 
 namespace voxtet::remesh {
-namespace {
 
-using Edge = std::array<std::uint32_t, 2>;
-
-/// Edges of three and more triangles, as (low, high), sorted.
 std::vector<Edge> junction_edges(const SurfaceMesh& surface) {
   std::vector<Edge> edges;
   edges.reserve(3 * surface.triangles.size());
@@ -27,6 +23,8 @@ std::vector<Edge> junction_edges(const SurfaceMesh& surface) {
   }
   return out;
 }
+
+namespace {
 
 /// The points of one curve in order; the first and the last are equal where it closes.
 using Curve = std::vector<std::uint32_t>;

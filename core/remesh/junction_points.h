@@ -2,12 +2,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 
 namespace voxtet::remesh {
+
+/// The ends of an edge, the lower first.
+using Edge = std::array<std::uint32_t, 2>;
+
+/// Edges of three and more triangles, sorted.
+std::vector<Edge> junction_edges(const SurfaceMesh& surface);
 
 /// Points (mm) on the junction curves of a label surface (edges of three and more triangles): the ends of all
 /// curves first, then points that divide each curve into parts of about one wished edge length. Fixed order.

@@ -13,6 +13,7 @@ namespace voxtet::remesh {
 namespace {
 
 constexpr std::size_t kMostSamples = 100'000;
+constexpr std::size_t kThoroughStride = 2;
 constexpr double kTurnedShare = 0.1;  ///< of the limit: nearer than this, a turned triangle does no harm
 
 std::uint32_t pair_of(const Sides& sides) {
@@ -24,12 +25,14 @@ bool beside_any(const Sides& sides, const std::vector<Label>& labels) {
          std::binary_search(labels.begin(), labels.end(), sides[1]);
 }
 
-/// Ids of triangles (every `stride`-th, and those beside the listed labels) grouped by their two labels.
+/// Ids of triangles (every `stride`-th, and every other one beside the listed labels) grouped by their two
+/// labels.
 std::vector<std::uint32_t> by_pair(const SurfaceMesh& surface, std::size_t stride,
                                    const std::vector<Label>& labels) {
   std::vector<std::uint32_t> ids;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    if (t % stride == 0 || beside_any(surface.sides[t], labels)) ids.push_back(static_cast<std::uint32_t>(t));
+    if (t % stride == 0 || (t % kThoroughStride == 0 && beside_any(surface.sides[t], labels)))
+      ids.push_back(static_cast<std::uint32_t>(t));
   std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
     return pair_of(surface.sides[a]) < pair_of(surface.sides[b]);
   });
@@ -97,14 +100,47 @@ std::vector<Eigen::Vector3d> missed_places(const SurfaceMesh& reference, const S
     }
     const ClosestPointTree tree(surface.points, triangles);
     std::uint32_t hint = 0;
+    const double content = thorough ? kTurnedShare * limit : limit;
     for (; s != last; ++s) {
-      const ClosestPointTree::Hit hit = tree.closest(centroid(reference, *s), hint);
+      const ClosestPointTree::Hit hit = tree.closest(centroid(reference, *s), hint, content);
       hint = hit.triangle;
       const bool lid = thorough && hit.distance_mm > kTurnedShare * limit &&
                        is_turned(cross_of(reference, reference.triangles[*s]),
                                  cross_of(surface, triangles[hit.triangle]), criteria.turned_cosine);
       if (lid || hit.distance_mm > limit) add(*s);
     }
+  }
+  return missed;
+}
+
+std::vector<Eigen::Vector3d> missed_junctions(const SurfaceMesh& reference, const std::vector<Edge>& edges,
+                                              const SurfaceMesh& surface, double limit_mm) {
+  std::vector<Eigen::Vector3d> missed;
+  if (edges.empty()) return missed;
+  const std::vector<Edge> found = junction_edges(surface);
+  const auto middle = [](const SurfaceMesh& mesh, const Edge& edge) -> Eigen::Vector3d {
+    return 0.5 * (mesh.points[edge[0]] + mesh.points[edge[1]]);
+  };
+  if (found.empty()) {
+    for (const Edge& edge : edges) missed.push_back(middle(reference, edge));
+    return missed;
+  }
+  const auto curves = [](const SurfaceMesh& mesh, const std::vector<Edge>& of) {
+    std::vector<Triangle> segments;
+    for (const auto& [a, b] : of) segments.push_back({a, b, b});
+    return ClosestPointTree(mesh.points, segments);
+  };
+  const ClosestPointTree wanted = curves(reference, edges), have = curves(surface, found);
+  std::uint32_t hint = 0;
+  for (const Edge& edge : edges) {
+    const ClosestPointTree::Hit hit = have.closest(middle(reference, edge), hint, limit_mm);
+    hint = hit.triangle;
+    if (hit.distance_mm > limit_mm) missed.push_back(middle(reference, edge));
+  }
+  for (const Edge& edge : found) {
+    const ClosestPointTree::Hit hit = wanted.closest(middle(surface, edge), hint, limit_mm);
+    hint = hit.triangle;
+    if (hit.distance_mm > limit_mm) missed.push_back(hit.point);
   }
   return missed;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "remesh/junction_points.h"
 #include "remesh/label_field.h"
 #include "types/surface_mesh.h"
 
@@ -12,8 +13,8 @@ namespace voxtet::remesh {
 struct MissedCriteria {
   double limit_mm;       ///< farther than this from the surface counts as missed
   double separation_mm;  ///< between the places
-  /// Around these labels (ascending) every triangle of the reference is a sample, not only some 100,000 of
-  /// all, and missed also where the closest triangle is turned by more than an angle: the wall of a tunnel
+  /// Around these labels (ascending) every other triangle of the reference is a sample, not only some 100,000
+  /// of all, and missed also where the closest triangle is turned by more than an angle: the wall of a tunnel
   /// has its lid near, but nothing parallel.
   std::vector<Label> thorough = {};
   double turned_cosine = 0.3;  ///< of that angle
@@ -25,5 +26,11 @@ struct MissedCriteria {
 /// reference.
 std::vector<Eigen::Vector3d> missed_places(const SurfaceMesh& reference, const SurfaceMesh& surface,
                                            const LabelField& field, const MissedCriteria& criteria);
+
+/// Points on the junction curves of `reference` (its junction_edges): middles of edges that are farther than
+/// the limit from the junction curves of `surface`, then what is closest to middles of the surface's junction
+/// edges that are farther than the limit from the reference's. In the order of the edges.
+std::vector<Eigen::Vector3d> missed_junctions(const SurfaceMesh& reference, const std::vector<Edge>& edges,
+                                              const SurfaceMesh& surface, double limit_mm);
 
 }  // namespace voxtet::remesh

@@ -74,6 +74,16 @@ TEST_F(ClosestPoint, TakesTheLowestTriangleOfEquallyCloseOnesWhateverTheHint) {
     EXPECT_EQ(tree.closest({0, 0, 2}, hint).triangle, 0U) << hint;
 }
 
+TEST_F(ClosestPoint, IsAnyOneNearEnoughWhereThatWillDo) {
+  // Two parallel triangles, 1 and 3 below the point.
+  const std::vector<Vector3d> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -2}, {1, 0, -2}, {0, 1, -2}};
+  const ClosestPointTree tree(points, std::vector<Triangle>{{0, 1, 2}, {3, 4, 5}});
+  const Vector3d point(0.2, 0.2, 1);
+  EXPECT_DOUBLE_EQ(tree.closest(point, 1, 4).distance_mm, 3);
+  EXPECT_DOUBLE_EQ(tree.closest(point, 1, 2).distance_mm, 1);
+  EXPECT_DOUBLE_EQ(tree.closest(point, 1).distance_mm, 1);
+}
+
 TEST_F(ClosestPoint, IsThatOfTheSegmentOnTrianglesWithTwoEqualCorners) {
   for (int round = 0; round < 200; ++round) {
     const Vector3d a = random_point(1), b = random_point(1), p = random_point(2);

@@ -97,5 +97,32 @@ TEST(MissedPlaces, AreTheWallsOfANarrowTunnelWhoseLidsAreNear) {
   EXPECT_TRUE(missed_places(reference, lidded, field, {kWide, 0.2, {2}}).empty()) << "another label";
 }
 
+/// A slab of two labels that meet at x = `border`.
+SurfaceMesh slab(int border) {
+  return test::cells({8, 4, 1}, 1, [&](int i, int, int) { return Label(i < border ? 1 : 2); });
+}
+
+TEST(MissedJunctions, AreNoneOfTheSameCurves) {
+  const SurfaceMesh surface = slab(4);
+  EXPECT_FALSE(junction_edges(surface).empty());
+  EXPECT_TRUE(missed_junctions(surface, junction_edges(surface), surface, 0.1).empty());
+}
+
+TEST(MissedJunctions, LieOnTheCurveOfTheReferenceWhereTheSurfaceHasAnother) {
+  const SurfaceMesh reference = slab(4), shifted = slab(5);
+  const std::vector<Edge> edges = junction_edges(reference);
+  EXPECT_TRUE(missed_junctions(reference, edges, shifted, 1.01).empty());
+  const std::vector<Vector3d> missed = missed_junctions(reference, edges, shifted, 0.9);
+  EXPECT_EQ(missed.size(), 2 * edges.size()) << "every edge of both";
+  for (const Vector3d& p : missed) EXPECT_EQ(p.x(), 4);
+}
+
+TEST(MissedJunctions, AreAllWhereTheSurfaceHasNone) {
+  const SurfaceMesh reference = slab(4);
+  const std::vector<Edge> edges = junction_edges(reference);
+  EXPECT_EQ(missed_junctions(reference, edges, slab(8), 0.5).size(), edges.size());
+  EXPECT_TRUE(missed_junctions(slab(8), {}, reference, 0.5).empty()) << "no curve to lie on";
+}
+
 }  // namespace
 }  // namespace voxtet::remesh

@@ -47,8 +47,8 @@ const std::vector<std::string> kDelaunayNote{"method delaunay"}, kRemeshNote{"me
 
 TEST(RemeshMethods, FallBackWhereDelaunayWouldLoseOrPinchALabel) {
   int fallen = 0;
-  // One in sixty of these volumes: found by looking through four hundred.
-  for (const std::uint64_t seed : {1U, 31U, 121U}) {
+  // One in forty of these volumes: found by looking through four hundred.
+  for (const std::uint64_t seed : {0U, 6U, 72U}) {
     const LabelVolume volume = test::random_labels(seed).volume;
     const SurfaceMesh reference = test::label_surface(volume);
     RemeshParams params;
