@@ -41,9 +41,9 @@ bool write_all(const std::string& folder) {
               write_raw(folder + "/raw.sides", mesh.face_sides);
   for (const auto& [name, space] :
        {std::pair{"ras", PatientSpace::kRas}, std::pair{"lps", PatientSpace::kLps}}) {
-    const WriteMeshOptions options{space, test::cube_infos(), test::cube_cell_data(mesh)};
+    const WriteMeshOptions options{space, test::cube_infos(), test::cube_cell_data(mesh), name};
     const std::string base = folder + "/" + name;
-    for (const char* ending : {".vtu", ".msh", ".mesh", ".carp", ".stl", ".ply"}) {
+    for (const char* ending : {".vtu", ".msh", ".mesh", ".carp", ".inp", ".feb", ".xdmf", ".stl", ".ply"}) {
       const auto format = mesh_format_of(ending);
       good = good && format.ok() && write_export(base + ending, write_tet_mesh(mesh, *format, options));
     }
