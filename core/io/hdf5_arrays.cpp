@@ -1,8 +1,9 @@
 #include "io/hdf5_arrays.h"
 
 #include <algorithm>
+#include <functional>
+#include <initializer_list>
 #include <numeric>
-#include <string_view>
 
 namespace voxtet {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 constexpr std::uint64_t kUndefined = ~std::uint64_t{0};
 constexpr std::uint64_t kSuperblockBytes = 96;
 constexpr std::uint64_t kRootBytes = 40;
-constexpr std::uint64_t kTreeRank = 16;  ///< a B-tree node has room for 2 * rank children
+constexpr std::uint16_t kTreeRank = 16;  ///< a B-tree node has room for 2 * rank children
 constexpr std::uint64_t kTreeBytes = 24 + 8 * (2 * kTreeRank) + 8 * (2 * kTreeRank + 1);
 constexpr std::uint64_t kHeapBytes = 32;
 constexpr std::uint64_t kEntryBytes = 40;
@@ -172,7 +173,7 @@ void write_array_header(ByteWriter& out, const Hdf5Array& array, std::uint64_t v
 
 ByteWriter begin_hdf5(const std::vector<Hdf5Array>& arrays) {
   const Places at = place(arrays);
-  ByteWriter out(at.end);
+  ByteWriter out(static_cast<std::size_t>(at.end));
   write_superblock(out, at);
   write_group(out, at, arrays);
   for (std::size_t i = 0; i < arrays.size(); ++i) write_array_header(out, arrays[i], at.values[i]);
