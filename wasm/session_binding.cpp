@@ -124,17 +124,18 @@ class SessionBinding {
     return val::undefined();
   }
 
-  std::string export_mesh(const std::string& format, const std::string& space) {
+  /// `name`: of the files without their endings.
+  std::string export_mesh(const std::string& format, const std::string& space, const std::string& name) {
     exported_.clear();
     if (!session_.mesh())
       return reply(Error{ErrorCode::kUsage, "export", "no mesh yet: run the stage optimise", {}});
     Result<MeshFormat> which = format_of(format);
     if (!which) return reply(which.error());
     const PatientSpace patient = space == "lps" ? PatientSpace::kLps : PatientSpace::kRas;
-    Result<std::vector<OutputFile>> files =
-        write_tet_mesh(*session_.mesh(), *which,
-                       {patient, session_.volume()->infos,
-                        session_.lookup() ? cell_data_of(*session_.lookup()) : std::vector<CellData>{}});
+    Result<std::vector<OutputFile>> files = write_tet_mesh(
+        *session_.mesh(), *which,
+        {patient, session_.volume()->infos,
+         session_.lookup() ? cell_data_of(*session_.lookup()) : std::vector<CellData>{}, name});
     if (!files) return reply(files.error());
     exported_ = std::move(files).value();
     json list = json::array();

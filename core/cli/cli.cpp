@@ -40,7 +40,7 @@ int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::v
   Result<MeshFormat> format = mesh_format_of(path);
   if (!format) return fail(format.error());
   Result<std::vector<OutputFile>> files =
-      write_tet_mesh(mesh, *format, {output.space(), infos, std::move(cell_data)});
+      write_tet_mesh(mesh, *format, {output.space(), infos, std::move(cell_data), mesh_name_of(path)});
   if (!files) return fail(files.error());
   if (Status written = write_files(path, *files); !written) return fail(written.error());
   return kExitOk;
@@ -232,7 +232,7 @@ int run_cli(int argc, const char* const* argv) {
 
   CLI::App* mesh = app.add_subcommand("mesh", "mesh a volume or a case");
   add_case_options(*mesh, options, output, "VOLUME|CASE.json");
-  mesh->add_option("-o,--output", out, "mesh file: .vtu .msh .mesh .carp .stl .ply");
+  mesh->add_option("-o,--output", out, "mesh file: .vtu .msh .mesh .carp .inp .feb .xdmf .stl .ply");
   mesh->add_option("--report", report, "write the report as JSON to this file");
   mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")
       ->check(CLI::IsMember({"ras", "lps"}));

@@ -7,6 +7,7 @@ namespace voxtet {
 namespace {
 
 constexpr std::size_t kLongestName = 60;
+constexpr std::size_t kLongestWord = 32;
 constexpr std::uint32_t kNone = 0xffffffff;
 
 std::string plain_name(const std::string& name) {
@@ -23,6 +24,23 @@ std::string plain_name(const std::string& name) {
   const std::size_t first = result.find_first_not_of(' ');
   if (first == std::string::npos) return {};
   return result.substr(first, result.find_last_not_of(' ') - first + 1);
+}
+
+/// Letters and digits, every run of other bytes as one underscore.
+std::string plain_word(const std::string& name) {
+  std::string word;
+  for (const char c : name) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool digit = c >= '0' && c <= '9';
+    if (word.empty() && digit) word = "label_";
+    if (letter || digit)
+      word += c;
+    else if (!word.empty() && word.back() != '_')
+      word += '_';
+  }
+  word.resize(std::min(word.size(), kLongestWord));
+  if (!word.empty() && word.back() == '_') word.pop_back();
+  return word;
 }
 
 }  // namespace
@@ -58,6 +76,14 @@ LabelGroups group_tets(std::span<const Label> labels) {
   return groups;
 }
 
+std::vector<std::vector<std::uint32_t>> group_members(std::span<const std::uint32_t> group_of,
+                                                      std::size_t groups) {
+  std::vector<std::vector<std::uint32_t>> members(groups);
+  for (std::size_t i = 0; i < group_of.size(); ++i)
+    members[group_of[i]].push_back(static_cast<std::uint32_t>(i));
+  return members;
+}
+
 std::vector<std::string> group_names(const std::vector<Label>& labels, const std::vector<LabelInfo>& infos) {
   std::vector<std::string> names;
   for (const Label label : labels) {
@@ -82,6 +108,24 @@ std::string pair_name(const Sides& pair, const std::vector<Label>& labels,
     return names[static_cast<std::size_t>(at - labels.begin())];
   };
   return name_of(pair[0]) + "|" + name_of(pair[1]);
+}
+
+std::string word_name(Label label, const std::vector<LabelInfo>& infos) {
+  if (label == kBackground) return "background";
+  std::string word;
+  for (const LabelInfo& info : infos)
+    if (info.label == label) word = plain_word(info.name);
+  return (word.empty() ? "label" : word) + "_" + std::to_string(label);
+}
+
+std::string word_name(const Sides& pair, const std::vector<LabelInfo>& infos) {
+  return word_name(pair[0], infos) + "__" + word_name(pair[1], infos);
+}
+
+std::string coordinates_note(PatientSpace space) {
+  return std::string("space ") + to_string(space) + ", unit mm: " +
+         (space == PatientSpace::kRas ? "x to the right of the patient, y anterior, z superior"
+                                      : "x to the left of the patient, y posterior, z superior");
 }
 
 }  // namespace voxtet

@@ -25,6 +25,10 @@ struct LabelGroups {
 };
 LabelGroups group_tets(std::span<const Label> labels);
 
+/// The members of each group, ascending, from the group of each member.
+std::vector<std::vector<std::uint32_t>> group_members(std::span<const std::uint32_t> group_of,
+                                                      std::size_t groups);
+
 /// One name per label of `labels`, in that order: the name of `infos` without quotes, bars and control
 /// characters, cut to 60 bytes; "label 5" where there is none; "name (5)" where two labels share a name.
 std::vector<std::string> group_names(const std::vector<Label>& labels, const std::vector<LabelInfo>& infos);
@@ -32,6 +36,13 @@ std::vector<std::string> group_names(const std::vector<Label>& labels, const std
 /// "LV myocardium|background" from the names that group_names gave.
 std::string pair_name(const Sides& pair, const std::vector<Label>& labels,
                       const std::vector<std::string>& names);
+
+/// The name of a label where only words are allowed: letters, digits and single underscores, a letter first,
+/// at most 38 characters; it ends with the label, and so differs from all others even without regard to case:
+/// "LV_myocardium_1", "label_7"; "background".
+std::string word_name(Label label, const std::vector<LabelInfo>& infos);
+/// "LV_myocardium_1__background".
+std::string word_name(const Sides& pair, const std::vector<LabelInfo>& infos);
 
 /// A RAS point in the space asked for.
 inline Eigen::Vector3d in_space(const Eigen::Vector3d& ras, PatientSpace space) {
@@ -41,5 +52,8 @@ inline Eigen::Vector3d in_space(const Eigen::Vector3d& ras, PatientSpace space) 
 inline const char* to_string(PatientSpace space) {
   return space == PatientSpace::kRas ? "RAS" : "LPS";
 }
+
+/// Space, unit and axes for the comments of a file, on one line without "--".
+std::string coordinates_note(PatientSpace space);
 
 }  // namespace voxtet

@@ -8,12 +8,15 @@
 #include <string_view>
 
 #include "io/header_text.h"
+#include "io/write_abaqus.h"
 #include "io/write_carp.h"
+#include "io/write_febio.h"
 #include "io/write_medit.h"
 #include "io/write_msh.h"
 #include "io/write_ply.h"
 #include "io/write_stl.h"
 #include "io/write_vtu.h"
+#include "io/write_xdmf.h"
 
 namespace voxtet {
 namespace {
@@ -25,15 +28,18 @@ struct Ending {
   std::string_view text;
   MeshFormat format;
 };
-constexpr std::array<Ending, 9> kEndings{{{".vtu", MeshFormat::kVtu},
-                                          {".msh", MeshFormat::kMsh},
-                                          {".mesh", MeshFormat::kMedit},
-                                          {".pts", MeshFormat::kCarp},
-                                          {".elem", MeshFormat::kCarp},
-                                          {".lon", MeshFormat::kCarp},
-                                          {".carp", MeshFormat::kCarp},
-                                          {".stl", MeshFormat::kStl},
-                                          {".ply", MeshFormat::kPly}}};
+constexpr std::array<Ending, 12> kEndings{{{".vtu", MeshFormat::kVtu},
+                                           {".msh", MeshFormat::kMsh},
+                                           {".mesh", MeshFormat::kMedit},
+                                           {".pts", MeshFormat::kCarp},
+                                           {".elem", MeshFormat::kCarp},
+                                           {".lon", MeshFormat::kCarp},
+                                           {".carp", MeshFormat::kCarp},
+                                           {".inp", MeshFormat::kAbaqus},
+                                           {".feb", MeshFormat::kFebio},
+                                           {".xdmf", MeshFormat::kXdmf},
+                                           {".stl", MeshFormat::kStl},
+                                           {".ply", MeshFormat::kPly}}};
 
 std::optional<Error> broken(const std::string& message) {
   return Error{ErrorCode::kInternal, kStage, message, {}};
@@ -131,6 +137,13 @@ std::string_view mesh_ending_of(std::string_view path) {
   return path.substr(dot);
 }
 
+std::string mesh_name_of(std::string_view path) {
+  const std::size_t ending = mesh_ending_of(path).size();
+  const std::size_t folder = path.find_last_of("/\\");
+  path.remove_suffix(ending);
+  return std::string(path.substr(folder == std::string_view::npos ? 0 : folder + 1));
+}
+
 Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat format,
                                                const WriteMeshOptions& options) {
   if (auto error = check_mesh(mesh)) return *std::move(error);
@@ -140,6 +153,9 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
     case MeshFormat::kMsh: return write_msh(mesh, options);
     case MeshFormat::kMedit: return write_medit(mesh, options);
     case MeshFormat::kCarp: return write_carp(mesh, options);
+    case MeshFormat::kAbaqus: return write_abaqus(mesh, options);
+    case MeshFormat::kFebio: return std::vector<OutputFile>{{".feb", write_febio(mesh, options)}};
+    case MeshFormat::kXdmf: return write_xdmf(mesh, options);
     case MeshFormat::kStl:
     case MeshFormat::kPly: break;
   }
@@ -155,7 +171,10 @@ Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFo
     case MeshFormat::kPly: return std::vector<OutputFile>{{".ply", write_ply(surface, options)}};
     case MeshFormat::kMsh:
     case MeshFormat::kMedit:
-    case MeshFormat::kCarp: break;
+    case MeshFormat::kCarp:
+    case MeshFormat::kAbaqus:
+    case MeshFormat::kFebio:
+    case MeshFormat::kXdmf: break;
   }
   return Error{ErrorCode::kUsage, kStage, "a surface is written as .stl, .ply or .vtu only", {}};
 }

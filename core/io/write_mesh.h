@@ -14,38 +14,46 @@
 
 namespace voxtet {
 
-enum class MeshFormat { kVtu, kMsh, kMedit, kCarp, kStl, kPly };
+enum class MeshFormat { kVtu, kMsh, kMedit, kCarp, kAbaqus, kFebio, kXdmf, kStl, kPly };
 enum class PatientSpace { kRas, kLps };
 
 struct WriteMeshOptions {
   PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
   std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
   std::vector<CellData> cell_data{};        ///< written with the tetrahedra; not with surfaces
+  std::string name = "mesh";                ///< of the files without their endings, where one names another
 };
 
-/// A file of an export: openCARP makes three, every other format one; cell data may add more. `suffix` is
-/// appended to the base name.
+/// A file of an export: openCARP makes three, XDMF two, every other format one; cell data may add more.
+/// `suffix` is appended to the base name.
 struct OutputFile {
   std::string suffix;  ///< ".vtu", ".msh", "_data.msh", ".pts", ".fraction_5.dat", ...
   Bytes bytes;
 };
 
-/// Format of a file name by its ending (.vtu .msh .mesh .pts/.elem/.lon/.carp .stl .ply), in any case.
+/// Format of a file name by its ending (.vtu .msh .mesh .pts/.elem/.lon/.carp .inp .feb .xdmf
+/// .stl .ply), in any case.
 /// Errors: kUsage listing the endings that are known.
 Result<MeshFormat> mesh_format_of(const std::string& path);
 
 /// The ending of a path's last name with its dot (".vtu"); empty where it has none.
 std::string_view mesh_ending_of(std::string_view path);
 
+/// A path's last name without its ending: what WriteMeshOptions::name has to be for write_files.
+std::string mesh_name_of(std::string_view path);
+
 /// VTU: binary appended raw, zlib-free, cell array `label`, mm. MSH 4.1: binary, physical groups per label
 /// (volumes, named) and per pair of sides (surfaces). MEDIT: ASCII, mm. openCARP: .pts (um), .elem (Tt,
-/// label), .lon (one axis, unit x direction as placeholder for fibres). STL (binary) and PLY (binary):
-/// boundary faces. Cell data: arrays in VTU, a _data.msh beside MSH, a .sol beside MEDIT, one .NAME.dat each
-/// beside openCARP. The header of each format (write_vtu.h, write_msh.h, ...) says the details, and where a
-/// file says that it is LPS. The flip to LPS is a rotation: orientation stays. Equal meshes give equal bytes.
-/// Errors: kUsage for a mesh without tetrahedra, or without faces where only these are written; kInternal
-/// where the mesh breaks an invariant of TetMesh (indices in range, finite points, one label per element) or
-/// cell data have a name that is no word or not one value per tet.
+/// label), .lon (one axis, unit x direction as placeholder for fibres). Abaqus .inp: element sets, and
+/// element surfaces per pair of sides. FEBio .feb 4.0: parts with a material each, surfaces per pair. XDMF 3:
+/// .xdmf with its numbers in .h5. STL (binary) and PLY (binary): boundary faces. Cell data: arrays in VTU and
+/// XDMF, a _data.msh beside MSH, a .sol beside MEDIT, one .NAME.dat each beside openCARP, one .NAME.inp each
+/// beside Abaqus, mesh data in FEBio. Every file whose format has a place for it says its space and unit; the
+/// header of each format (write_vtu.h, write_msh.h, ...) says where, and the details. The flip to LPS is a
+/// rotation: orientation stays. Equal meshes give equal bytes. Errors: kUsage for a mesh without tetrahedra,
+/// or without faces where only these are written; kInternal where the mesh breaks an invariant of TetMesh
+/// (indices in range, finite points, one label per element) or cell data have a name that is no word or not
+/// one value per tet; kUsage for a name that XDMF cannot refer to.
 Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat format,
                                                const WriteMeshOptions& options);
 

@@ -191,7 +191,7 @@ std::vector<OutputFile> write_msh(const TetMesh& mesh, const WriteMeshOptions& o
   ByteWriter out(32 * mesh.points.size() + 40 * mesh.tets.size() + 32 * mesh.faces.size() +
                  512 * (model.entities.size() + 1));
   write_format(out);
-  if (options.space == PatientSpace::kLps) out.text("$Comments\nspace LPS\n$EndComments\n");
+  out.text(std::string("$Comments\nspace ") + to_string(options.space) + "\nunit mm\n$EndComments\n");
   write_names(out, model, options.infos);
   write_entities(out, model);
   write_nodes(out, model, mesh, options.space);

@@ -10,8 +10,8 @@ namespace voxtet {
 /// element tags number the tets first, then the faces, in the mesh's order. Surfaces bound their volumes with
 /// the sign of the outward normal.
 /// Cell data: a second file, _data.msh, with one $ElementData each, that Gmsh merges with the first. (Not in
-/// one file: meshio takes element data only for all elements, faces too, in the order of its blocks.) In LPS
-/// a $Comments section says "space LPS".
+/// one file: meshio takes element data only for all elements, faces too, in the order of its blocks.) A
+/// $Comments section says "space RAS" or "space LPS", and "unit mm".
 std::vector<OutputFile> write_msh(const TetMesh& mesh, const WriteMeshOptions& options);
 
 }  // namespace voxtet

@@ -15,11 +15,11 @@ constexpr std::uint8_t kVtkTetra = 10;
 class VtuHeader {
  public:
   VtuHeader(PatientSpace space, std::size_t points, std::size_t cells) {
-    xml_ =
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-        "header_type=\"UInt64\">\n"
-        "<UnstructuredGrid>\n";
+    xml_ = "<?xml version=\"1.0\"?>\n<!-- " + coordinates_note(space) +
+           " -->\n"
+           "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+           "header_type=\"UInt64\">\n"
+           "<UnstructuredGrid>\n";
     if (space == PatientSpace::kLps)
       xml_ +=
           "<FieldData>\n<DataArray type=\"Int8\" Name=\"space\" NumberOfTuples=\"3\" format=\"ascii\">"

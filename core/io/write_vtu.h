@@ -5,9 +5,10 @@
 
 namespace voxtet {
 
-/// Tetrahedra with the Int32 cell array `label` and cell data as Float32; Float64 points, mm. In LPS the grid
-/// has a field-data array `space` of three Int8 letters, "LPS"; without it a file is RAS. (Letters and not a
-/// VTK string: meshio refuses files with strings.)
+/// Tetrahedra with the Int32 cell array `label` and cell data as Float32; Float64 points, mm. A comment at
+/// the beginning says space and unit to people. In LPS the grid has a field-data array `space` of three Int8
+/// letters, "LPS"; without it a file is RAS. (Letters and not a VTK string: meshio refuses files with
+/// strings.)
 Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options);
 
 /// Triangles with the Int32 cell arrays `label_behind` and `label_front`.

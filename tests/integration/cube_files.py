@@ -5,16 +5,18 @@ import subprocess
 import sys
 
 try:
-    import meshio  # for those that import this
+    import h5py  # these two for those that import this
+    import meshio
     import numpy as np
     import vtk
     from vtk.util.numpy_support import vtk_to_numpy
 except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
-if not shutil.which("gmsh"):
-    print("skipped: no gmsh on the path")
-    sys.exit(77)
+for program in ("gmsh", "ccx"):
+    if not shutil.which(program):
+        print(f"skipped: no {program} on the path")
+        sys.exit(77)
 
 EXACT_MM = 1e-12
 FLOAT_RELATIVE = 1e-6

@@ -40,6 +40,7 @@ def check_vtu(cube, folder, space):
     if said is not None:
         expect(bytes(vtk_to_numpy(said).astype(np.uint8)) == b"LPS", "VTU by VTK: the space")
     expect_positive(points, cells.reshape(-1, 4), "VTU")
+    expect(f"<!-- space {space.upper()}, unit mm".encode() in path.read_bytes(), "VTU: space and unit")
     mesh = meshio.read(path)
     expect_points(mesh.points, cube.points, "VTU by meshio")
     expect((mesh.cells_dict["tetra"] == cube.tets).all(), "VTU by meshio: tetrahedra")
@@ -74,6 +75,8 @@ def check_msh(cube, folder, space):
     path = folder / f"{space}.msh"
     mesh = meshio.read(path)
     expect_groups(mesh, cube, "MSH by meshio")
+    expect(f"$Comments\nspace {space.upper()}\nunit mm\n$EndComments".encode() in path.read_bytes(),
+           "MSH: space and unit")
     expect(len(np.unique(mesh.points, axis=0)) == len(cube.points), "MSH by meshio: number of points")
     said = run_gmsh("-check", path, "-")
     expect(f"{len(cube.points)} nodes" in said, f"MSH by gmsh -check: {said}")
@@ -133,7 +136,7 @@ def check_medit(cube, folder, space):
     expect((mesh.cells_dict["triangle"] == cube.faces).all(), "MEDIT by meshio: triangles")
     expect((references["triangle"] == cube.pair_rank).all(), "MEDIT by meshio: references of triangles")
     text = path.read_text(encoding="utf-8")
-    expect(f"# space {space.upper()}\n" in text, "MEDIT: space")
+    expect(f"# space {space.upper()}\n# unit mm\n" in text, "MEDIT: space and unit")
     for (dimension, tag), name in cube.group_names.items():
         expect(f"# {'tetrahedra' if dimension == 3 else 'triangles'} {tag} {name}\n" in text, f"MEDIT: name {name}")
     words = (folder / f"{space}.sol").read_text().split("SolAtTetrahedra")[1].split()
@@ -182,6 +185,7 @@ def check_stl_and_ply(cube, folder, space):
     used = np.unique(cube.faces)
     for name in (space, f"{space}_surface"):
         path = folder / f"{name}.stl"
+        expect(f"space {space.upper()}, unit mm".encode() in path.read_bytes()[:80], "STL: space and unit")
         reader = vtk.vtkSTLReader()
         reader.MergingOff()
         points, triangles = vtk_polydata(reader, path)
@@ -200,7 +204,7 @@ def check_stl_and_ply(cube, folder, space):
         points, triangles, sides, comments = numpy_ply(path)
         expect_points(points, cube.points[used] if name == space else cube.points, "PLY by numpy", 0)
         expect((points[triangles] == wanted).all() and (sides == cube.sides).all(), "PLY by numpy: triangles, sides")
-        expect(f"space {space.upper()}" in comments and f"label 1 {NAMES[1]}" in comments, f"PLY: comments {comments}")
+        expect({f"space {space.upper()}", "unit mm"} < set(comments) and f"label 1 {NAMES[1]}" in comments, f"PLY: comments {comments}")
 
 
 def numpy_ply(path):

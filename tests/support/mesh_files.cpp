@@ -1,6 +1,7 @@
 // Meshes for the readers of other people, and other people's files for our reader:
-//   mesh_files write FOLDER    the cube of labelled_mesh.h in every format and space, and its numbers in
-//   raw.* mesh_files read MESH OUT   reads MESH and writes its numbers to OUT.points, OUT.tets, OUT.labels
+//   mesh_files write FOLDER    the cube of labelled_mesh.h in every format and space, with many cell data
+//   in many.xdmf, and its numbers in raw.*
+//   mesh_files read MESH OUT   reads MESH and writes its numbers to OUT.points, OUT.tets, OUT.labels
 // Raw numbers: points float64, tets and faces uint32, labels and sides uint16.
 #include <cstdio>
 #include <string>
@@ -41,9 +42,9 @@ bool write_all(const std::string& folder) {
               write_raw(folder + "/raw.sides", mesh.face_sides);
   for (const auto& [name, space] :
        {std::pair{"ras", PatientSpace::kRas}, std::pair{"lps", PatientSpace::kLps}}) {
-    const WriteMeshOptions options{space, test::cube_infos(), test::cube_cell_data(mesh)};
+    const WriteMeshOptions options{space, test::cube_infos(), test::cube_cell_data(mesh), name};
     const std::string base = folder + "/" + name;
-    for (const char* ending : {".vtu", ".msh", ".mesh", ".carp", ".stl", ".ply"}) {
+    for (const char* ending : {".vtu", ".msh", ".mesh", ".carp", ".inp", ".feb", ".xdmf", ".stl", ".ply"}) {
       const auto format = mesh_format_of(ending);
       good = good && format.ok() && write_export(base + ending, write_tet_mesh(mesh, *format, options));
     }
@@ -53,7 +54,11 @@ bool write_all(const std::string& folder) {
              write_export(base + "_surface" + ending, write_surface(surface, *format, options));
     }
   }
-  return good;
+  WriteMeshOptions many{PatientSpace::kRas, {}, {}, "many"};
+  for (std::size_t i = 0; i < 21; ++i)
+    many.cell_data.push_back(
+        {"value_" + std::to_string(i), std::vector<float>(mesh.tets.size(), static_cast<float>(i))});
+  return good && write_export(folder + "/many.xdmf", write_tet_mesh(mesh, MeshFormat::kXdmf, many));
 }
 
 }  // namespace

@@ -21,8 +21,13 @@
 namespace voxtet {
 namespace {
 
-constexpr std::array<MeshFormat, 6> kFormats{MeshFormat::kVtu,  MeshFormat::kMsh, MeshFormat::kMedit,
-                                             MeshFormat::kCarp, MeshFormat::kStl, MeshFormat::kPly};
+constexpr std::array<MeshFormat, 9> kFormats{MeshFormat::kVtu,  MeshFormat::kMsh,    MeshFormat::kMedit,
+                                             MeshFormat::kCarp, MeshFormat::kAbaqus, MeshFormat::kFebio,
+                                             MeshFormat::kXdmf, MeshFormat::kStl,    MeshFormat::kPly};
+
+std::size_t file_count(MeshFormat format) {
+  return format == MeshFormat::kCarp ? 3U : format == MeshFormat::kXdmf ? 2U : 1U;
+}
 
 std::string text_of(const Bytes& bytes) {
   return {bytes.begin(), bytes.end()};
@@ -71,6 +76,9 @@ TEST(MeshFormatOf, KnowsEveryEndingInAnyCaseAndListsThemOtherwise) {
                                                        {"a.elem", MeshFormat::kCarp},
                                                        {"a.lon", MeshFormat::kCarp},
                                                        {"a.carp", MeshFormat::kCarp},
+                                                       {"a.inp", MeshFormat::kAbaqus},
+                                                       {"a.feb", MeshFormat::kFebio},
+                                                       {"a.Xdmf", MeshFormat::kXdmf},
                                                        {"a.stl", MeshFormat::kStl},
                                                        {"a.ply", MeshFormat::kPly}}) {
     const auto found = mesh_format_of(path);
@@ -81,7 +89,7 @@ TEST(MeshFormatOf, KnowsEveryEndingInAnyCaseAndListsThemOtherwise) {
     const auto found = mesh_format_of(path);
     ASSERT_FALSE(found.ok()) << path;
     EXPECT_EQ(found.error().code, ErrorCode::kUsage);
-    EXPECT_NE(found.error().message.find(".vtu .msh .mesh .pts .elem .lon .carp .stl .ply"),
+    EXPECT_NE(found.error().message.find(".vtu .msh .mesh .pts .elem .lon .carp .inp .feb .xdmf .stl .ply"),
               std::string::npos);
   }
 }
@@ -92,7 +100,7 @@ TEST(WriteTetMesh, GivesTheSameBytesEachTime) {
     const auto first = write_tet_mesh(mesh, format, {PatientSpace::kRas, test::cube_infos()});
     const auto second = write_tet_mesh(test::kuhn_cube(3), format, {PatientSpace::kRas, test::cube_infos()});
     ASSERT_TRUE(first.ok() && second.ok());
-    ASSERT_EQ(first->size(), format == MeshFormat::kCarp ? 3U : 1U);
+    ASSERT_EQ(first->size(), file_count(format));
     for (std::size_t i = 0; i < first->size(); ++i) {
       EXPECT_FALSE((*first)[i].bytes.empty());
       EXPECT_EQ((*first)[i].suffix, (*second)[i].suffix);
@@ -206,7 +214,8 @@ TEST(WriteSurface, WritesPlyWithSidesAndOnlyTheFormatsOfSurfaces) {
   }
   EXPECT_TRUE(write_surface(surface, MeshFormat::kVtu, {}).ok());
   EXPECT_TRUE(write_surface(surface, MeshFormat::kStl, {}).ok());
-  for (const MeshFormat format : {MeshFormat::kMsh, MeshFormat::kMedit, MeshFormat::kCarp}) {
+  for (const MeshFormat format : {MeshFormat::kMsh, MeshFormat::kMedit, MeshFormat::kCarp,
+                                  MeshFormat::kAbaqus, MeshFormat::kFebio, MeshFormat::kXdmf}) {
     const auto refused = write_surface(surface, format, {});
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, ErrorCode::kUsage);

@@ -56,7 +56,7 @@ class Workers {
         const reply = session.arrays(stage);
         return Comlink.transfer(reply, transferables(reply));
       },
-      exportMesh: (format, space) => session.exportMesh(format, space),
+      exportMesh: (format, space, name) => session.exportMesh(format, space, name),
       report: () => session.report(),
     };
     Comlink.expose(api, port2 as unknown as Comlink.Endpoint);
@@ -201,8 +201,8 @@ describe('EngineClient', () => {
   });
 
   it('exports the files of a format', async () => {
-    const files = await start().exportMesh(JSON.stringify(phantom), phantom.source, 'carp', 'lps');
+    const files = await start().exportMesh(JSON.stringify(phantom), phantom.source, 'carp', 'lps', 'heart');
     expect(files.map((one) => one.suffix)).toEqual(['.pts', '.elem', '.lon']);
-    expect(new TextDecoder().decode(files[0].bytes)).toBe('carp lps');
+    expect(new TextDecoder().decode(files[0].bytes)).toBe('carp lps heart');
   });
 });

@@ -168,6 +168,7 @@ export class EngineClient {
     source: Recipe['source'],
     format: ExportFormat,
     space: Space,
+    name: string,
     handlers: RunHandlers = {},
   ): Promise<ExportedFile[]> {
     return this.job(async (generation) => {
@@ -176,7 +177,7 @@ export class EngineClient {
         handlers.onProgress?.(stage, fraction),
       );
       await this.answer(generation, 'optimise', generation.api.run('quality', progress));
-      return this.answer(generation, 'export', generation.api.exportMesh(format, space));
+      return this.answer(generation, 'export', generation.api.exportMesh(format, space, name));
     });
   }
 

@@ -255,7 +255,7 @@ export interface Schema {
   fields: SchemaField[];
 }
 
-export const exportFormats = ['vtu', 'msh', 'medit', 'carp', 'stl', 'ply'] as const;
+export const exportFormats = ['vtu', 'xdmf', 'msh', 'medit', 'carp', 'inp', 'feb', 'stl', 'ply'] as const;
 export type ExportFormat = (typeof exportFormats)[number];
 export type Space = 'ras' | 'lps';
 
@@ -315,7 +315,8 @@ export interface EngineApi {
   setRecipe(json: string): Reply<{ recipe: Recipe; minimal: Record<string, unknown> }>;
   run(stage: StageName, onProgress: (stage: StageName, fraction: number) => void): Reply<StageSummary[]>;
   arrays(stage: StageName): Reply<Partial<StageArrays[StageName]>>;
-  exportMesh(format: ExportFormat, space: Space): Reply<ExportedFile[]>;
+  /** `name`: of the files without their suffixes, since some name one another. */
+  exportMesh(format: ExportFormat, space: Space, name: string): Reply<ExportedFile[]>;
   report(): Reply<Report>;
 }
 

@@ -12,7 +12,7 @@ export interface Session {
   setRecipe(json: string): string;
   run(stage: string, onProgress: (stage: string, fraction: number) => void): string;
   view(stage: string, array: string): View | undefined;
-  exportMesh(format: string, space: string): string;
+  exportMesh(format: string, space: string, name: string): string;
   exportBytes(index: number): Uint8Array;
   report(): string;
   delete(): void;
@@ -129,9 +129,9 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
         return { ok: true, value: arrays as never };
       }),
 
-    exportMesh: (format, space) =>
+    exportMesh: (format, space, name) =>
       guarded('export', () => {
-        const reply = JSON.parse(session.exportMesh(format, space)) as Reply<{
+        const reply = JSON.parse(session.exportMesh(format, space, name)) as Reply<{
           files: { suffix: string; bytes: number }[];
         }>;
         if (!reply.ok) return reply;

@@ -52,7 +52,7 @@ const api: EngineApi = {
   setRecipe: (json) => current().setRecipe(json),
   run: (stage, onProgress) => current().run(stage, onProgress),
   arrays: (stage) => handOver(current().arrays(stage)),
-  exportMesh: (format, space) => handOver(current().exportMesh(format, space)),
+  exportMesh: (format, space, name) => handOver(current().exportMesh(format, space, name)),
   report: () => current().report(),
 };
 

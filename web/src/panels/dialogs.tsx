@@ -32,12 +32,15 @@ function Dialog(props: { title: string; onClose(): void; children: ComponentChil
 }
 
 const formatNotes: Record<ExportFormat, [string, string]> = {
-  vtu: ['VTU', 'ParaView, PyVista: tetrahedra, labels and quality'],
-  msh: ['Gmsh MSH', 'Gmsh, FEniCS, Abaqus by way of meshio'],
-  medit: ['Medit', 'MMG, FreeFEM'],
-  carp: ['openCARP', 'Three files: .pts, .elem, .lon'],
-  stl: ['STL', 'Boundary surface, for printing and viewing'],
-  ply: ['PLY', 'Boundary surface with labels'],
+  vtu: ['VTU', 'ParaView, PyVista: tetrahedra and labels, mm'],
+  xdmf: ['XDMF', 'FEniCS, ParaView; two files: .xdmf, .h5, mm'],
+  msh: ['Gmsh MSH', 'Gmsh, FEniCS; labels and interfaces named, mm'],
+  medit: ['Medit', 'MMG, FreeFEM; mm'],
+  carp: ['openCARP', 'Three files: .pts, .elem, .lon; µm'],
+  inp: ['Abaqus', 'Abaqus, CalculiX; labels and interfaces named, mm'],
+  feb: ['FEBio', 'FEBio Studio; parts and interfaces named, mm'],
+  stl: ['STL', 'Boundary surface, for printing and viewing, mm'],
+  ply: ['PLY', 'Boundary surface with labels, mm'],
 };
 
 function ExportDialog({ close }: { close(): void }) {

@@ -12,8 +12,9 @@ export async function exportMesh(format: ExportFormat, space: Space): Promise<vo
   activity.value = 'export';
   announcement.value = `Writing ${format}`;
   try {
-    const files = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space);
-    for (const file of files) download(`${caseName()}${file.suffix}`, new Blob([file.bytes]));
+    const name = caseName();
+    const files = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name);
+    for (const file of files) download(`${name}${file.suffix}`, new Blob([file.bytes]));
     announcement.value = `${files.length === 1 ? 'File' : `${files.length} files`} written`;
   } catch (error) {
     if (newest()) tellError(error);

@@ -263,11 +263,12 @@ class Session {
     if (stage === 'optimise') return this.mesh[array];
     return array === 'points' ? this.mesh.points : boundary(this.mesh)[array];
   }
-  exportMesh(format, space) {
-    const files = format === 'carp' ? ['.pts', '.elem', '.lon'] : [`.${format}`];
+  exportMesh(format, space, name) {
+    const several = { carp: ['.pts', '.elem', '.lon'], xdmf: ['.xdmf', '.h5'] };
+    const files = several[format] ?? [`.${format}`];
     this.exported = files.map((suffix) => ({
       suffix,
-      bytes: new TextEncoder().encode(`${format} ${space}`),
+      bytes: new TextEncoder().encode(`${format} ${space} ${name}`),
     }));
     return JSON.stringify({
       ok: true,
