@@ -9,7 +9,10 @@
 
 namespace voxtet {
 
-enum class TetBackend { kTetgen };
+enum class TetBackend {
+  kTetgen,    ///< TetGen, keeping every triangle of the surface
+  kDelaunay,  ///< own Delaunay refinement; TetGen where that fails
+};
 
 struct FillParams {
   TetBackend backend = TetBackend::kTetgen;

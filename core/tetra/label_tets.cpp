@@ -84,7 +84,7 @@ void for_each_boundary_face(const SurfaceMesh& surface, const std::vector<Tet>& 
   }
 }
 
-Status check_points(const SurfaceMesh& surface, const TetgenMesh& filled) {
+Status check_points(const SurfaceMesh& surface, const FilledParts& filled) {
   const std::size_t kept = surface.points.size();
   for (std::size_t i = 0; i < kept; ++i)
     if (i >= filled.points.size() || filled.points[i] != surface.points[i])
@@ -100,7 +100,7 @@ Status check_points(const SurfaceMesh& surface, const TetgenMesh& filled) {
 }
 
 /// Each region's label, or the triangles where a region touches two.
-Result<std::vector<std::uint32_t>> labels_of_regions(const SurfaceMesh& surface, const TetgenMesh& filled) {
+Result<std::vector<std::uint32_t>> labels_of_regions(const SurfaceMesh& surface, const FilledParts& filled) {
   const std::uint32_t regions = *std::max_element(filled.regions.begin(), filled.regions.end()) + 1;
   std::vector<std::uint32_t> label(regions, kNone);
   std::vector<std::uint8_t> behind_count(surface.triangles.size(), 0), front_count(behind_count);
@@ -199,7 +199,7 @@ Status check_volumes(const SurfaceMesh& surface, const TetMesh& mesh) {
 
 }  // namespace
 
-Result<TetMesh> label_tets(const SurfaceMesh& surface, TetgenMesh filled) {
+Result<TetMesh> label_tets(const SurfaceMesh& surface, FilledParts filled) {
   const Status points = check_points(surface, filled);
   if (!points) return points.error();
   const Result<std::vector<std::uint32_t>> label = labels_of_regions(surface, filled);
