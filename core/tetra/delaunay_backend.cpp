@@ -1,6 +1,6 @@
 #include "tetra/delaunay_backend.h"
 
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -12,6 +12,8 @@ namespace {
 
 using namespace tetra;
 
+constexpr std::uint32_t kPointsPerQuestion = 512;
+
 Error meshing_error(std::string message) {
   return {ErrorCode::kMeshing, "tetra", std::move(message), {}};
 }
@@ -21,15 +23,18 @@ Error meshing_error(std::string message) {
 Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing,
                                  const DelaunayOptions& options, const RunContext& ctx) {
   DelaunayCells cells;
-  for (const Eigen::Vector3d& p : surface.points)
+  for (const Eigen::Vector3d& p : surface.points) {
+    if (cells.size() % kPointsPerQuestion == 0 && ctx.cancelled()) return cancelled_error("tetra");
     if (!cells.add(p)) return meshing_error("two points of the surface coincide");
+  }
   const std::size_t triangles = surface.triangles.size();
-  const std::optional<Recovery> recovered = recover_surface(surface, cells);
-  if (!recovered || !cells.label(surface)) return meshing_error("the surface is too far from a Delaunay one");
+  const Result<Recovery> recovered = recover_surface(surface, cells, ctx);
+  if (!recovered) return recovered.error();
   if (recovered->flipped + recovered->split > 0)
-    ctx.note("tetra", "to make the surface Delaunay, of " + std::to_string(triangles) + " triangles " +
-                          std::to_string(2 * recovered->flipped) + " were flipped, and " +
-                          std::to_string(recovered->split) + " edges halved");
+    ctx.note("tetra", "to make the surface of " + std::to_string(triangles) + " triangles Delaunay, " +
+                          std::to_string(recovered->flipped) + " edges were flipped and " +
+                          std::to_string(recovered->split) + " halved");
+  if (!cells.label(surface)) return meshing_error("a cell lies on two sides of the surface");
   switch (cells.refine(sizing, options.radius_edge, options.max_points, ctx)) {
     case DelaunayCells::Refined::kCancelled: return cancelled_error("tetra");
     case DelaunayCells::Refined::kTooMany: return meshing_error("refinement did not come to an end");

@@ -24,10 +24,11 @@ class DelaunayCells {
   bool add(const Eigen::Vector3d& point);
   std::uint32_t size() const;
   bool has_edge(std::uint32_t a, std::uint32_t b) const;
-  bool has_triangle(const Triangle& triangle) const;
+  /// Which triangles of a surface, whose points are the vertices, are facets.
+  std::vector<bool> find_facets(const SurfaceMesh& surface) const;
 
-  /// Gives every cell the label on its side of the surface, whose points are the vertices. False where a
-  /// triangle is no facet or a cell lies on two sides.
+  /// Gives every cell the label on its side of the surface, all of whose triangles are facets. False where a
+  /// cell lies on two sides.
   bool label(const SurfaceMesh& surface);
 
   enum class Refined { kDone, kCancelled, kTooMany };

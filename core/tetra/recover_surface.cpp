@@ -22,6 +22,8 @@ constexpr double kFlat = 0.1;
 constexpr int kMostRounds = 20;
 /// Points of the surface for every one added, at least.
 constexpr std::size_t kPointsForOne = 5;
+/// As many may be added to the smallest surface.
+constexpr std::size_t kAlwaysAllowed = 100;
 
 /// One look at all edges: each triangle is changed at most once.
 class Round {
@@ -31,21 +33,20 @@ class Round {
 
   /// False where everything was there.
   bool run() {
-    bool missing = false;
+    const std::vector<bool> found = cells_.find_facets(surface_);
+    if (std::find(found.begin(), found.end(), false) == found.end()) return false;
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      const auto uses = edges_[e];
-      if (cells_.has_edge(uses[0].low, uses[0].high)) continue;
-      missing = true;
-      if (is_free(uses) && !flip(uses)) split(uses);
-    }
-    if (missing) return true;
-    for (std::size_t e = 0; e < edges_.size(); ++e)
-      for (const TriangleUse& use : edges_[e]) {
-        if (changed_[use.triangle] || cells_.has_triangle(surface_.triangles[use.triangle])) continue;
-        missing = true;
-        if (is_longest(use) && is_free(edges_[e])) split(edges_[e]);
+      const Uses uses = edges_[e];
+      const auto missing = std::find_if(uses.begin(), uses.end(),
+                                        [&](const TriangleUse& use) { return !found[use.triangle]; });
+      if (missing == uses.end() || !is_free(uses)) continue;
+      if (!cells_.has_edge(missing->low, missing->high)) {
+        if (!flip(uses)) split(uses);
+      } else if (is_longest(*missing) && has_edges(missing->triangle)) {
+        split(uses);
       }
-    return missing;
+    }
+    return true;
   }
 
  private:
@@ -62,6 +63,10 @@ class Round {
   bool is_longest(const TriangleUse& use) const {
     const Vector3d &a = at(use.low), &b = at(use.high), &c = at(apex(use));
     return (a - b).squaredNorm() >= std::max((a - c).squaredNorm(), (b - c).squaredNorm());
+  }
+  bool has_edges(std::uint32_t triangle) const {
+    const auto [a, b, c] = surface_.triangles[triangle];
+    return cells_.has_edge(a, b) && cells_.has_edge(b, c) && cells_.has_edge(c, a);
   }
   bool is_edge(std::uint32_t a, std::uint32_t b) const {
     const std::pair<std::uint32_t, std::uint32_t> wanted = std::minmax(a, b);
@@ -124,12 +129,14 @@ class Round {
 
 }  // namespace
 
-std::optional<Recovery> recover_surface(SurfaceMesh& surface, DelaunayCells& cells) {
+Result<Recovery> recover_surface(SurfaceMesh& surface, DelaunayCells& cells, const RunContext& ctx) {
   Recovery done;
-  const std::size_t most = surface.points.size() / kPointsForOne;
-  for (int round = 0; round < kMostRounds && done.split <= most; ++round)
+  const std::size_t most = kAlwaysAllowed + surface.points.size() / kPointsForOne;
+  for (int round = 0; round < kMostRounds && done.split <= most; ++round) {
+    if (ctx.cancelled()) return cancelled_error("tetra");
     if (!Round(surface, cells, done).run()) return done;
-  return {};
+  }
+  return Error{ErrorCode::kMeshing, "tetra", "the surface is too far from a Delaunay one", {}};
 }
 
 }  // namespace voxtet::tetra

@@ -144,8 +144,8 @@ FilledParts take(const tetgenio& out) {
 }  // namespace
 
 Result<FilledParts> run_tetgen(const SurfaceMesh& surface, const std::vector<Eigen::Vector3d>& hole_seeds,
-                              const SizingField& sizing, const TetgenOptions& options,
-                              const RunContext& ctx) {
+                               const SizingField& sizing, const TetgenOptions& options,
+                               const RunContext& ctx) {
   try {
     Job job{&sizing, &ctx, static_cast<long>(surface.points.size()),
             static_cast<long long>(options.max_points), 0};
