@@ -22,8 +22,8 @@ struct DelaunayOptions {
 
 /// Fills everything inside the surface. Where that is not Delaunay, flat pairs of its triangles are flipped,
 /// or edges are halved by points that come after the others; ctx.note says how many. No other point is added
-/// on it. Edge lengths follow `sizing`. Errors: kCancelled; kMeshing where the surface is too far from
-/// Delaunay, or for max_points.
+/// on it, and no label's volume changes by more than 0.5 %. Edge lengths follow `sizing`. Errors: kCancelled;
+/// kMeshing where the surface is too far from Delaunay, or for max_points.
 Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing,
                                  const DelaunayOptions& options, const RunContext& ctx);
 

@@ -33,8 +33,9 @@ class DelaunayCells {
 
   enum class Refined { kDone, kCancelled, kTooMany };
   /// After label(): adds points at the circumcentres of cells that are larger than `sizing` wishes, the
-  /// largest first, then of those with a high radius-edge ratio, except where that would do away with facets
-  /// of the surface or come too close to them.
+  /// largest first, then of those with a higher ratio of circumradius to shortest edge, except where these
+  /// are too close to the surface or behind it. A point only changes cells of one label: the triangulation
+  /// stays Delaunay as seen from inside each label. Polls ctx.cancelled(). Stops at `max_points`.
   Refined refine(const SizingField& sizing, double radius_edge, std::size_t max_points,
                  const RunContext& ctx);
 

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 /// Between the diagonals of two triangles, as a part of the edge to be flipped.
 constexpr double kFlat = 0.1;
-constexpr int kMostRounds = 20;
+constexpr int kMostRounds = 12;
 /// Points of the surface for every one added, at least.
 constexpr std::size_t kPointsForOne = 5;
 /// As many may be added to the smallest surface.

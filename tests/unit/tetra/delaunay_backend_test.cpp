@@ -160,16 +160,28 @@ TEST(DelaunayBackend, GivesTheSameBytesOnEveryPlatform) {
   EXPECT_EQ(digest_of(*out.mesh), "28415556dc1fbc55685073e7af656f4ebf01aa3b61804b825182fa815aabab5f");
 }
 
-TEST(DelaunayBackend, FillsRandomBodiesOfManyLabelsOneWayOrAnother) {
-  int refined = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const SurfaceMesh surface = test::random_cells(4, 4, seed % 2 == 0 ? 0 : 0.1, seed);
+TEST(DelaunayBackend, FillsRandomBodiesOfManyLabels) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const SurfaceMesh surface = test::random_cells(4, 4, 0, seed);
+    expect_refined(fill(surface, uniform_sizing(1)), surface);
+  }
+}
+
+TEST(DelaunayBackend, LeavesLabelsThatWouldChangeTheirVolumeToTetGen) {
+  // Labels of a few cubes with displaced corners: where the squares are bent, a flip takes part of a label.
+  int left = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const SurfaceMesh surface = test::random_cells(4, 4, 0.1, seed);
     const Outcome out = fill(surface, uniform_sizing(1));
     ASSERT_TRUE(out.mesh.ok()) << "seed " << seed << ": " << out.mesh.error().message;
-    check_tets(*out.mesh);
-    refined += out.warnings.find("filled by TetGen") == std::string::npos;
+    if (out.warnings.find("would change the volume of label") == std::string::npos) {
+      expect_refined(out, surface, 5e-3);
+    } else {
+      check_tets(*out.mesh, surface);
+      ++left;
+    }
   }
-  EXPECT_GT(refined, 15);
+  EXPECT_GT(left, 0);
 }
 
 TEST(DelaunayBackend, StopsWhenAskedTo) {
