@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -51,6 +50,7 @@ class Round {
 
  private:
   using Uses = std::span<const TriangleUse>;
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;  ///< lower vertex first
 
   const Vector3d& at(std::uint32_t v) const { return surface_.points[v]; }
   std::uint32_t apex(const TriangleUse& use) const {
@@ -68,18 +68,20 @@ class Round {
     const auto [a, b, c] = surface_.triangles[triangle];
     return cells_.has_edge(a, b) && cells_.has_edge(b, c) && cells_.has_edge(c, a);
   }
+  /// Of the surface, before this round or by a flip of this round.
   bool is_edge(std::uint32_t a, std::uint32_t b) const {
-    const std::pair<std::uint32_t, std::uint32_t> wanted = std::minmax(a, b);
+    const Edge wanted = std::minmax(a, b);
+    if (std::find(flipped_to_.begin(), flipped_to_.end(), wanted) != flipped_to_.end()) return true;
     std::size_t low = 0, high = edges_.size();
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
       const TriangleUse& use = edges_[middle][0];
-      if (std::pair{use.low, use.high} < wanted)
+      if (Edge(use.low, use.high) < wanted)
         low = middle + 1;
       else
         high = middle;
     }
-    return low < edges_.size() && std::pair{edges_[low][0].low, edges_[low][0].high} == wanted;
+    return low < edges_.size() && Edge(edges_[low][0].low, edges_[low][0].high) == wanted;
   }
 
   bool flip(Uses uses) {
@@ -99,6 +101,7 @@ class Round {
     surface_.triangles[first] = {from, right, left};
     surface_.triangles[second] = {right, to, left};
     changed_[first] = changed_[second] = true;
+    flipped_to_.push_back(std::minmax(left, right));
     ++done_.flipped;
     return true;
   }
@@ -125,6 +128,7 @@ class Round {
   Recovery& done_;
   EdgeGroups edges_;
   std::vector<bool> changed_;
+  std::vector<Edge> flipped_to_;
 };
 
 }  // namespace
