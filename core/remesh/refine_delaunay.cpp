@@ -1,50 +1,24 @@
 #include "remesh/refine_delaunay.h"
 
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Delaunay_triangulation_cell_base_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_cell_base_with_info_3.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
 #include <queue>
+
+#include "geometry/delaunay_triangulation.h"
 
 namespace voxtet::remesh {
 namespace {
 
 using Eigen::Vector3d;
 
-struct CellInfo {
-  Vector3d centre;           ///< circumcentre, mm
-  std::uint32_t serial = 0;  ///< unique per cell; 0 once the cell is gone
-  Label label = kBackground;
-};
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
-using CellBase = CGAL::Triangulation_cell_base_with_info_3<CellInfo, Kernel,
-                                                           CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
-using Triangulation =
-    CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
-using Point = Kernel::Point_3;
+using CellInfo = DelaunayCellInfo;
+using Triangulation = DelaunayTriangulation;
+using Point = DelaunayKernel::Point_3;
 using Cell = Triangulation::Cell_handle;
 
 /// A facet whose normal is more than 75 degrees off the field's is refined, unless its ball is this small.
 constexpr double kAstrayCosine = 0.25;
 constexpr double kLeastAstrayVoxels = 0.35;
-
-Vector3d vec(const Point& p) {
-  return {p.x(), p.y(), p.z()};
-}
-
-/// Circumcentre; not finite for flat cells.
-Vector3d circumcentre(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d) {
-  const Vector3d u = b - a, v = c - a, w = d - a;
-  const Vector3d vw = v.cross(w);
-  const Vector3d sum = u.squaredNorm() * vw + v.squaredNorm() * w.cross(u) + w.squaredNorm() * u.cross(v);
-  return a + sum / (2 * u.dot(vw));
-}
 
 /// A facet that fails the criteria, as it was when it was examined.
 struct BadFacet {
@@ -122,11 +96,10 @@ struct DelaunayRefiner::Impl {
     info.serial = next_serial++;
     info.label = kBackground;
     if (triangulation.is_infinite(cell)) return;
-    info.centre = circumcentre(vec(cell->vertex(0)->point()), vec(cell->vertex(1)->point()),
-                               vec(cell->vertex(2)->point()), vec(cell->vertex(3)->point()));
+    info.centre = circumcentre(cell);
     if (!info.centre.allFinite())
-      info.centre = 0.25 * (vec(cell->vertex(0)->point()) + vec(cell->vertex(1)->point()) +
-                            vec(cell->vertex(2)->point()) + vec(cell->vertex(3)->point()));
+      info.centre = 0.25 * (to_vector(cell->vertex(0)->point()) + to_vector(cell->vertex(1)->point()) +
+                            to_vector(cell->vertex(2)->point()) + to_vector(cell->vertex(3)->point()));
     info.label = field.at(info.centre);
   }
 
@@ -159,9 +132,9 @@ struct DelaunayRefiner::Impl {
   /// 0 for a good facet; facets that are too large come before those that are too far off or too thin.
   double badness(Cell cell, int i, const Vector3d& centre, const Vector3d& normal) const {
     const auto& corners = kFacetCorners[static_cast<std::size_t>(i)];
-    const Vector3d p = vec(cell->vertex(corners[0])->point());
-    const Vector3d q = vec(cell->vertex(corners[1])->point());
-    const Vector3d r = vec(cell->vertex(corners[2])->point());
+    const Vector3d p = to_vector(cell->vertex(corners[0])->point());
+    const Vector3d q = to_vector(cell->vertex(corners[1])->point());
+    const Vector3d r = to_vector(cell->vertex(corners[2])->point());
     const double ball = (centre - p).squaredNorm();
     const double wished = criteria.radius_per_edge * sizing.at(centre);
     const double relative = std::sqrt(ball) / wished;
@@ -227,7 +200,7 @@ std::size_t DelaunayRefiner::insert(const std::vector<Vector3d>& points, double 
   for (const Vector3d& p : points) {
     const auto nearest = t.nearest_vertex(Point(p.x(), p.y(), p.z()), hint);
     hint = nearest->cell();
-    if ((vec(nearest->point()) - p).squaredNorm() < separation_mm * separation_mm) continue;
+    if ((to_vector(nearest->point()) - p).squaredNorm() < separation_mm * separation_mm) continue;
     if (!impl_->insert_point(p, hint, Cell())) continue;
     ++added;
     hint = impl_->star.front();
@@ -262,7 +235,7 @@ bool DelaunayRefiner::request(std::uint32_t cell, std::uint32_t corner, double l
   const int i = static_cast<int>(corner);
   Vector3d centre, normal;
   if (!impl_->surface_centre(handle, i, centre, normal)) return false;
-  const double radius = (centre - vec(handle->vertex((i + 1) % 4)->point())).norm();
+  const double radius = (centre - to_vector(handle->vertex((i + 1) % 4)->point())).norm();
   if (radius < least_radius_mm) return false;
   impl_->bad.push({1, handle->info().serial, handle->neighbor(i)->info().serial, handle, i, centre});
   return true;
@@ -272,7 +245,7 @@ CellComplex DelaunayRefiner::cells() {
   const Triangulation& t = impl_->triangulation;
   CellComplex out;
   out.points.resize(impl_->next_vertex);
-  for (auto v : t.finite_vertex_handles()) out.points[v->info()] = vec(v->point());
+  for (auto v : t.finite_vertex_handles()) out.points[v->info()] = to_vector(v->point());
   // Serials leave gaps; cells are numbered in the triangulation's own order, which does not depend on
   // addresses.
   std::vector<std::uint32_t> id(impl_->next_serial, CellComplex::kNone);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tetra/check_surface.h"
+#include "tetra/delaunay_backend.h"
 #include "tetra/edge_groups.h"
 #include "tetra/forecast.h"
 #include "tetra/hole_seeds.h"
@@ -29,12 +30,13 @@ constexpr double kRunaway = 20;
 /// Part of its shortest edge by which a point is displaced, along each axis and either way.
 constexpr double kDisplacement = 5e-7;
 
-/// One way to call the mesher.
+/// One way to call a mesher.
 struct Rung {
   const char* name;
   TetgenOptions options;
   bool displaced = false;  ///< the mesher sees points moved a little; they go back afterwards
   bool laxer = false;      ///< asks for less than the caller did
+  TetBackend backend = TetBackend::kTetgen;
 };
 
 /// The ways, in the order in which they are tried until one passes every check. Each has a surface in
@@ -52,11 +54,16 @@ std::vector<Rung> ladder(const FillParams& params, std::size_t max_points) {
   angles.min_dihedral_deg = angles.max_dihedral_deg = 0;
   shapes.min_dihedral_deg = shapes.max_dihedral_deg = 0;
   shapes.radius_edge = 20;
-  return {{"as asked", asked},
-          {"with a finer tolerance", fine},
-          {"with points displaced by a millionth of their edges", asked, true},
-          {"without bounds on dihedral angles", angles, false, true},
-          {"with bounds on sizes alone", shapes, false, true}};
+  std::vector<Rung> rungs{{"as asked", asked},
+                          {"with a finer tolerance", fine},
+                          {"with points displaced by a millionth of their edges", asked, true},
+                          {"without bounds on dihedral angles", angles, false, true},
+                          {"with bounds on sizes alone", shapes, false, true}};
+  if (params.backend == TetBackend::kDelaunay) {
+    rungs.front().name = "by TetGen";
+    rungs.insert(rungs.begin(), {"by Delaunay refinement", asked, false, false, TetBackend::kDelaunay});
+  }
+  return rungs;
 }
 
 Status check_sizing(const SizingField& sizing) {
@@ -116,9 +123,16 @@ SurfaceMesh displaced(const SurfaceMesh& surface) {
 Result<TetMesh> fill_by(const Rung& rung, const SurfaceMesh& surface,
                         const std::vector<Eigen::Vector3d>& holes, const SizingField& sizing,
                         const RunContext& ctx) {
-  Result<TetgenMesh> filled = rung.displaced
-                                  ? run_tetgen(displaced(surface), holes, sizing, rung.options, ctx)
-                                  : run_tetgen(surface, holes, sizing, rung.options, ctx);
+  if (rung.backend == TetBackend::kDelaunay) {
+    SurfaceMesh recovered = surface;
+    Result<FilledParts> filled =
+        run_delaunay(recovered, sizing, {rung.options.radius_edge, rung.options.max_points}, ctx);
+    if (!filled) return filled.error();
+    return label_tets(recovered, *std::move(filled));
+  }
+  Result<FilledParts> filled = rung.displaced
+                                   ? run_tetgen(displaced(surface), holes, sizing, rung.options, ctx)
+                                   : run_tetgen(surface, holes, sizing, rung.options, ctx);
   if (!filled) return filled.error();
   if (rung.displaced && filled->points.size() >= surface.points.size())
     std::copy(surface.points.begin(), surface.points.end(), filled->points.begin());

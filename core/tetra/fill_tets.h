@@ -1,4 +1,4 @@
-// Adapted surface -> tetrahedra that keep it.
+// Adapted surface -> tetrahedra inside it.
 #pragma once
 
 #include "types/result.h"
@@ -9,28 +9,34 @@
 
 namespace voxtet {
 
-enum class TetBackend { kTetgen };
+enum class TetBackend {
+  kTetgen,    ///< TetGen, keeping every triangle of the surface
+  kDelaunay,  ///< own Delaunay refinement; TetGen where that fails
+};
 
 struct FillParams {
   TetBackend backend = TetBackend::kTetgen;
   double radius_edge = 1.414;  ///< bound on circumradius over shortest edge
-  /// Asked of the refinement, not guaranteed; 0: not asked, since the optimiser (optimise_tets.h) reaches
-  /// more with fewer points.
+  /// Asked of TetGen's refinement, not guaranteed; 0: not asked, since the optimiser (optimise_tets.h)
+  /// reaches more with fewer points.
   double min_dihedral_deg = 0;
-  double max_dihedral_deg = 145;  ///< aimed at by the mesher's own optimisation
+  double max_dihedral_deg = 145;  ///< aimed at by TetGen's own optimisation
 };
 
-/// Fills every label with tetrahedra whose edges follow `sizing`, keeping the surface's triangles exactly (no
-/// vertex is added on it; its points come first, unmoved). Tets carry the label enclosed by their part of the
-/// surface; background is left empty. Inner edges have a median length within some 5 % of the wish. Should
-/// the mesher fail, or ask for 20 times the points that forecast_points gives, it is called in other ways:
-/// with a finer tolerance, displaced points, no bounds on dihedral angles, bounds on sizes alone. ctx.note
-/// always says which way succeeded and how sharp the surface is, ctx.warn where it was not the first way and
-/// where angles are sharp. Polls ctx.cancelled() every few milliseconds while points are inserted or moved.
-/// Verified before returning: all volumes positive, boundary triangles unchanged, each label's volume equal
-/// to that enclosed by its boundary to 1e-9 relative and rounding. Errors: kMeshing with the offending
-/// triangles: open or self-intersecting surface, leak, internal failure, flat tetrahedra that no way avoids;
-/// kOutOfMemory; kCancelled; kInternal for an invalid sizing field.
+/// Fills every label with tetrahedra whose edges follow `sizing`. Tets carry the label enclosed by their part
+/// of the surface; background is left empty. Inner edges have a median length within some 5 % of the wish.
+/// TetGen keeps the surface's triangles exactly (no vertex is added on it). Delaunay refinement has to change
+/// a few where they are not Delaunay: pairs that are all but flat are flipped, edges halved; ctx.note says
+/// how many, and no label's volume changes by more than 0.5 %. Either way the surface's points come first,
+/// unmoved. Should the mesher fail, or ask for 20 times the points that forecast_points gives, others take
+/// its place: TetGen with a finer tolerance, displaced points, no bounds on dihedral angles, bounds on sizes
+/// alone. ctx.note always says which way succeeded and how sharp the surface is, ctx.warn where it was not
+/// the first way and where angles are sharp. Polls ctx.cancelled() every few milliseconds while points are
+/// inserted or moved. Verified before returning: all volumes positive, boundary triangles those of the
+/// surface (flipped or halved), each label's volume equal to that enclosed by its boundary to 1e-9 relative
+/// and rounding. Errors: kMeshing with the offending triangles: open or self-intersecting surface, leak,
+/// internal failure, flat tetrahedra that no way avoids; kOutOfMemory; kCancelled; kInternal for an invalid
+/// sizing field.
 Result<TetMesh> fill_tets(const SurfaceMesh& surface, const SizingField& sizing, const FillParams& params,
                           RunContext& ctx);
 

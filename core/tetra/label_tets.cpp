@@ -8,19 +8,20 @@
 #include <utility>
 
 #include "geometry/surface_measures.h"
+#include "tetra/tet_complex.h"
+#include "tetra/triangle_index.h"
 
 namespace voxtet {
 namespace {
+
+using tetra::kNone;
+using tetra::kSideCorners;
+using tetra::TriangleIndex;
 
 constexpr std::size_t kMaxPlaces = 1000;
 constexpr double kVolumeTolerance = 1e-9;
 /// Rounding of a volume that is the sum of cones from afar, relative to the sum of their sizes.
 constexpr double kConeRounding = 1e-13;
-constexpr std::uint32_t kNone = 0xffffffffU;
-
-/// Corners of each face of a positive tet, its normal pointing outwards.
-constexpr int kFaces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
 Error meshing_error(std::string message, const ErrorPlace& where = {}) {
   return {ErrorCode::kMeshing, "tetra", std::move(message), where};
 }
@@ -29,41 +30,6 @@ Eigen::Vector3d centroid(const SurfaceMesh& surface, std::uint32_t t) {
   const auto [a, b, c] = surface.triangles[t];
   return (surface.points[a] + surface.points[b] + surface.points[c]) / 3;
 }
-
-/// Rotates so that the smallest index comes first: orientation is kept.
-Triangle canonical(const Triangle& t) {
-  if (t[0] < t[1] && t[0] < t[2]) return t;
-  return t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
-}
-
-/// Finds a triangle by its corners: those with the same lowest corner lie together.
-class TriangleIndex {
- public:
-  explicit TriangleIndex(const SurfaceMesh& surface) : first_(surface.points.size() + 1, 0) {
-    for (const Triangle& t : surface.triangles) ++first_[canonical(t)[0] + 1];
-    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    entries_.resize(surface.triangles.size());
-    for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-      const Triangle c = canonical(surface.triangles[t]);
-      entries_[next[c[0]]++] = {c[1], c[2], t};
-    }
-  }
-
-  /// The triangle with these corners and whether it has the same orientation; kNone where there is none.
-  std::pair<std::uint32_t, bool> find(const Triangle& corners) const {
-    const Triangle c = canonical(corners);
-    for (std::uint32_t e = first_[c[0]]; e < first_[c[0] + 1]; ++e) {
-      if (entries_[e][0] == c[1] && entries_[e][1] == c[2]) return {entries_[e][2], true};
-      if (entries_[e][0] == c[2] && entries_[e][1] == c[1]) return {entries_[e][2], false};
-    }
-    return {kNone, false};
-  }
-
- private:
-  std::vector<std::uint32_t> first_;
-  std::vector<std::array<std::uint32_t, 3>> entries_;
-};
 
 /// Calls visit(tet, triangle, behind) for every face of a tet that is a triangle of the surface; behind: the
 /// tet lies where sides[0] stands.
@@ -74,9 +40,8 @@ void for_each_boundary_face(const SurfaceMesh& surface, const std::vector<Tet>& 
   for (std::uint32_t t = 0; t < tets.size(); ++t) {
     const Tet& tet = tets[t];
     if ((tet[0] >= n) + (tet[1] >= n) + (tet[2] >= n) + (tet[3] >= n) > 1) continue;
-    for (const auto& face : kFaces) {
-      const Triangle corners{tet[static_cast<std::size_t>(face[0])], tet[static_cast<std::size_t>(face[1])],
-                             tet[static_cast<std::size_t>(face[2])]};
+    for (const auto& [i, j, k] : kSideCorners) {
+      const Triangle corners{tet[i], tet[j], tet[k]};
       if (corners[0] >= n || corners[1] >= n || corners[2] >= n) continue;
       const auto [triangle, same] = index.find(corners);
       if (triangle != kNone) visit(t, triangle, same);
@@ -84,7 +49,7 @@ void for_each_boundary_face(const SurfaceMesh& surface, const std::vector<Tet>& 
   }
 }
 
-Status check_points(const SurfaceMesh& surface, const TetgenMesh& filled) {
+Status check_points(const SurfaceMesh& surface, const FilledParts& filled) {
   const std::size_t kept = surface.points.size();
   for (std::size_t i = 0; i < kept; ++i)
     if (i >= filled.points.size() || filled.points[i] != surface.points[i])
@@ -100,7 +65,7 @@ Status check_points(const SurfaceMesh& surface, const TetgenMesh& filled) {
 }
 
 /// Each region's label, or the triangles where a region touches two.
-Result<std::vector<std::uint32_t>> labels_of_regions(const SurfaceMesh& surface, const TetgenMesh& filled) {
+Result<std::vector<std::uint32_t>> labels_of_regions(const SurfaceMesh& surface, const FilledParts& filled) {
   const std::uint32_t regions = *std::max_element(filled.regions.begin(), filled.regions.end()) + 1;
   std::vector<std::uint32_t> label(regions, kNone);
   std::vector<std::uint8_t> behind_count(surface.triangles.size(), 0), front_count(behind_count);
@@ -199,7 +164,7 @@ Status check_volumes(const SurfaceMesh& surface, const TetMesh& mesh) {
 
 }  // namespace
 
-Result<TetMesh> label_tets(const SurfaceMesh& surface, TetgenMesh filled) {
+Result<TetMesh> label_tets(const SurfaceMesh& surface, FilledParts filled) {
   const Status points = check_points(surface, filled);
   if (!points) return points.error();
   const Result<std::vector<std::uint32_t>> label = labels_of_regions(surface, filled);

@@ -125,8 +125,8 @@ Error error_of(int thrown) {
   }
 }
 
-TetgenMesh take(const tetgenio& out) {
-  TetgenMesh mesh;
+FilledParts take(const tetgenio& out) {
+  FilledParts mesh;
   mesh.points.resize(static_cast<std::size_t>(out.numberofpoints));
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     mesh.points[i] = Eigen::Vector3d::Map(out.pointlist + 3 * i);
@@ -143,9 +143,9 @@ TetgenMesh take(const tetgenio& out) {
 
 }  // namespace
 
-Result<TetgenMesh> run_tetgen(const SurfaceMesh& surface, const std::vector<Eigen::Vector3d>& hole_seeds,
-                              const SizingField& sizing, const TetgenOptions& options,
-                              const RunContext& ctx) {
+Result<FilledParts> run_tetgen(const SurfaceMesh& surface, const std::vector<Eigen::Vector3d>& hole_seeds,
+                               const SizingField& sizing, const TetgenOptions& options,
+                               const RunContext& ctx) {
   try {
     Job job{&sizing, &ctx, static_cast<long>(surface.points.size()),
             static_cast<long long>(options.max_points), 0};

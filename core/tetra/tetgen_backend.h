@@ -5,11 +5,11 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "tetra/filled_parts.h"
 #include "types/result.h"
 #include "types/run_context.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
-#include "types/tet_mesh.h"
 
 namespace voxtet {
 
@@ -21,20 +21,13 @@ struct TetgenOptions {
   std::size_t max_points = 0x7fffffff;  ///< given up where more are needed, or as much work without them
 };
 
-/// What TetGen gave, unchecked. Tets are positive; `regions` numbers (from 1) the parts that the surface's
-/// triangles bound, in an order of TetGen's own.
-struct TetgenMesh {
-  std::vector<Eigen::Vector3d> points;  ///< the surface's, then new ones
-  std::vector<Tet> tets;
-  std::vector<std::uint32_t> regions;  ///< one per tet
-};
-
 /// Fills everything inside the surface except for the parts holding a hole seed; no point is added on the
 /// surface. Edge lengths follow `sizing`.
 /// Errors: kCancelled; kOutOfMemory; kMeshing with what TetGen stopped at; is_runaway tells whether that was
 /// max_points. Whether it is depends on the input alone, never on time.
-Result<TetgenMesh> run_tetgen(const SurfaceMesh& surface, const std::vector<Eigen::Vector3d>& hole_seeds,
-                              const SizingField& sizing, const TetgenOptions& options, const RunContext& ctx);
+Result<FilledParts> run_tetgen(const SurfaceMesh& surface, const std::vector<Eigen::Vector3d>& hole_seeds,
+                               const SizingField& sizing, const TetgenOptions& options,
+                               const RunContext& ctx);
 
 bool is_runaway(const Error& error);
 

@@ -21,6 +21,7 @@ const words: Record<string, string> = {
   'remesh.shape_weight': 'Shape against size',
   'remesh.verify': 'Check every operation (slow)',
   'tetra.backend=tetgen': 'TetGen',
+  'tetra.backend=delaunay': 'Delaunay refinement',
   'tetra.radius_edge': 'Radius over edge',
   'tetra.min_dihedral_deg': 'Smallest dihedral',
   'tetra.max_dihedral_deg': 'Largest dihedral',

@@ -1,0 +1,62 @@
+#include "tetra/delaunay_backend.h"
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/surface_measures.h"
+#include "tetra/delaunay_cells.h"
+#include "tetra/recover_surface.h"
+
+namespace voxtet {
+namespace {
+
+using namespace tetra;
+
+constexpr std::uint32_t kPointsPerQuestion = 512;
+/// By how much flips may change the volume of a label.
+constexpr double kVolumeTolerance = 5e-3;
+
+Error meshing_error(std::string message) {
+  return {ErrorCode::kMeshing, "tetra", std::move(message), {}};
+}
+
+Status check_volumes(const std::vector<double>& before, const std::vector<double>& after) {
+  for (std::size_t label = 1; label < before.size(); ++label)
+    if (std::abs(after[label] - before[label]) > kVolumeTolerance * before[label])
+      return meshing_error("a Delaunay surface would change the volume of label " + std::to_string(label) +
+                           " from " + std::to_string(before[label]) + " to " + std::to_string(after[label]) +
+                           " mm3");
+  return std::monostate{};
+}
+
+}  // namespace
+
+Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing,
+                                 const DelaunayOptions& options, const RunContext& ctx) {
+  DelaunayCells cells;
+  for (const Eigen::Vector3d& p : surface.points) {
+    if (cells.size() % kPointsPerQuestion == 0 && ctx.cancelled()) return cancelled_error("tetra");
+    if (!cells.add(p)) return meshing_error("two points of the surface coincide");
+  }
+  const std::size_t triangles = surface.triangles.size();
+  const std::vector<double> volumes = enclosed_volumes_mm3(surface);
+  const Result<Recovery> recovered = recover_surface(surface, cells, ctx);
+  if (!recovered) return recovered.error();
+  if (const Status kept = check_volumes(volumes, enclosed_volumes_mm3(surface)); !kept) return kept.error();
+  if (recovered->flipped + recovered->split > 0)
+    ctx.note("tetra", "to make the surface of " + std::to_string(triangles) + " triangles Delaunay, " +
+                          std::to_string(recovered->flipped) + " edges were flipped and " +
+                          std::to_string(recovered->split) + " halved");
+  if (!cells.label(surface)) return meshing_error("a cell lies on two sides of the surface");
+  switch (cells.refine(sizing, options.radius_edge, options.max_points, ctx)) {
+    case DelaunayCells::Refined::kCancelled: return cancelled_error("tetra");
+    case DelaunayCells::Refined::kTooMany: return meshing_error("refinement did not come to an end");
+    case DelaunayCells::Refined::kDone: break;
+  }
+  return cells.take();
+}
+
+}  // namespace voxtet

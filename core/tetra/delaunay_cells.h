@@ -1,0 +1,50 @@
+// A Delaunay triangulation whose cells take the labels of a surface that is a part of it, and are then
+// refined.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "tetra/filled_parts.h"
+#include "types/run_context.h"
+#include "types/sizing_field.h"
+#include "types/surface_mesh.h"
+
+namespace voxtet::tetra {
+
+/// Wraps CGAL's Delaunay_triangulation_3. Vertices are numbered in the order in which they were added.
+class DelaunayCells {
+ public:
+  DelaunayCells();
+  ~DelaunayCells();
+
+  /// False where a vertex is there already.
+  bool add(const Eigen::Vector3d& point);
+  std::uint32_t size() const;
+  bool has_edge(std::uint32_t a, std::uint32_t b) const;
+  /// Which triangles of a surface, whose points are the vertices, are facets.
+  std::vector<bool> find_facets(const SurfaceMesh& surface) const;
+
+  /// Gives every cell the label on its side of the surface, all of whose triangles are facets. False where a
+  /// cell lies on two sides.
+  bool label(const SurfaceMesh& surface);
+
+  enum class Refined { kDone, kCancelled, kTooMany };
+  /// After label(): adds points at the circumcentres of cells that are larger than `sizing` wishes, the
+  /// largest first, then of those with a higher ratio of circumradius to shortest edge, except where these
+  /// are too close to the surface or behind it. A point only changes cells of one label: the triangulation
+  /// stays Delaunay as seen from inside each label. Polls ctx.cancelled(). Stops at `max_points`.
+  Refined refine(const SizingField& sizing, double radius_edge, std::size_t max_points,
+                 const RunContext& ctx);
+
+  /// After label(): the points, and the tets of every label except background, their labels as regions.
+  FilledParts take() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace voxtet::tetra

@@ -1,0 +1,20 @@
+// What a mesher gives, unchecked.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+/// Tets are positive; `regions` numbers the parts that a surface's triangles bound, in any way that gives
+/// parts of different labels different numbers.
+struct FilledParts {
+  std::vector<Eigen::Vector3d> points;  ///< the surface's, then new ones
+  std::vector<Tet> tets;
+  std::vector<std::uint32_t> regions;  ///< one per tet
+};
+
+}  // namespace voxtet
