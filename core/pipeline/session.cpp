@@ -10,6 +10,7 @@
 #include "pipeline/memory.h"
 #include "quality/measure_quality.h"
 #include "remesh/remesh_surface.h"
+#include "sizing/measure_wall.h"
 #include "surface/extract_surface.h"
 #include "surface/smooth_surface.h"
 #include "tetra/fill_tets.h"
@@ -24,7 +25,7 @@ std::vector<Stage> inputs_of(Stage stage) {
     case Stage::kVolume: return {};
     case Stage::kSurface: return {Stage::kVolume};
     case Stage::kSmooth: return {Stage::kSurface};
-    case Stage::kSizing: return {Stage::kVolume};
+    case Stage::kSizing: return {Stage::kVolume, Stage::kSmooth};
     case Stage::kRemesh: return {Stage::kVolume, Stage::kSmooth, Stage::kSizing};
     case Stage::kTetra: return {Stage::kRemesh, Stage::kSizing};
     case Stage::kOptimise: return {Stage::kSmooth, Stage::kSizing, Stage::kTetra};
@@ -111,7 +112,7 @@ void Session::forget(Stage stage) {
     case Stage::kVolume: source_.reset(), volume_ = {}; break;
     case Stage::kSurface: surface_.reset(); break;
     case Stage::kSmooth: smooth_.reset(); break;
-    case Stage::kSizing: sizing_.reset(); break;
+    case Stage::kSizing: sizing_.reset(), walls_.clear(); break;
     case Stage::kRemesh: remeshed_.reset(); break;
     case Stage::kTetra: filled_.reset(); break;
     case Stage::kOptimise: optimised_.reset(); break;
@@ -143,12 +144,24 @@ Status Session::run_volume(RunContext& ctx) {
   return std::monostate{};
 }
 
+Status Session::run_sizing(RunContext& ctx) {
+  walls_.clear();
+  for (const ThicknessSize& wish : recipe_.sizing.thickness) {
+    const std::string name = "sizing.thickness[" + std::to_string(walls_.size()) + "]";
+    Result<WallField> wall =
+        measure_wall({*anatomy(), *volume(), *smooth_}, {wish.wall, wish.inner}, name, ctx);
+    if (!wall) return wall.error();
+    walls_.push_back(std::move(wall).value());
+  }
+  return keep(build_sizing_field(*volume(), recipe_.sizing, ctx, {walls_}), sizing_);
+}
+
 Status Session::run_stage(Stage stage, RunContext& ctx) {
   switch (stage) {
     case Stage::kVolume: return run_volume(ctx);
     case Stage::kSurface: return keep(extract_surface(*volume(), recipe_.surface, ctx), surface_);
     case Stage::kSmooth: return keep(smooth_surface(*surface_, *volume(), recipe_.smooth, ctx), smooth_);
-    case Stage::kSizing: return keep(build_sizing_field(*volume(), recipe_.sizing, ctx), sizing_);
+    case Stage::kSizing: return run_sizing(ctx);
     case Stage::kRemesh:
       return keep(remesh_surface(*volume(), *smooth_, *sizing_, recipe_.remesh, ctx), remeshed_);
     case Stage::kTetra: return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), filled_);

@@ -19,6 +19,7 @@
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
+#include "types/wall_field.h"
 #include "volume/prepare_volume.h"
 
 namespace voxtet {
@@ -61,9 +62,15 @@ class Session {
   const LabelVolume* selected_volume() const { return volume_.selected.get(); }
   /// The labels to be meshed, thick slices interpolated and specks removed: what the later stages see.
   const LabelVolume* volume() const { return volume_.prepared.get(); }
+  /// All labels of the source on the grid of volume().
+  const LabelVolume* anatomy() const {
+    return volume_.interpolated ? volume_.interpolated.get() : source_.get();
+  }
   const SurfaceMesh* surface() const { return surface_ ? &*surface_ : nullptr; }
   const SurfaceMesh* smooth() const { return smooth_ ? &*smooth_ : nullptr; }
   const SizingField* sizing() const { return sizing_ ? &*sizing_ : nullptr; }
+  /// The walls of the recipe's sizing.thickness, in its order.
+  const std::vector<WallField>& walls() const { return walls_; }
   const SurfaceMesh* remeshed() const { return remeshed_ ? &*remeshed_ : nullptr; }
   const TetMesh* filled() const { return filled_ ? &*filled_ : nullptr; }
   /// The optimised tetrahedra; while there are none, also when kOptimise failed, those that fill the surface.
@@ -77,6 +84,7 @@ class Session {
   std::string key_of(Stage stage) const;
   Status run_stage(Stage stage, RunContext& ctx);
   Status run_volume(RunContext& ctx);
+  Status run_sizing(RunContext& ctx);
   void forget(Stage stage);
 
   Recipe recipe_;
@@ -85,6 +93,7 @@ class Session {
   std::shared_ptr<const LabelVolume> source_;
   PreparedVolume volume_;
   std::optional<SurfaceMesh> surface_, smooth_, remeshed_;
+  std::vector<WallField> walls_;
   std::optional<SizingField> sizing_;
   std::optional<TetMesh> filled_, optimised_;
   std::optional<LabelLookUp> lookup_;

@@ -134,11 +134,28 @@ void visit_fields(V& v, DistanceSize& p) {
 }
 
 template <class V>
+void visit_fields(V& v, ThicknessSize& p) {
+  v.field({"wall", "", 1, 65535, "Labels of the image that form the wall."}, p.wall);
+  v.field({"inner", "", 1, 65535,
+           "Labels on its inner side (blood pools); none: the cavities of the background."},
+          p.inner);
+  v.field({"layers", "", 0, 20, "Elements wished across the wall; 0: the ranges below instead."}, p.layers);
+  v.field({"edge_thin_mm", "mm", 0.01, 1000, "Edge length where the wall is thin."}, p.edge_thin_mm);
+  v.field({"edge_thick_mm", "mm", 0.01, 1000, "Edge length where the wall is thick."}, p.edge_thick_mm);
+  v.field({"thin_mm", "mm", 0, 1000, "Thickness that is thin; 0 with thick_mm 0: the first percentile."},
+          p.thin_mm);
+  v.field({"thick_mm", "mm", 0, 1000, "Thickness that is thick; 0 with thin_mm 0: the last percentile."},
+          p.thick_mm);
+}
+
+template <class V>
 void visit_fields(V& v, SizingParams& p) {
   v.field({"edge_mm", "mm", 0.01, 1000, "Edge length wherever nothing smaller is asked."}, p.edge_mm);
   v.list({"labels", "", 0, 0, "Edge length inside single labels, instead of edge_mm."}, p.labels);
   v.list({"regions", "", 0, 0, "Places with their own edge length."}, p.regions);
   v.list({"distances", "", 0, 0, "Edge length growing with the distance to a label."}, p.distances);
+  v.list({"thickness", "", 0, 0, "Edge length by the thickness of a wall, instead of edge_mm there."},
+         p.thickness);
   v.field({"edge_min_mm", "mm", 0.01, 1000, "No edge length below this is asked."}, p.edge_min_mm);
   v.field({"edge_max_mm", "mm", 0.01, 1000, "No edge length above this is asked."}, p.edge_max_mm);
   v.field({"gradation", "mm/mm", 0.01, 1, "Bound on how fast the edge length may change per mm."},

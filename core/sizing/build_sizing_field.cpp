@@ -11,6 +11,7 @@
 #include "sizing/check_sizing_params.h"
 #include "sizing/limit_gradation.h"
 #include "sizing/size_region.h"
+#include "sizing/thickness_size.h"
 
 namespace voxtet {
 namespace {
@@ -61,11 +62,19 @@ void for_each_voxel(const LabelVolume& volume, const SizingField& field, Visit v
     }
 }
 
-void add_label_sizes(const LabelVolume& volume, const SizingParams& params, SizingField& field) {
-  std::vector<float> size_of(65536, static_cast<float>(params.edge_mm));
+/// Sizes that hold in place of edge_mm where they are finite.
+using BaseSizes = std::vector<float>;
+
+void add_label_sizes(const LabelVolume& volume, const SizingParams& params, const BaseSizes& base,
+                     SizingField& field) {
+  std::vector<float> size_of(65536, kFar);
   for (const LabelSize& wish : params.labels) size_of[wish.label] = static_cast<float>(wish.edge_mm);
-  size_of[kBackground] = kFar;
-  for_each_voxel(volume, field, [&](Label label, std::size_t at) { field.h_mm[at] = size_of[label]; });
+  const auto edge = static_cast<float>(params.edge_mm);
+  for_each_voxel(volume, field, [&](Label label, std::size_t at) {
+    if (label == kBackground) return;
+    const float size = std::min(size_of[label], base.empty() ? kFar : base[at]);
+    field.h_mm[at] = size < kFar ? size : edge;
+  });
 }
 
 bool add_distance_size(const LabelVolume& volume, const DistanceSize& wish, SizingField& field,
@@ -129,13 +138,17 @@ void add_region_size(const SizeRegion& region, double edge_max_mm, const std::ve
 
 }  // namespace
 
-Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params,
-                                       RunContext& ctx) {
+Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params, RunContext& ctx,
+                                       const SizingSources& sources) {
   if (const auto error = find_volume_error(volume)) return *error;
   if (const auto error = find_sizing_error(volume, params)) return *error;
   ctx.progress(kStage, 0);
   SizingField field = padded_grid(volume);
-  add_label_sizes(volume, params, field);
+  BaseSizes base;
+  if (!sources.walls.empty()) base.assign(field.h_mm.size(), kFar);
+  for (std::size_t w = 0; w < sources.walls.size(); ++w)
+    lower_by_thickness(sources.walls[w], params.thickness[w], field, base);
+  add_label_sizes(volume, params, base, field);
   for (const DistanceSize& wish : params.distances) {
     if (ctx.cancelled() || !add_distance_size(volume, wish, field, ctx)) return cancelled_error(kStage);
   }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "types/result.h"
 #include "types/run_context.h"
 #include "types/sizing_field.h"
+#include "types/wall_field.h"
 
 namespace voxtet {
 
@@ -42,25 +45,43 @@ struct DistanceSize {
   double slope = 0.2;
 };
 
+/// Size by the thickness t of a wall. `layers` > 0: c * t / layers, where c is 1 up to two layers and 0.8
+/// beyond, which leaves that many elements between the surfaces almost everywhere. Else linear, from
+/// edge_thin_mm where t <= thin_mm to edge_thick_mm where t >= thick_mm; with both of these 0 they are the
+/// first and the last percentile of t.
+struct ThicknessSize {
+  std::vector<Label> wall;   ///< labels of the image that form the wall
+  std::vector<Label> inner;  ///< labels on its inner side; none: the cavities of the background
+  std::uint32_t layers = 0;
+  double edge_thin_mm = 1, edge_thick_mm = 3;
+  double thin_mm = 0, thick_mm = 0;
+};
+
 struct SizingParams {
-  double edge_mm = 2;                   ///< wherever nothing smaller is asked
-  std::vector<LabelSize> labels;        ///< replaces edge_mm inside these labels (smaller or larger)
-  std::vector<SizeRegion> regions;      ///< minimum with everything else
-  std::vector<DistanceSize> distances;  ///< minimum with everything else
+  double edge_mm = 2;                    ///< wherever nothing smaller is asked
+  std::vector<LabelSize> labels;         ///< replaces edge_mm inside these labels (smaller or larger)
+  std::vector<SizeRegion> regions;       ///< minimum with everything else
+  std::vector<DistanceSize> distances;   ///< minimum with everything else
+  std::vector<ThicknessSize> thickness;  ///< in its wall in place of edge_mm, minimum with everything else
   double edge_min_mm = 0.1;
   double edge_max_mm = 50;
   double gradation = 0.3;  ///< bound on |grad h|; 0 < g <= 1
+};
+
+/// What sizes may depend on beyond the labels.
+struct SizingSources {
+  std::span<const WallField> walls;  ///< measured (measure_wall.h), one for each of SizingParams::thickness
 };
 
 /// The minimum of all sources at the volume's voxels, clamped to [edge_min_mm, edge_max_mm], then
 /// gradation-limited: h*(x) = min_y h(y) + g|x - y| by fast sweeping (limit_gradation.h states its accuracy).
 /// The grid is that of the volume with two points more on each side. Background takes no wish of its own: it
 /// gets its size from the labels around it through the gradation, from distances and from regions. Regions do
-/// not depend on their order: each rises to what stands without any region.
-/// Errors: kUsage naming the field ("sizing.labels[1].edge_mm") for sizes that are not finite and positive,
-/// labels that the volume does not hold or that are listed twice, empty regions; kBadInput for a volume that
-/// makes no sense; kCancelled.
-Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params,
-                                       RunContext& ctx);
+/// not depend on their order: each rises to what stands without any region. A voxel of a wall belongs to it
+/// by the wall's own surface, whether it is meshed or not. Errors: kUsage naming the field
+/// ("sizing.labels[1].edge_mm") for sizes that are not finite and positive, labels that the volume does not
+/// hold or that are listed twice, empty regions; kBadInput for a volume that makes no sense; kCancelled.
+Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params, RunContext& ctx,
+                                       const SizingSources& sources = {});
 
 }  // namespace voxtet

@@ -85,6 +85,17 @@ void check_region(Checker& check, const SizeRegion& region, const std::string& f
   if (region.shape == RegionShape::kCapsule) check.finite(field + ".end_mm", region.end_mm);
 }
 
+void check_thickness(Checker& check, const ThicknessSize& wish, const std::string& field) {
+  if (wish.layers > 0) return;
+  check.positive(field + ".edge_thin_mm", wish.edge_thin_mm);
+  check.positive(field + ".edge_thick_mm", wish.edge_thick_mm);
+  check.require(std::isfinite(wish.thin_mm) && wish.thin_mm >= 0, field + ".thin_mm", wish.thin_mm,
+                "a finite length >= 0 mm");
+  const bool measured = wish.thin_mm == 0 && wish.thick_mm == 0;
+  check.require(measured || (std::isfinite(wish.thick_mm) && wish.thick_mm > wish.thin_mm),
+                field + ".thick_mm", wish.thick_mm, "more than thin_mm, or both 0");
+}
+
 void check_labels(Checker& check, const SizingParams& params, const HeldLabels& held) {
   std::vector<int> given_by(65536, -1);
   for (std::size_t i = 0; i < params.labels.size(); ++i) {
@@ -123,6 +134,8 @@ std::optional<Error> find_sizing_error(const LabelVolume& volume, const SizingPa
     check.require(std::isfinite(distance.slope) && distance.slope >= 0, field + ".slope", distance.slope,
                   "a finite slope >= 0");
   }
+  for (std::size_t i = 0; i < params.thickness.size(); ++i)
+    check_thickness(check, params.thickness[i], item("thickness", i));
   return check.error();
 }
 

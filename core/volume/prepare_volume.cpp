@@ -19,11 +19,12 @@ Result<PreparedVolume> prepare_volume(const LabelVolume& source, const std::vect
   out.selected = std::make_shared<const LabelVolume>(std::move(chosen).value());
   out.prepared = out.selected;
   if (has_thick_slices(source, params.slice_ratio)) {
-    const Result<LabelVolume> fine = interpolate_slices(source, params.slice_ratio, ctx);
+    Result<LabelVolume> fine = interpolate_slices(source, params.slice_ratio, ctx);
     if (!fine) return fine.error();
     Result<LabelVolume> fine_chosen = select_labels(*fine, labels, merge);
     if (!fine_chosen) return fine_chosen.error();
     out.prepared = std::make_shared<const LabelVolume>(std::move(fine_chosen).value());
+    out.interpolated = std::make_shared<const LabelVolume>(std::move(fine).value());
   }
   if (params.speck_voxels > 0 || params.hole_voxels > 0)
     out.prepared = std::make_shared<const LabelVolume>(

@@ -19,10 +19,11 @@ struct VolumeParams {
   std::uint32_t hole_voxels = 0;   ///< smaller enclosed components of background are removed; 0: none
 };
 
-/// Both hold the labels to be meshed, `selected` on the source's grid, `prepared` on the one to be meshed;
-/// the same object where nothing was interpolated or removed.
+/// `selected` and `prepared` hold the labels to be meshed, on the source's grid and on the one to be meshed;
+/// the same object where nothing was interpolated or removed. `interpolated` holds all labels on the grid of
+/// `prepared`; null where that is the source's.
 struct PreparedVolume {
-  std::shared_ptr<const LabelVolume> selected, prepared;
+  std::shared_ptr<const LabelVolume> selected, prepared, interpolated;
 };
 
 /// interpolate_slices over all labels of the source, then select_labels, then remove_specks; what they did is

@@ -257,5 +257,97 @@ TEST(BuildSizingField, StopsWhenCancelled) {
   EXPECT_EQ(field.error().code, ErrorCode::kCancelled);
 }
 
+/// A wall of label 1 as thick as its voxels are far up: i / 2 mm, between i = 4 and i = 24.
+WallField wedge(const LabelVolume& volume) {
+  WallField wall;
+  wall.wall = {1};
+  wall.size = volume.size;
+  wall.index_to_mm = volume.index_to_mm;
+  wall.mm_to_index = volume.index_to_mm.inverse();
+  wall.potential.assign(volume.voxel_count(), 0.5F);
+  for (std::size_t at = 0; at < volume.voxel_count(); ++at) {
+    wall.in_wall.push_back(volume.labels[at] == 1);
+    wall.thickness_mm.push_back(static_cast<float>(at % static_cast<std::size_t>(volume.size[0])) / 2);
+  }
+  return wall;
+}
+
+SizingField build_with_wall(const LabelVolume& volume, SizingParams params, const ThicknessSize& wish) {
+  params.gradation = 1;
+  params.thickness = {wish};
+  const std::vector<WallField> walls{wedge(volume)};
+  RunContext ctx;
+  return build_sizing_field(volume, params, ctx, {walls}).value();
+}
+
+TEST(BuildSizingField, LayersDivideTheThicknessOfAWall) {
+  const LabelVolume volume = two_halves();
+  SizingParams params;
+  params.edge_mm = 9;
+  ThicknessSize wish;
+  wish.wall = {1};
+  for (const auto& [layers, factor] : {std::pair(1U, 1.0), std::pair(2U, 1.0), std::pair(4U, 0.8)}) {
+    wish.layers = layers;
+    const SizingField field = build_with_wall(volume, params, wish);
+    for (const int i : {4, 8, 13})
+      EXPECT_NEAR(at_voxel(volume, field, i, 12, 12), factor * i / 2 / layers, 1e-5) << layers;
+    // Beyond the wall the other label's own size, as far as the gradation allows.
+    EXPECT_GT(at_voxel(volume, field, 23, 12, 12), 13.0 / 2 / layers);
+  }
+}
+
+TEST(BuildSizingField, ThicknessIsMappedToARangeOfSizes) {
+  const LabelVolume volume = two_halves();
+  ThicknessSize wish;
+  wish.wall = {1};
+  wish.thin_mm = 3;
+  wish.thick_mm = 5;
+  wish.edge_thin_mm = 1.5;
+  wish.edge_thick_mm = 2.5;
+  const SizingField field = build_with_wall(volume, {}, wish);
+  EXPECT_NEAR(at_voxel(volume, field, 4, 12, 12), 1.5, 1e-5);
+  EXPECT_NEAR(at_voxel(volume, field, 8, 12, 12), 2, 1e-5);
+  EXPECT_NEAR(at_voxel(volume, field, 9, 12, 12), 2.25, 1e-5);
+  EXPECT_NEAR(at_voxel(volume, field, 12, 12, 12), 2.5, 1e-5);
+}
+
+TEST(BuildSizingField, TheRangeOfThicknessIsThatOfTheWallUnlessGiven) {
+  const LabelVolume volume = two_halves();
+  ThicknessSize wish;
+  wish.wall = {1};
+  wish.edge_thin_mm = 1;
+  wish.edge_thick_mm = 4;  // the wall's thickness runs from 2 to 6.5 mm
+  const SizingField field = build_with_wall(volume, {}, wish);
+  EXPECT_NEAR(at_voxel(volume, field, 4, 12, 12), 1, 1e-5);
+  EXPECT_NEAR(at_voxel(volume, field, 8, 12, 12), 1 + 3 * (4 - 2) / 4.5, 1e-5);
+  EXPECT_NEAR(at_voxel(volume, field, 12, 12, 12), 1 + 3 * (6 - 2) / 4.5, 1e-5);
+}
+
+TEST(BuildSizingField, TheSmallerOfLabelSizeAndThicknessHolds) {
+  const LabelVolume volume = two_halves();
+  SizingParams params;
+  params.labels = {{1, 2.5}};
+  ThicknessSize wish;
+  wish.wall = {1};
+  wish.layers = 1;
+  const SizingField field = build_with_wall(volume, params, wish);
+  EXPECT_NEAR(at_voxel(volume, field, 4, 12, 12), 2, 1e-5);
+  EXPECT_NEAR(at_voxel(volume, field, 10, 12, 12), 2.5, 1e-5);
+}
+
+TEST(BuildSizingField, RefusesImpossibleRangesOfThickness) {
+  const LabelVolume volume = two_halves();
+  SizingParams params;
+  params.thickness.resize(1);
+  params.thickness[0].wall = {1};
+  params.thickness[0].thin_mm = 5;
+  params.thickness[0].thick_mm = 5;
+  RunContext ctx;
+  const Result<SizingField> field = build_sizing_field(volume, params, ctx);
+  ASSERT_FALSE(field.ok());
+  EXPECT_NE(field.error().message.find("sizing.thickness[0].thick_mm: found 5"), std::string::npos)
+      << field.error().message;
+}
+
 }  // namespace
 }  // namespace voxtet

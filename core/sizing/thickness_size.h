@@ -1,0 +1,14 @@
+// The thickness of a wall -> edge lengths in it.
+#pragma once
+
+#include <vector>
+
+#include "sizing/build_sizing_field.h"
+
+namespace voxtet {
+
+/// Lowers `sizes` (mm, one a point of the grid) to what `wish` asks at the points inside the wall.
+void lower_by_thickness(const WallField& wall, const ThicknessSize& wish, const SizingField& grid,
+                        std::vector<float>& sizes);
+
+}  // namespace voxtet

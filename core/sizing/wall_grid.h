@@ -1,0 +1,65 @@
+// A wall on a grid: which voxels it has, what lies on each of its sides, and how far its surface is.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "types/label_volume.h"
+#include "types/surface_mesh.h"
+
+namespace voxtet::wall {
+
+/// What a voxel is. From kInner on, the voxel belongs to the inner space number `kind - kInner`.
+enum Kind : std::uint8_t {
+  kWall = 0,
+  kSide = 1,   ///< beyond a face that is neither inner nor outer: the rim of the base, the image's border
+  kOuter = 2,  ///< beyond the outer surface
+  kInner = 3
+};
+inline constexpr std::size_t kMaxInner = 200;
+
+/// Voxels of the wall's surroundings, x fastest, with at least two voxels around the wall on every side.
+/// `distance_mm` holds, for voxels with a face neighbour on the other side of the wall's surface, the
+/// distance from the voxel's centre to that surface, never 0; elsewhere nothing of use.
+struct WallGrid {
+  std::array<int, 3> size{0, 0, 0};
+  Eigen::Matrix4d index_to_mm = Eigen::Matrix4d::Identity();
+  std::vector<std::uint8_t> kind;
+  std::vector<float> distance_mm;
+
+  std::size_t offset(int i, int j, int k) const {
+    return static_cast<std::size_t>(i) +
+           static_cast<std::size_t>(size[0]) *
+               (static_cast<std::size_t>(j) +
+                static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(k));
+  }
+  std::array<std::size_t, 3> strides() const {
+    const auto x = static_cast<std::size_t>(size[0]);
+    return {1, x, x * static_cast<std::size_t>(size[1])};
+  }
+  Eigen::Matrix3d linear() const { return index_to_mm.topLeftCorner<3, 3>(); }
+  Eigen::Vector3d to_mm(const Eigen::Vector3d& index) const {
+    return linear() * index + index_to_mm.topRightCorner<3, 1>();
+  }
+  Eigen::Vector3d spacing_mm() const { return linear().colwise().norm().transpose(); }
+};
+
+/// The kinds of the voxels around the wall: voxels of `wall` labels are kWall, of `inner` labels kInner and
+/// on in their order, others kOuter, beyond the image kSide. At least one voxel has a wall label.
+WallGrid wall_grid(const LabelVolume& anatomy, const std::vector<Label>& wall,
+                   const std::vector<Label>& inner);
+
+/// The same grid with `factor` voxels for each along every axis.
+WallGrid refined(const WallGrid& grid, int factor);
+
+/// Measures `distance_mm` to the triangles, which are those of the wall's surface with their normals out of
+/// the wall and lie within about `steps` voxels of where the kinds change, and moves voxels whose centre lies
+/// on the other side of them to that side. Where no triangle is near, the distance is 0.37 voxels, which is
+/// right on average (measured on shells). About linear time; the same for any number of threads.
+void measure_distances(const std::vector<Eigen::Vector3d>& points, const std::vector<Triangle>& triangles,
+                       int steps, int threads, WallGrid& grid);
+
+}  // namespace voxtet::wall
