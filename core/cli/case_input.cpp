@@ -20,14 +20,20 @@ bool is_case_file(const std::string& input) {
   return input.size() > 5 && input.ends_with(".json");
 }
 
-Status load_file(const std::string& path, Session& session) {
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+using Load = Status (Session::*)(const VolumeFile&);
+
+Status load_file(const std::string& path, Load load, Session& session) {
   Result<Bytes> bytes = read_file(path);
   if (!bytes) return bytes.error();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const SiblingReader sibling = [folder](const std::string& name) {
     return read_file((folder / name).string());
   };
-  return session.load_volume({std::filesystem::path(path).filename().string(), *bytes, sibling});
+  return (session.*load)({file_name(path), *bytes, sibling});
 }
 
 /// "a=b" -> {a, b}. Errors: kUsage.
@@ -44,6 +50,21 @@ Result<double> to_number(const std::string& option, const std::string& text) {
   return value;
 }
 
+/// "5=0.8" of each text -> {"label": 5, "edge_mm": 0.8}. Errors: kUsage.
+Result<nlohmann::json> to_edges(const std::string& option, const std::vector<std::string>& texts) {
+  nlohmann::json edges = nlohmann::json::array();
+  for (const std::string& text : texts) {
+    auto pair = split_pair(option, text);
+    if (!pair) return pair.error();
+    Result<double> label = to_number(option + " " + text, pair->first);
+    if (!label) return label.error();
+    Result<double> edge = to_number(option + " " + text, pair->second);
+    if (!edge) return edge.error();
+    edges.push_back({{"label", *label}, {"edge_mm", *edge}});
+  }
+  return edges;
+}
+
 /// "1,5,6" -> [1, 5, 6]. Errors: kUsage.
 Result<nlohmann::json> to_group(const std::string& text) {
   const nlohmann::json group = nlohmann::json::parse("[" + text + "]", nullptr, false);
@@ -52,6 +73,21 @@ Result<nlohmann::json> to_group(const std::string& text) {
   });
   if (!whole) return usage("--merge " + text + ": expected labels as 1,5,6, and the input before it");
   return group;
+}
+
+/// The masks and images of the case, beside it, and those of the options.
+Status load_side_files(const Recipe& recipe, const CaseOptions& options, Session& session) {
+  const std::filesystem::path folder = is_case_file(options.input)
+                                           ? std::filesystem::path(options.input).parent_path()
+                                           : std::filesystem::path();
+  std::vector<std::string> masks = options.masks, images = options.size_images;
+  for (const MaskSize& mask : recipe.sizing.masks) masks.push_back((folder / mask.name).string());
+  for (const ImageSize& image : recipe.sizing.images) images.push_back((folder / image.name).string());
+  for (const std::string& path : masks)
+    if (Status loaded = load_file(path, &Session::load_mask, session); !loaded) return loaded;
+  for (const std::string& path : images)
+    if (Status loaded = load_file(path, &Session::load_size_image, session); !loaded) return loaded;
+  return std::monostate{};
 }
 
 bool merges_all(const CaseOptions& options) {
@@ -84,18 +120,20 @@ Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
     json["merge"].push_back(std::move(group).value());
   }
   if (options.edge_mm != 0) json["sizing"]["edge_mm"] = options.edge_mm;
-  for (const std::string& text : options.edge_labels) {
-    auto pair = split_pair("--edge-label", text);
-    if (!pair) return pair.error();
-    Result<double> label = to_number("--edge-label " + text, pair->first);
-    if (!label) return label.error();
-    Result<double> edge = to_number("--edge-label " + text, pair->second);
-    if (!edge) return edge.error();
+  const Result<nlohmann::json> edges = to_edges("--edge-label", options.edge_labels);
+  if (!edges) return edges.error();
+  for (const nlohmann::json& edge : *edges) {
     nlohmann::json& sizes = json["sizing"]["labels"];
     std::erase_if(sizes.get_ref<nlohmann::json::array_t&>(),
-                  [&](const auto& s) { return s["label"] == *label; });
-    sizes.push_back({{"label", *label}, {"edge_mm", *edge}});
+                  [&](const auto& s) { return s["label"] == edge["label"]; });
+    sizes.push_back(edge);
   }
+  const Result<nlohmann::json> mask_edges = to_edges("--mask-edge", options.mask_edges);
+  if (!mask_edges) return mask_edges.error();
+  for (const std::string& path : options.masks)
+    json["sizing"]["masks"].push_back({{"name", file_name(path)}, {"edges", *mask_edges}});
+  for (const std::string& path : options.size_images)
+    json["sizing"]["images"].push_back({{"name", file_name(path)}});
   Result<Recipe> changed = parse_recipe(json);
   for (const std::string& text : options.set) {
     if (!changed) return changed;
@@ -135,9 +173,10 @@ Status open_case(const CaseOptions& options, Session& session) {
       path = (std::filesystem::path(options.input).parent_path() / path).string();
   }
   if (!path.empty()) {
-    if (Status loaded = load_file(path, session); !loaded) return loaded;
+    if (Status loaded = load_file(path, &Session::load_volume, session); !loaded) return loaded;
     if (!recipe->source.file) recipe->source = session.recipe().source;
   }
+  if (Status loaded = load_side_files(*recipe, options, session); !loaded) return loaded;
   Result<Recipe> changed = with_options(std::move(recipe).value(), options);
   if (!changed) return changed.error();
   if (merges_all(options)) {

@@ -16,13 +16,17 @@ struct CaseOptions {
   std::vector<unsigned> look_up;         ///< --look-up
   double edge_mm = 0;                    ///< --edge-mm; 0: as in the recipe
   std::vector<std::string> edge_labels;  ///< --edge-label 5=0.8
+  std::vector<std::string> masks;        ///< --mask
+  std::vector<std::string> mask_edges;   ///< --mask-edge 1=0.8, of every --mask
+  std::vector<std::string> size_images;  ///< --size-image
   std::vector<std::string> set;          ///< --set path=value
 };
 
 /// Recipe of a case file or link; default recipe (source still empty) for a volume.
 Result<Recipe> read_case(const std::string& input);
 
-/// Loads the volume, if the case names one (a case's file is looked up beside the case), applies the options.
+/// Loads the volume, masks and images that the case names (looked up beside the case) and those that the
+/// options add, and applies the options.
 Status open_case(const CaseOptions& options, Session& session);
 
 }  // namespace voxtet

@@ -13,7 +13,9 @@
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
 #include "io/write_volume.h"
+#include "io/write_vti.h"
 #include "lookup/look_up_labels.h"
+#include "pipeline/field_volume.h"
 #include "pipeline/report.h"
 #include "recipe/link.h"
 
@@ -33,6 +35,10 @@ struct Output {
 
 void print_json(const json& value) {
   std::printf("%s\n", value.dump(1).c_str());
+}
+
+bool is_nifti_name(const std::string& path) {
+  return path.ends_with(".nii") || path.ends_with(".nii.gz");
 }
 
 int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::vector<CellData> cell_data,
@@ -78,6 +84,23 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
   return kExitOk;
 }
 
+int run_field(const CaseOptions& options, const std::string& name, const std::string& out,
+              const Output& output) {
+  const bool vti = out.ends_with(".vti");
+  if (!vti && !is_nifti_name(out))
+    return fail({ErrorCode::kUsage, "cli", out + ": a field is written as .nii, .nii.gz or .vti", {}});
+  Session session;
+  if (Status opened = open_case(options, session); !opened) return fail(opened.error());
+  RunContext ctx = printing_context(output.time_limit_s, output.threads);
+  if (Status done = session.run(Stage::kSizing, ctx); !done) return fail(done.error());
+  const Result<ScalarVolume> field = field_volume(session, name);
+  if (!field) return fail(field.error());
+  const Result<Bytes> bytes = vti ? write_vti(*field, name) : write_nifti(*field, out.ends_with(".gz"));
+  if (!bytes) return fail(bytes.error());
+  if (Status written = place_files({{out, *bytes}}); !written) return fail(written.error());
+  return kExitOk;
+}
+
 int run_check(const std::string& path, const Output& output) {
   Result<TetMesh> mesh = read_tet_mesh_file(path);
   if (!mesh) return fail(mesh.error());
@@ -111,7 +134,7 @@ int run_phantom(const std::string& name, const std::vector<std::string>& set, co
   Result<LabelVolume> volume = make_phantom(*recipe->source.phantom);
   if (!volume) return fail(volume.error());
   const bool gzip = out.ends_with(".gz");
-  if (!out.ends_with(".nii") && !out.ends_with(".nii.gz"))
+  if (!is_nifti_name(out))
     return fail({ErrorCode::kUsage, "cli", out + ": a phantom is written as .nii or .nii.gz", {}});
   Result<Bytes> bytes = write_nifti(*volume, gzip);
   if (!bytes) return fail(bytes.error());
@@ -130,7 +153,7 @@ int run_convert(const std::string& in, const std::string& out, const Output& out
   }
   Result<LabelVolume> volume = read_volume_file(in);
   if (!volume) return fail(volume.error());
-  if (!out.ends_with(".nii") && !out.ends_with(".nii.gz"))
+  if (!is_nifti_name(out))
     return fail({ErrorCode::kUsage, "cli", out + ": a volume is written as .nii or .nii.gz", {}});
   Result<Bytes> bytes = write_nifti(*volume, out.ends_with(".gz"));
   if (!bytes) return fail(bytes.error());
@@ -212,6 +235,9 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
       ->delimiter(',');
   command.add_option("--edge-mm", options.edge_mm, "edge length, mm");
   command.add_option("--edge-label", options.edge_labels, "edge length inside a label, as 5=0.8");
+  command.add_option("--mask", options.masks, "label volume painted over the input, sized by --mask-edge");
+  command.add_option("--mask-edge", options.mask_edges, "edge length inside a label of the masks, as 1=0.8");
+  command.add_option("--size-image", options.size_images, "NIfTI image of edge lengths, mm");
   command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");
   command.add_flag("--json", output.as_json, "print the report as JSON");
   command.add_option("--time-limit", output.time_limit_s, "give up after so many seconds");
@@ -237,6 +263,15 @@ int run_cli(int argc, const char* const* argv) {
   mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")
       ->check(CLI::IsMember({"ras", "lps"}));
   mesh->callback([&] { code = run_mesh(options, out, report, output); });
+
+  CLI::App* field =
+      app.add_subcommand("field", "write edge length, wall thickness or wall potential as an image");
+  add_case_options(*field, options, output, "VOLUME|CASE.json");
+  std::string what = "size";
+  field->add_option("--what", what, "size, thickness or potential")
+      ->check(CLI::IsMember({"size", "thickness", "potential"}));
+  field->add_option("-o,--output", out, ".nii, .nii.gz or .vti")->required();
+  field->callback([&] { code = run_field(options, what, out, output); });
 
   CLI::App* verify = app.add_subcommand("verify", "mesh a case and compare with the digest it promises");
   add_case_options(*verify, options, output, "CASE.json");

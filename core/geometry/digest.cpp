@@ -103,16 +103,30 @@ std::string digest_of(const SurfaceMesh& surface) {
   return sha.hex();
 }
 
-std::string digest_of(const LabelVolume& volume) {
+namespace {
+
+template <class Value>
+std::string digest_of_grid(const std::array<int, 3>& size, const Eigen::Matrix4d& index_to_mm,
+                           const std::vector<Value>& values) {
   Sha256 sha;
-  sha.update_values(volume.size.data(), 3);
+  sha.update_values(size.data(), 3);
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column) {
-      const float value = static_cast<float>(volume.index_to_mm(row, column));
+      const float value = static_cast<float>(index_to_mm(row, column));
       sha.update_values(&value, 1);
     }
-  sha.update_values(volume.labels.data(), volume.labels.size());
+  sha.update_values(values.data(), values.size());
   return sha.hex();
+}
+
+}  // namespace
+
+std::string digest_of(const LabelVolume& volume) {
+  return digest_of_grid(volume.size, volume.index_to_mm, volume.labels);
+}
+
+std::string digest_of(const ScalarVolume& volume) {
+  return digest_of_grid(volume.size, volume.index_to_mm, volume.values);
 }
 
 }  // namespace voxtet

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "types/label_volume.h"
+#include "types/scalar_volume.h"
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
 
@@ -44,5 +45,7 @@ std::string digest_of(const SurfaceMesh& surface);
 /// Size (int32 x 3), affine rows (float32, so that formats storing it at single precision agree), labels
 /// (uint16).
 std::string digest_of(const LabelVolume& volume);
+/// The same with the values (float32) in place of labels.
+std::string digest_of(const ScalarVolume& volume);
 
 }  // namespace voxtet

@@ -64,6 +64,15 @@ std::size_t decode(const std::uint8_t* in, std::size_t count, const VoxelLayout&
 }
 
 template <class T>
+std::size_t decode(const std::uint8_t* in, std::size_t count, const VoxelLayout& layout, float* out) {
+  for (std::size_t n = 0; n < count; ++n)
+    out[n] = static_cast<float>(static_cast<double>(load_value<T>(in + n * sizeof(T), layout.big_endian)) *
+                                    layout.slope +
+                                layout.inter);
+  return count;
+}
+
+template <class T>
 std::string value_text(const std::uint8_t* at, const VoxelLayout& layout) {
   const T stored = load_value<T>(at, layout.big_endian);
   if (layout.slope == 1 && layout.inter == 0) return text_of(stored);
@@ -96,6 +105,49 @@ Error wrong_length(const VoxelLayout& layout, const std::string& found, std::uin
                        (layout.layers > 1 ? " of " + std::to_string(layout.layers) + " layers" : ""));
 }
 
+template <class Value>
+Result<std::vector<Value>> read_values(ByteSource& source, const VoxelLayout& layout) {
+  const std::uint64_t count = layout.value_count();
+  const std::size_t width = bytes_of(layout.type);
+  const std::uint64_t expected = count * width;
+  if (expected > source.at_most_left())
+    return wrong_length(layout,
+                        (source.compressed() ? "inflate to at most " : "are truncated: they have ") +
+                            std::to_string(source.at_most_left()) + " bytes",
+                        expected);
+
+  std::vector<Value> values(static_cast<std::size_t>(count));
+  std::vector<std::uint8_t> block(static_cast<std::size_t>(std::min<std::uint64_t>(expected, kBlock)));
+  std::uint64_t done = 0;
+  while (done < count) {
+    const auto batch = static_cast<std::size_t>(std::min<std::uint64_t>(count - done, block.size() / width));
+    Result<std::size_t> got = source.read({block.data(), batch * width});
+    if (!got) return got.error();
+    if (*got < batch * width)
+      return wrong_length(
+          layout, "are truncated: they have " + std::to_string(done * width + *got) + " bytes", expected);
+    Value* out = values.data() + done;
+    const std::size_t good = with_type(
+        layout.type, [&](auto value) { return decode<decltype(value)>(block.data(), batch, layout, out); });
+    if (good < batch) {
+      const std::string text = with_type(layout.type, [&](auto value) {
+        return value_text<decltype(value)>(block.data() + good * width, layout);
+      });
+      return bad_value(layout, done + good, text);
+    }
+    done += batch;
+  }
+  std::uint8_t extra = 0;
+  Result<std::size_t> got = source.read({&extra, 1});
+  if (!got) return got.error();
+  if (*got > 0) {
+    const std::string more =
+        source.compressed() ? "go on" : "go on for " + std::to_string(1 + source.at_most_left()) + " bytes";
+    return wrong_length(layout, more + " after the last voxel", expected);
+  }
+  return values;
+}
+
 }  // namespace
 
 std::size_t bytes_of(VoxelType type) {
@@ -117,45 +169,11 @@ Status check_extents(const VoxelLayout& layout, const std::string& field) {
 }
 
 Result<std::vector<Label>> read_labels(ByteSource& source, const VoxelLayout& layout) {
-  const std::uint64_t count = layout.value_count();
-  const std::size_t width = bytes_of(layout.type);
-  const std::uint64_t expected = count * width;
-  if (expected > source.at_most_left())
-    return wrong_length(layout,
-                        (source.compressed() ? "inflate to at most " : "are truncated: they have ") +
-                            std::to_string(source.at_most_left()) + " bytes",
-                        expected);
+  return read_values<Label>(source, layout);
+}
 
-  std::vector<Label> labels(static_cast<std::size_t>(count));
-  std::vector<std::uint8_t> block(static_cast<std::size_t>(std::min<std::uint64_t>(expected, kBlock)));
-  std::uint64_t done = 0;
-  while (done < count) {
-    const auto values = static_cast<std::size_t>(std::min<std::uint64_t>(count - done, block.size() / width));
-    Result<std::size_t> got = source.read({block.data(), values * width});
-    if (!got) return got.error();
-    if (*got < values * width)
-      return wrong_length(
-          layout, "are truncated: they have " + std::to_string(done * width + *got) + " bytes", expected);
-    Label* out = labels.data() + done;
-    const std::size_t good = with_type(
-        layout.type, [&](auto value) { return decode<decltype(value)>(block.data(), values, layout, out); });
-    if (good < values) {
-      const std::string text = with_type(layout.type, [&](auto value) {
-        return value_text<decltype(value)>(block.data() + good * width, layout);
-      });
-      return bad_value(layout, done + good, text);
-    }
-    done += values;
-  }
-  std::uint8_t extra = 0;
-  Result<std::size_t> got = source.read({&extra, 1});
-  if (!got) return got.error();
-  if (*got > 0) {
-    const std::string more =
-        source.compressed() ? "go on" : "go on for " + std::to_string(1 + source.at_most_left()) + " bytes";
-    return wrong_length(layout, more + " after the last voxel", expected);
-  }
-  return labels;
+Result<std::vector<float>> read_scalars(ByteSource& source, const VoxelLayout& layout) {
+  return read_values<float>(source, layout);
 }
 
 Result<std::vector<Label>> read_text_labels(std::span<const std::uint8_t> text, const VoxelLayout& layout) {

@@ -1,4 +1,4 @@
-// Typed voxel bytes, or numbers written as text -> labels.
+// Typed voxel bytes -> labels or numbers; numbers written as text -> labels.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct VoxelLayout {
   std::int64_t layers = 1;  ///< values per voxel, running fastest
   VoxelType type = VoxelType::kUint8;
   bool big_endian = false;
-  double slope = 1, inter = 0;  ///< label = slope * stored + inter
+  double slope = 1, inter = 0;  ///< value = slope * stored + inter
 
   std::uint64_t value_count() const {
     return static_cast<std::uint64_t>(layers) * static_cast<std::uint64_t>(size[0]) *
@@ -42,7 +42,10 @@ Status check_extents(const VoxelLayout& layout, const std::string& field);
 /// to). Errors: kBadInput naming the first offending voxel, or too few or too many bytes.
 Result<std::vector<Label>> read_labels(ByteSource& source, const VoxelLayout& layout);
 
-/// The same from whole numbers written in decimal, apart by white space. White space must also follow the
+/// The same for any values, not a number and infinity among them.
+Result<std::vector<float>> read_scalars(ByteSource& source, const VoxelLayout& layout);
+
+/// Labels from whole numbers written in decimal, apart by white space. White space must also follow the
 /// last one: without it a number that was cut could not be told from a whole one.
 Result<std::vector<Label>> read_text_labels(std::span<const std::uint8_t> text, const VoxelLayout& layout);
 

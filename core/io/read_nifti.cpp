@@ -220,23 +220,14 @@ Result<Eigen::Matrix4d> affine_of(const Header& h) {
   return affine;
 }
 
-}  // namespace
+/// What a header says of voxels and space.
+struct Grid {
+  VoxelLayout layout;
+  Eigen::Matrix4d index_to_mm;
+};
 
-bool looks_like_nifti(std::span<const std::uint8_t> start) {
-  if (start.size() < 4) return false;
-  for (const bool big : {false, true}) {
-    const auto size = load_value<std::int32_t>(start.data(), big);
-    if (size == kHeader1 || size == kHeader2) return true;
-  }
-  const auto magic_at = [&](std::size_t offset, std::uint8_t version) {
-    return start.size() >= offset + 4 && start[offset] == 'n' &&
-           (start[offset + 1] == '+' || start[offset + 1] == 'i') && start[offset + 2] == version &&
-           start[offset + 3] == 0;
-  };
-  return magic_at(344, '1') || magic_at(4, '2');
-}
-
-Result<LabelVolume> read_nifti(ByteSource& source) {
+/// Reads up to the first voxel.
+Result<Grid> read_grid(ByteSource& source) {
   std::array<std::uint8_t, kHeader2> bytes{};
   std::array<std::uint8_t, kHeader1> start{};
   Result<std::size_t> got = source.read(start);
@@ -260,9 +251,43 @@ Result<LabelVolume> read_nifti(ByteSource& source) {
                std::to_string(header_bytes + 4));
   const std::uint64_t to_skip = static_cast<std::uint64_t>(header->vox_offset) - header_bytes;
   if (Status skipped = skip_bytes(source, to_skip, "vox_offset"); !skipped) return skipped.error();
-  Result<std::vector<Label>> labels = read_labels(source, *layout);
+  return Grid{*layout, *affine};
+}
+
+}  // namespace
+
+bool looks_like_nifti(std::span<const std::uint8_t> start) {
+  if (start.size() < 4) return false;
+  for (const bool big : {false, true}) {
+    const auto size = load_value<std::int32_t>(start.data(), big);
+    if (size == kHeader1 || size == kHeader2) return true;
+  }
+  const auto magic_at = [&](std::size_t offset, std::uint8_t version) {
+    return start.size() >= offset + 4 && start[offset] == 'n' &&
+           (start[offset + 1] == '+' || start[offset + 1] == 'i') && start[offset + 2] == version &&
+           start[offset + 3] == 0;
+  };
+  return magic_at(344, '1') || magic_at(4, '2');
+}
+
+Result<LabelVolume> read_nifti(ByteSource& source) {
+  const Result<Grid> grid = read_grid(source);
+  if (!grid) return grid.error();
+  Result<std::vector<Label>> labels = read_labels(source, grid->layout);
   if (!labels) return labels.error();
-  return make_volume(*layout, *affine, std::move(*labels));
+  return make_volume(grid->layout, grid->index_to_mm, std::move(*labels));
+}
+
+Result<ScalarVolume> read_nifti_scalars(ByteSource& source) {
+  const Result<Grid> grid = read_grid(source);
+  if (!grid) return grid.error();
+  Result<std::vector<float>> values = read_scalars(source, grid->layout);
+  if (!values) return values.error();
+  ScalarVolume volume;
+  for (std::size_t d = 0; d < 3; ++d) volume.size[d] = static_cast<int>(grid->layout.size[d]);
+  volume.index_to_mm = grid->index_to_mm;
+  volume.values = std::move(*values);
+  return volume;
 }
 
 }  // namespace voxtet

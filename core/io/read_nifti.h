@@ -8,6 +8,7 @@
 #include "io/byte_source.h"
 #include "types/label_volume.h"
 #include "types/result.h"
+#include "types/scalar_volume.h"
 
 namespace voxtet {
 
@@ -24,5 +25,8 @@ bool looks_like_nifti(std::span<const std::uint8_t> start);
 /// shorter ones. Pairs of .hdr and .img, complex, RGB and 128-bit voxels are refused. Errors: kBadInput
 /// naming the header field.
 Result<LabelVolume> read_nifti(ByteSource& source);
+
+/// The same for an image of any numbers.
+Result<ScalarVolume> read_nifti_scalars(ByteSource& source);
 
 }  // namespace voxtet

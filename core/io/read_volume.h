@@ -9,6 +9,7 @@
 
 #include "types/label_volume.h"
 #include "types/result.h"
+#include "types/scalar_volume.h"
 
 namespace voxtet {
 
@@ -31,6 +32,9 @@ struct VolumeFile {
 /// whole, 0 to 65535. Data longer than the header says are an error too. Errors: kBadInput; kOutOfMemory for
 /// an honest file that is too large for this machine.
 Result<LabelVolume> read_volume(const VolumeFile& file);
+
+/// Reads an image of numbers, as strictly. Accepts .nii and .nii.gz.
+Result<ScalarVolume> read_scalar_volume(const VolumeFile& file);
 
 /// Reads from disk; siblings are looked up in the same folder.
 Result<LabelVolume> read_volume_file(const std::string& path);

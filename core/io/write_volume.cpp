@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kStage = "write_nifti";
 constexpr std::size_t kVoxOffset = 352;
-constexpr std::int16_t kScannerCode = 1, kLabelIntent = 1002;
+constexpr std::int16_t kScannerCode = 1, kNoIntent = 0, kLabelIntent = 1002;
 
 template <class T>
 void put(Bytes& bytes, std::size_t at, T value) {
@@ -46,7 +46,8 @@ std::array<double, 3> quaternion_of(const Eigen::Matrix3d& r) {
 }
 
 /// The qform of an affine with orthogonal axes; nothing for a sheared one.
-std::optional<Qform> qform_of(const LabelVolume& volume) {
+template <class Volume>
+std::optional<Qform> qform_of(const Volume& volume) {
   Eigen::Matrix3d rotation = volume.linear() * volume.spacing_mm().cwiseInverse().asDiagonal();
   if (!(rotation.transpose() * rotation).isIdentity(1e-5)) return std::nullopt;
   const double qfac = rotation.determinant() < 0 ? -1 : 1;
@@ -54,7 +55,8 @@ std::optional<Qform> qform_of(const LabelVolume& volume) {
   return Qform{quaternion_of(rotation), qfac};
 }
 
-Status check(const LabelVolume& volume) {
+template <class Volume>
+Status check(const Volume& volume, std::size_t values) {
   for (int d = 0; d < 3; ++d) {
     const int extent = volume.size[static_cast<std::size_t>(d)];
     if (extent < 1 || extent > 32767)
@@ -64,16 +66,23 @@ Status check(const LabelVolume& volume) {
                        "; NIfTI-1 holds 1 to 32767",
                    {}};
   }
-  if (volume.labels.size() != volume.voxel_count())
+  std::size_t expected = 1;
+  for (const int extent : volume.size) expected *= static_cast<std::size_t>(extent);
+  if (values != expected)
     return Error{ErrorCode::kInternal,
                  kStage,
-                 "the volume has " + std::to_string(volume.labels.size()) + " labels; expected " +
-                     std::to_string(volume.voxel_count()),
+                 "the volume has " + std::to_string(values) + " values; expected " + std::to_string(expected),
                  {}};
   return std::monostate{};
 }
 
-void put_header(Bytes& bytes, const LabelVolume& volume, bool wide) {
+/// NIfTI's code of a type, and its bits.
+struct DataType {
+  std::int16_t code, bits;
+};
+
+template <class Volume>
+void put_header(Bytes& bytes, const Volume& volume, DataType type, std::int16_t intent) {
   put(bytes, 0, std::int32_t{348});
   bytes[38] = 'r';  // "regular", which ANALYZE readers ask for
   const std::array<int, 8> dim{3, volume.size[0], volume.size[1], volume.size[2], 1, 1, 1, 1};
@@ -84,9 +93,9 @@ void put_header(Bytes& bytes, const LabelVolume& volume, bool wide) {
     put(bytes, 40 + 2 * n, static_cast<std::int16_t>(dim[n]));
     put(bytes, 76 + 4 * n, static_cast<float>(pixdim[n]));
   }
-  put(bytes, 68, kLabelIntent);
-  put(bytes, 70, static_cast<std::int16_t>(wide ? 512 : 2));
-  put(bytes, 72, static_cast<std::int16_t>(wide ? 16 : 8));
+  put(bytes, 68, intent);
+  put(bytes, 70, type.code);
+  put(bytes, 72, type.bits);
   put(bytes, 108, static_cast<float>(kVoxOffset));
   put(bytes, 112, 1.F);
   bytes[123] = 2;  // mm
@@ -106,14 +115,29 @@ void put_header(Bytes& bytes, const LabelVolume& volume, bool wide) {
   std::memcpy(bytes.data() + 344, "n+1", 4);
 }
 
+Error out_of_memory() {
+  return {ErrorCode::kOutOfMemory, kStage, "there is not enough memory for the file", {}};
+}
+
 }  // namespace
 
+Result<Bytes> write_nifti(const ScalarVolume& volume, bool gzip) try {
+  if (Status good = check(volume, volume.values.size()); !good) return good.error();
+  Bytes bytes(kVoxOffset + volume.values.size() * sizeof(float));
+  put_header(bytes, volume, {16, 32}, kNoIntent);
+  std::memcpy(bytes.data() + kVoxOffset, volume.values.data(), volume.values.size() * sizeof(float));
+  if (!gzip) return bytes;
+  return gzip_bytes(bytes);
+} catch (const std::bad_alloc&) {
+  return out_of_memory();
+}
+
 Result<Bytes> write_nifti(const LabelVolume& volume, bool gzip) try {
-  if (Status good = check(volume); !good) return good.error();
+  if (Status good = check(volume, volume.labels.size()); !good) return good.error();
   const Label most = *std::max_element(volume.labels.begin(), volume.labels.end());
   const bool wide = most > 255;
   Bytes bytes(kVoxOffset + volume.labels.size() * (wide ? 2 : 1));
-  put_header(bytes, volume, wide);
+  put_header(bytes, volume, wide ? DataType{512, 16} : DataType{2, 8}, kLabelIntent);
   if (wide)
     std::memcpy(bytes.data() + kVoxOffset, volume.labels.data(), volume.labels.size() * sizeof(Label));
   else
@@ -122,7 +146,7 @@ Result<Bytes> write_nifti(const LabelVolume& volume, bool gzip) try {
   if (!gzip) return bytes;
   return gzip_bytes(bytes);
 } catch (const std::bad_alloc&) {
-  return Error{ErrorCode::kOutOfMemory, kStage, "there is not enough memory for the file", {}};
+  return out_of_memory();
 }
 
 }  // namespace voxtet

@@ -1,9 +1,10 @@
-// Label volume -> NIfTI-1 bytes.
+// Label volume or image of numbers -> NIfTI-1 bytes.
 #pragma once
 
 #include "io/read_volume.h"
 #include "types/label_volume.h"
 #include "types/result.h"
+#include "types/scalar_volume.h"
 
 namespace voxtet {
 
@@ -11,5 +12,8 @@ namespace voxtet {
 /// `gzip` compresses with no timestamp, so that equal volumes give equal bytes.
 /// Errors: kUsage for sizes above 32767 per axis.
 Result<Bytes> write_nifti(const LabelVolume& volume, bool gzip);
+
+/// The same for an image of numbers, float32.
+Result<Bytes> write_nifti(const ScalarVolume& volume, bool gzip);
 
 }  // namespace voxtet

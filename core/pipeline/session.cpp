@@ -53,6 +53,30 @@ Status keep(Result<T>&& result, std::optional<T>& slot) {
   return std::monostate{};
 }
 
+/// The loaded volume of each wish, in order. Errors: kBadInput for one that is missing or another.
+template <class Wish, class Loaded, class Volume>
+Status find_side_volumes(const std::vector<Wish>& wishes, const Loaded& loaded, const std::string& list,
+                         std::vector<const Volume*>& out) {
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    const Wish& wish = wishes[i];
+    const std::string name = list + "[" + std::to_string(i) + "]: ";
+    const auto found = loaded.find(wish.name);
+    if (found == loaded.end())
+      return Error{
+          ErrorCode::kBadInput, "sizing", name + "the file '" + wish.name + "' has not been loaded", {}};
+    const std::string& digest = found->second.digest;
+    if (!wish.sha256.empty() && wish.sha256 != digest)
+      return Error{ErrorCode::kBadInput,
+                   "sizing",
+                   name + "the case was made with '" + wish.name + "' of digest " +
+                       wish.sha256.substr(0, 12) + "..., the file loaded has " + digest.substr(0, 12) +
+                       "...: these are different volumes",
+                   {}};
+    out.push_back(&found->second.volume);
+  }
+  return std::monostate{};
+}
+
 }  // namespace
 
 std::string engine_version() {
@@ -76,6 +100,22 @@ Status Session::load_volume(const VolumeFile& file) {
   file_digest_ = digest_of(*file_volume_);
   recipe_.source = {};
   recipe_.source.file = FileSource{file.name, file_digest_};
+  return std::monostate{};
+}
+
+Status Session::load_mask(const VolumeFile& file) {
+  Result<LabelVolume> read = read_volume(file);
+  if (!read) return read.error();
+  std::string digest = digest_of(*read);
+  masks_[file.name] = {std::move(read).value(), std::move(digest)};
+  return std::monostate{};
+}
+
+Status Session::load_size_image(const VolumeFile& file) {
+  Result<ScalarVolume> read = read_scalar_volume(file);
+  if (!read) return read.error();
+  std::string digest = digest_of(*read);
+  images_[file.name] = {std::move(read).value(), std::move(digest)};
   return std::monostate{};
 }
 
@@ -103,6 +143,13 @@ std::string Session::key_of(Stage stage) const {
   } else {
     for (const Stage input : inputs_of(stage)) sha.update(key_of(input));
     sha.update(recipe[name].dump());
+  }
+  if (stage == Stage::kSizing) {
+    for (const MaskSize& mask : recipe_.sizing.masks)
+      if (const auto found = masks_.find(mask.name); found != masks_.end()) sha.update(found->second.digest);
+    for (const ImageSize& image : recipe_.sizing.images)
+      if (const auto found = images_.find(image.name); found != images_.end())
+        sha.update(found->second.digest);
   }
   return sha.hex();
 }
@@ -153,7 +200,13 @@ Status Session::run_sizing(RunContext& ctx) {
     if (!wall) return wall.error();
     walls_.push_back(std::move(wall).value());
   }
-  return keep(build_sizing_field(*volume(), recipe_.sizing, ctx, {walls_}), sizing_);
+  std::vector<const LabelVolume*> masks;
+  std::vector<const ScalarVolume*> images;
+  if (Status found = find_side_volumes(recipe_.sizing.masks, masks_, "sizing.masks", masks); !found)
+    return found;
+  if (Status found = find_side_volumes(recipe_.sizing.images, images_, "sizing.images", images); !found)
+    return found;
+  return keep(build_sizing_field(*volume(), recipe_.sizing, ctx, {walls_, masks, images}), sizing_);
 }
 
 Status Session::run_stage(Stage stage, RunContext& ctx) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -50,6 +51,11 @@ class Session {
   /// Takes the volume of a file; the recipe's source becomes that file. Nothing changes on failure.
   Status load_volume(const VolumeFile& file);
 
+  /// Takes what an entry of sizing.masks or sizing.images names by the file's name; the recipe stays as it
+  /// is. A file of the same name is replaced.
+  Status load_mask(const VolumeFile& file);
+  Status load_size_image(const VolumeFile& file);
+
   /// Replaces the recipe. A `file` source keeps the volume that load_volume gave, and must match its digest.
   Status set_recipe(const Recipe& recipe);
   const Recipe& recipe() const { return recipe_; }
@@ -88,6 +94,14 @@ class Session {
   void forget(Stage stage);
 
   Recipe recipe_;
+  /// A volume beside the one that is meshed, and the digest of it.
+  template <class Volume>
+  struct SideVolume {
+    Volume volume;
+    std::string digest;
+  };
+  std::map<std::string, SideVolume<LabelVolume>> masks_;
+  std::map<std::string, SideVolume<ScalarVolume>> images_;
   std::shared_ptr<const LabelVolume> file_volume_;
   std::string file_digest_;
   std::shared_ptr<const LabelVolume> source_;

@@ -149,6 +149,19 @@ void visit_fields(V& v, ThicknessSize& p) {
 }
 
 template <class V>
+void visit_fields(V& v, MaskSize& p) {
+  v.field({"name", "", 0, 0, "Name of the file that holds the mask, a label volume on any grid."}, p.name);
+  v.field({"sha256", "", 0, 0, "Digest of its voxels and affine; empty accepts any."}, p.sha256);
+  v.list({"edges", "", 0, 0, "Edge length where the mask has a label."}, p.edges);
+}
+
+template <class V>
+void visit_fields(V& v, ImageSize& p) {
+  v.field({"name", "", 0, 0, "Name of the file (NIfTI) that holds edge lengths in mm, on any grid."}, p.name);
+  v.field({"sha256", "", 0, 0, "Digest of its voxels and affine; empty accepts any."}, p.sha256);
+}
+
+template <class V>
 void visit_fields(V& v, SizingParams& p) {
   v.field({"edge_mm", "mm", 0.01, 1000, "Edge length wherever nothing smaller is asked."}, p.edge_mm);
   v.list({"labels", "", 0, 0, "Edge length inside single labels, instead of edge_mm."}, p.labels);
@@ -156,6 +169,8 @@ void visit_fields(V& v, SizingParams& p) {
   v.list({"distances", "", 0, 0, "Edge length growing with the distance to a label."}, p.distances);
   v.list({"thickness", "", 0, 0, "Edge length by the thickness of a wall, instead of edge_mm there."},
          p.thickness);
+  v.list({"masks", "", 0, 0, "Edge lengths painted over the volume."}, p.masks);
+  v.list({"images", "", 0, 0, "Images of edge lengths, instead of edge_mm where they have one."}, p.images);
   v.field({"edge_min_mm", "mm", 0.01, 1000, "No edge length below this is asked."}, p.edge_min_mm);
   v.field({"edge_max_mm", "mm", 0.01, 1000, "No edge length above this is asked."}, p.edge_max_mm);
   v.field({"gradation", "mm/mm", 0.01, 1, "Bound on how fast the edge length may change per mm."},

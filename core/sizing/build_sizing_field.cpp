@@ -10,6 +10,7 @@
 #include "geometry/distance_transform.h"
 #include "sizing/check_sizing_params.h"
 #include "sizing/limit_gradation.h"
+#include "sizing/side_volumes.h"
 #include "sizing/size_region.h"
 #include "sizing/thickness_size.h"
 
@@ -116,11 +117,13 @@ IndexBox index_box(const SizingField& field, const Eigen::Vector3d& low_mm, cons
   return box;
 }
 
-/// `around` holds the sizes without any region, so that the order of regions does not matter.
-void add_region_size(const SizeRegion& region, double edge_max_mm, const std::vector<float>& around,
+/// `around` holds the sizes without any region, so that the order of regions does not matter. False if no
+/// grid point lies in the region or its band.
+bool add_region_size(const SizeRegion& region, double edge_max_mm, const std::vector<float>& around,
                      SizingField& field) {
   const RegionDistance distance(region);
   const IndexBox box = index_box(field, distance.low(region.band_mm), distance.high(region.band_mm));
+  bool reached = false;
   for (int k = box.low[2]; k < box.high[2]; ++k)
     for (int j = box.low[1]; j < box.high[1]; ++j)
       for (int i = box.low[0]; i < box.high[0]; ++i) {
@@ -133,7 +136,9 @@ void add_region_size(const SizeRegion& region, double edge_max_mm, const std::ve
         const double size =
             d > 0 ? region.edge_mm + (outer - region.edge_mm) * (d / region.band_mm) : region.edge_mm;
         field.h_mm[at] = std::min(field.h_mm[at], static_cast<float>(size));
+        reached = true;
       }
+  return reached;
 }
 
 }  // namespace
@@ -145,19 +150,31 @@ Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingPa
   ctx.progress(kStage, 0);
   SizingField field = padded_grid(volume);
   BaseSizes base;
-  if (!sources.walls.empty()) base.assign(field.h_mm.size(), kFar);
+  if (!sources.walls.empty() || !sources.images.empty()) base.assign(field.h_mm.size(), kFar);
   for (std::size_t w = 0; w < sources.walls.size(); ++w)
     lower_by_thickness(sources.walls[w], params.thickness[w], field, base);
+  for (std::size_t i = 0; i < sources.images.size(); ++i)
+    if (Status done = lower_by_image(volume, *sources.images[i], "sizing.images[" + std::to_string(i) + "]",
+                                     field, base, ctx);
+        !done)
+      return done.error();
   add_label_sizes(volume, params, base, field);
   for (const DistanceSize& wish : params.distances) {
     if (ctx.cancelled() || !add_distance_size(volume, wish, field, ctx)) return cancelled_error(kStage);
   }
+  for (std::size_t m = 0; m < sources.masks.size(); ++m)
+    if (Status done = lower_by_mask(*sources.masks[m], params.masks[m],
+                                    "sizing.masks[" + std::to_string(m) + "]", field);
+        !done)
+      return done.error();
   ctx.progress(kStage, 0.3);
   if (!params.regions.empty()) {
     const std::vector<float> around = field.h_mm;
-    for (const SizeRegion& region : params.regions) {
+    for (std::size_t r = 0; r < params.regions.size(); ++r) {
       if (ctx.cancelled()) return cancelled_error(kStage);
-      add_region_size(region, params.edge_max_mm, around, field);
+      if (!add_region_size(params.regions[r], params.edge_max_mm, around, field))
+        ctx.warn(kStage, "sizing.regions[" + std::to_string(r) + "] '" + params.regions[r].name +
+                             "' and its band hold no voxel of the volume: it changes nothing");
     }
   }
   const float least = static_cast<float>(params.edge_min_mm);

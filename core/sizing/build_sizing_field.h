@@ -10,6 +10,7 @@
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"
+#include "types/scalar_volume.h"
 #include "types/sizing_field.h"
 #include "types/wall_field.h"
 
@@ -57,12 +58,29 @@ struct ThicknessSize {
   double thin_mm = 0, thick_mm = 0;
 };
 
+/// Sizes painted over the volume: a label volume of its own, on any grid, with a size for each of its labels.
+/// A point has the label of the mask's voxel around it, and every painted voxel at least the grid point
+/// nearest to it.
+struct MaskSize {
+  std::string name;              ///< of the file that holds the mask
+  std::string sha256;            ///< digest_of(LabelVolume); empty accepts any
+  std::vector<LabelSize> edges;  ///< by label of the mask
+};
+
+/// An image of edge lengths in mm, on any grid. Voxels of 0 and those that are not a number wish nothing.
+struct ImageSize {
+  std::string name;    ///< of the file that holds the image
+  std::string sha256;  ///< digest_of(ScalarVolume); empty accepts any
+};
+
 struct SizingParams {
   double edge_mm = 2;                    ///< wherever nothing smaller is asked
   std::vector<LabelSize> labels;         ///< replaces edge_mm inside these labels (smaller or larger)
   std::vector<SizeRegion> regions;       ///< minimum with everything else
   std::vector<DistanceSize> distances;   ///< minimum with everything else
   std::vector<ThicknessSize> thickness;  ///< in its wall in place of edge_mm, minimum with everything else
+  std::vector<MaskSize> masks;           ///< minimum with everything else
+  std::vector<ImageSize> images;  ///< where it wishes in place of edge_mm, minimum with everything else
   double edge_min_mm = 0.1;
   double edge_max_mm = 50;
   double gradation = 0.3;  ///< bound on |grad h|; 0 < g <= 1
@@ -70,17 +88,25 @@ struct SizingParams {
 
 /// What sizes may depend on beyond the labels.
 struct SizingSources {
-  std::span<const WallField> walls;  ///< measured (measure_wall.h), one for each of SizingParams::thickness
+  /// Measured (measure_wall.h), one for each of SizingParams::thickness.
+  std::span<const WallField> walls = {};
+  std::span<const LabelVolume* const> masks = {};    ///< one for each of SizingParams::masks
+  std::span<const ScalarVolume* const> images = {};  ///< one for each of SizingParams::images
 };
 
 /// The minimum of all sources at the volume's voxels, clamped to [edge_min_mm, edge_max_mm], then
 /// gradation-limited: h*(x) = min_y h(y) + g|x - y| by fast sweeping (limit_gradation.h states its accuracy).
 /// The grid is that of the volume with two points more on each side. Background takes no wish of its own: it
 /// gets its size from the labels around it through the gradation, from distances and from regions. Regions do
-/// not depend on their order: each rises to what stands without any region. A voxel of a wall belongs to it
-/// by the wall's own surface, whether it is meshed or not. Errors: kUsage naming the field
-/// ("sizing.labels[1].edge_mm") for sizes that are not finite and positive, labels that the volume does not
-/// hold or that are listed twice, empty regions; kBadInput for a volume that makes no sense; kCancelled.
+/// not depend on their order: each rises to what stands without any region.
+/// Voxels of other labels within two voxels of a wall take its size too; the gradation would have them near
+/// it anyway.
+///
+/// Warned of: regions that do not reach into the volume, and images that leave some labelled voxels without a
+/// size, where edge_mm stands. Errors: kUsage naming the field ("sizing.labels[1].edge_mm") for sizes that
+/// are not finite and positive, labels that the volume or mask does not hold or that are listed twice, empty
+/// regions, masks that do not reach into the volume; kBadInput for a volume that makes no sense and for
+/// images with negative or infinite sizes or without a size in any labelled voxel; kCancelled.
 Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params, RunContext& ctx,
                                        const SizingSources& sources = {});
 

@@ -48,7 +48,6 @@ void lower_by_thickness(const WallField& wall, const ThicknessSize& wish, const 
     for (int j = 0; j < grid.size[1]; ++j)
       for (int i = 0; i < grid.size[0]; ++i, ++at) {
         const Eigen::Vector4d index = to_wall * Eigen::Vector4d(i, j, k, 1);
-        if (!wall.holds(index.head<3>())) continue;
         const double thickness = wall.thickness_at_index(index.head<3>());
         if (thickness > 0) sizes[at] = std::min(sizes[at], static_cast<float>(edge_of(thickness)));
       }

@@ -7,7 +7,7 @@
 
 namespace voxtet {
 
-/// Lowers `sizes` (mm, one a point of the grid) to what `wish` asks at the points inside the wall.
+/// Lowers `sizes` (mm, one a point of the grid) to what `wish` asks in the wall and two voxels around it.
 void lower_by_thickness(const WallField& wall, const ThicknessSize& wish, const SizingField& grid,
                         std::vector<float>& sizes);
 

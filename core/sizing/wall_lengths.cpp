@@ -12,9 +12,9 @@ namespace {
 
 constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr int kMostPasses = 30;
-constexpr std::size_t kUnsettledPart = 10000;  ///< one node of so many may still change
-constexpr float kTolerance = 1e-3F;            ///< of the smallest spacing
-constexpr double kFlat = 5e-4;  ///< a potential that rises less over a voxel tells no direction
+constexpr std::size_t kUnsettledPart = 2000;  ///< one node of so many may still change
+constexpr float kTolerance = 1e-3F;           ///< of the smallest spacing
+constexpr double kFlat = 5e-4;                ///< a potential that rises less over a voxel tells no direction
 
 /// The direction of the potential at each node, as |T_d| / spacing_d with the sign of T_d.
 using Slope = std::array<float, 3>;

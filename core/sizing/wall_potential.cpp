@@ -11,7 +11,7 @@ namespace {
 constexpr float kOmega = 1.75F;
 constexpr int kMostSweeps = 500;
 constexpr std::size_t kFewNodes = 5000;  ///< for which a start is not worth the trouble
-constexpr float kTolerance = 5e-5F;
+constexpr float kTolerance = 1e-3F;
 constexpr double kLeastStep = 0.02;  ///< of a voxel
 
 /// A node with the surface or a side beside it: what its neighbours weigh, and what the surfaces add.

@@ -39,7 +39,7 @@ double step_to(const WallGrid& grid, const WallGraph& graph, std::size_t node, s
 
 /// Laplace's equation with 0 on the inner and 1 on the outer surface and no flow through sides: seven points,
 /// with the true distances to the surface (Shortley and Weller, 1938), by successive over-relaxation in two
-/// colours, until no value changes by more than 5e-5 or 500 sweeps, starting from the solution on every other
+/// colours, until no value changes by more than 1e-3 or 500 sweeps, starting from the solution on every other
 /// voxel. One value a node; the same bytes for any number of threads.
 std::vector<float> wall_potential(const WallGrid& grid, const WallGraph& graph, int threads);
 

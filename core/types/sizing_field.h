@@ -3,11 +3,11 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
+
+#include "types/grid_corners.h"
 
 namespace voxtet {
 
@@ -23,27 +23,8 @@ struct SizingField {
   double at(const Eigen::Vector3d& point_mm) const {
     const Eigen::Vector3d index =
         mm_to_index.topLeftCorner<3, 3>() * point_mm + mm_to_index.topRightCorner<3, 1>();
-    std::array<int, 3> base{};
-    std::array<double, 3> t{};
-    for (int d = 0; d < 3; ++d) {
-      const double x = std::clamp(index[d], 0.0, static_cast<double>(size[d] - 1));
-      base[d] = std::min(static_cast<int>(x), std::max(0, size[d] - 2));
-      t[d] = x - base[d];
-    }
     double h = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-      double weight = 1;
-      std::array<int, 3> c{};
-      for (int d = 0; d < 3; ++d) {
-        const bool up = (corner >> d) & 1;
-        weight *= up ? t[d] : 1 - t[d];
-        c[d] = std::min(base[d] + (up ? 1 : 0), size[d] - 1);
-      }
-      h += weight * h_mm[static_cast<std::size_t>(c[0]) +
-                         static_cast<std::size_t>(size[0]) *
-                             (static_cast<std::size_t>(c[1]) +
-                              static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(c[2]))];
-    }
+    for_grid_corners(size, index, [&](std::size_t at, double weight) { h += weight * h_mm[at]; });
     return h;
   }
 };

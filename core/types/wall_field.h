@@ -2,12 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "types/grid_corners.h"
 #include "types/label_volume.h"
 
 namespace voxtet {
@@ -29,12 +29,11 @@ struct WallField {
   }
   /// Whether the grid point nearest to a continuous index lies in the wall.
   bool holds(const Eigen::Vector3d& index) const {
+    if (!covers(index)) return false;
     std::size_t at = 0;
-    for (int d = 2; d >= 0; --d) {
-      const int n = size[static_cast<std::size_t>(d)];
-      if (!(index[d] >= 0 && index[d] <= n - 1)) return false;
-      at = at * static_cast<std::size_t>(n) + static_cast<std::size_t>(index[d] + 0.5);
-    }
+    for (int d = 2; d >= 0; --d)
+      at = at * static_cast<std::size_t>(size[static_cast<std::size_t>(d)]) +
+           static_cast<std::size_t>(index[d] + 0.5);
     return in_wall[at] != 0;
   }
   double thickness_at_index(const Eigen::Vector3d& index) const { return sample(thickness_mm, index); }
@@ -44,30 +43,21 @@ struct WallField {
   double potential_at(const Eigen::Vector3d& point_mm) const { return sample(potential, to_index(point_mm)); }
 
  private:
-  /// Trilinear between the grid points around a continuous index that have a thickness; 0 where none has.
+  bool covers(const Eigen::Vector3d& index) const {
+    return (index.array() >= 0).all() && index[0] <= size[0] - 1 && index[1] <= size[1] - 1 &&
+           index[2] <= size[2] - 1;
+  }
+
+  /// Trilinear between the grid points around a continuous index that have a thickness; 0 where none has
+  /// and outside of the grid.
   double sample(const std::vector<float>& values, const Eigen::Vector3d& index) const {
-    std::array<int, 3> base{};
-    std::array<double, 3> t{};
-    for (int d = 0; d < 3; ++d) {
-      const double x = std::clamp(index[d], 0.0, static_cast<double>(size[d] - 1));
-      base[d] = std::min(static_cast<int>(x), std::max(0, size[d] - 2));
-      t[d] = x - base[d];
-    }
+    if (!covers(index)) return 0;
     double sum = 0, weights = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-      double weight = 1;
-      std::array<std::size_t, 3> c{};
-      for (int d = 0; d < 3; ++d) {
-        const bool up = (corner >> d) & 1;
-        weight *= up ? t[d] : 1 - t[d];
-        c[d] = static_cast<std::size_t>(std::min(base[d] + (up ? 1 : 0), size[d] - 1));
-      }
-      const std::size_t at =
-          c[0] + static_cast<std::size_t>(size[0]) * (c[1] + static_cast<std::size_t>(size[1]) * c[2]);
-      if (thickness_mm[at] <= 0) continue;
+    for_grid_corners(size, index, [&](std::size_t at, double weight) {
+      if (thickness_mm[at] <= 0) return;
       sum += weight * values[at];
       weights += weight;
-    }
+    });
     return weights > 0 ? sum / weights : 0;
   }
 };

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "io/write_volume.h"
+#include "io/write_vti.h"
 #include "unit/io/volume_files.h"
 
 namespace voxtet::test {
@@ -60,6 +61,48 @@ TEST(WriteNifti, RefusesWhatNiftiCannotHold) {
   EXPECT_EQ(write_nifti(volume, false).error().code, ErrorCode::kUsage);
   volume.size = {3, 2, 1};
   EXPECT_EQ(write_nifti(volume, false).error().code, ErrorCode::kInternal);
+}
+
+ScalarVolume numbers() {
+  ScalarVolume volume;
+  volume.size = {3, 2, 2};
+  volume.index_to_mm << 0, -1.5, 0, 4, 1.25, 0, 0, 5, 0, 0, 2, 6, 0, 0, 0, 1;
+  for (int n = 0; n < 12; ++n) volume.values.push_back(0.125F * static_cast<float>(n * n) - 3);
+  return volume;
+}
+
+TEST(WriteNifti, NumbersComeBackAsTheyWere) {
+  const ScalarVolume volume = numbers();
+  for (const bool gzip : {false, true}) {
+    const Bytes bytes = write_nifti(volume, gzip).value();
+    const Result<ScalarVolume> back = read_scalar_volume({"x.nii", bytes, {}});
+    ASSERT_TRUE(back.ok()) << back.error().message;
+    EXPECT_EQ(back->size, volume.size);
+    EXPECT_EQ(back->values, volume.values);
+    EXPECT_TRUE(back->index_to_mm.isApprox(volume.index_to_mm, 1e-6));
+    const Bytes cut(bytes.begin(), bytes.end() - 5);
+    EXPECT_FALSE(read_scalar_volume({"x.nii", cut, {}}).ok());
+    const Result<LabelVolume> labels = read_volume({"x.nii", bytes, {}});
+    ASSERT_FALSE(labels.ok());
+    EXPECT_NE(labels.error().message.find("has the value -3"), std::string::npos) << labels.error().message;
+  }
+}
+
+TEST(ReadScalarVolume, RefusesOtherFormatsByName) {
+  const std::string text = "NRRD0004\n";
+  const Bytes bytes(text.begin(), text.end());
+  const Result<ScalarVolume> read = read_scalar_volume({"sizes.nrrd", bytes, {}});
+  ASSERT_FALSE(read.ok());
+  EXPECT_NE(read.error().message.find("sizes.nrrd: starts with"), std::string::npos) << read.error().message;
+  EXPECT_NE(read.error().message.find("NIfTI"), std::string::npos);
+}
+
+TEST(WriteVti, RefusesAxesThatAreNotAtRightAngles) {
+  ScalarVolume volume = numbers();
+  volume.index_to_mm(0, 0) = 0.5;
+  const Result<Bytes> bytes = write_vti(volume, "thickness");
+  ASSERT_FALSE(bytes.ok());
+  EXPECT_NE(bytes.error().message.find("right angles"), std::string::npos);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "geometry/digest.h"
 #include "io/write_volume.h"
+#include "pipeline/field_volume.h"
 #include "pipeline/report.h"
 #include "support/check_tets.h"
 
@@ -249,6 +250,115 @@ TEST(Session, KeepsTheFilledMeshWhenOptimisationIsCancelled) {
   test::check_tets(*session.mesh());
   EXPECT_GT(test::smallest_dihedral_deg(*session.mesh()), test::smallest_dihedral_deg(*session.filled()));
   EXPECT_FALSE(session.record(Stage::kOptimise).notes.empty());
+}
+
+/// Label 1 everywhere in the space of small_case.
+Bytes painted_everywhere() {
+  LabelVolume mask;
+  mask.size = {2, 2, 2};
+  mask.index_to_mm.diagonal().head<3>().setConstant(100);
+  mask.index_to_mm.topRightCorner<3, 1>().setConstant(-50);
+  mask.labels.assign(8, 1);
+  return write_nifti(mask, false).value();
+}
+
+void expect_sizing_error(Session& session, const std::string& part) {
+  RunContext ctx;
+  const Status done = session.run(Stage::kSizing, ctx);
+  ASSERT_FALSE(done.ok()) << part;
+  EXPECT_EQ(done.error().code, ErrorCode::kBadInput);
+  EXPECT_NE(done.error().message.find(part), std::string::npos) << done.error().message;
+}
+
+TEST(Session, TakesMasksByNameAndDigest) {
+  Session session;
+  Recipe recipe = small_case();
+  recipe.sizing.masks.resize(1);
+  recipe.sizing.masks[0].name = "paint.nii";
+  recipe.sizing.masks[0].edges = {{1, 1.25}};
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  expect_sizing_error(session, "sizing.masks[0]: the file 'paint.nii' has not been loaded");
+
+  const Bytes bytes = painted_everywhere();
+  ASSERT_TRUE(session.load_mask({"paint.nii", bytes, {}}).ok());
+  RunContext ctx;
+  ASSERT_TRUE(session.run(Stage::kSizing, ctx).ok());
+  EXPECT_NEAR(session.sizing()->at({0, 0, 0}), 1.25, 1e-6);
+
+  recipe.sizing.masks[0].sha256 = std::string(64, 'a');
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  expect_sizing_error(session, "'paint.nii' of digest aaaaaaaaaaaa...");
+}
+
+TEST(Session, AnotherSizeImageOfTheSameNameIsANewField) {
+  Session session;
+  Recipe recipe = small_case();
+  recipe.sizing.images.resize(1);
+  recipe.sizing.images[0].name = "sizes.nii";
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  expect_sizing_error(session, "sizing.images[0]: the file 'sizes.nii' has not been loaded");
+  ScalarVolume image;
+  image.size = {2, 2, 2};
+  image.index_to_mm.diagonal().head<3>().setConstant(100);
+  image.index_to_mm.topRightCorner<3, 1>().setConstant(-50);
+  for (const float size : {1.5F, 2.5F}) {
+    image.values.assign(8, size);
+    const Bytes bytes = write_nifti(image, true).value();
+    ASSERT_TRUE(session.load_size_image({"sizes.nii", bytes, {}}).ok());
+    RunContext ctx;
+    ASSERT_TRUE(session.run(Stage::kSizing, ctx).ok());
+    EXPECT_NEAR(session.sizing()->at({0, 0, 0}), size, 1e-6);
+  }
+}
+
+Recipe layered_shell() {
+  Recipe recipe;
+  PhantomParams& phantom = recipe.source.phantom.emplace();
+  phantom.kind = PhantomKind::kShell;
+  phantom.radius_mm = 16;
+  phantom.inner_radius_mm = 10;
+  phantom.spacing_mm = Eigen::Vector3d::Constant(1);
+  recipe.sizing.thickness.resize(1);
+  recipe.sizing.thickness[0].wall = {1};
+  recipe.sizing.thickness[0].layers = 2;
+  return recipe;
+}
+
+TEST(Session, SizesAWallByItsThicknessAndShowsItsFields) {
+  Session session;
+  ASSERT_TRUE(session.set_recipe(layered_shell()).ok());
+  RunContext ctx;
+  EXPECT_FALSE(field_volume(session, "thickness").ok());
+  const Status done = session.run(Stage::kQuality, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  test::check_tets(*session.mesh());
+  EXPECT_NEAR(session.sizing()->at({13, 0, 0}), 3, 0.15);
+
+  const LabelVolume& volume = *session.volume();
+  const ScalarVolume thickness = field_volume(session, "thickness").value();
+  const ScalarVolume potential = field_volume(session, "potential").value();
+  ASSERT_EQ(thickness.values.size(), volume.voxel_count());
+  std::size_t apart = 0;
+  for (std::size_t at = 0; at < volume.voxel_count(); ++at) {
+    apart += (thickness.values[at] > 0) != (volume.labels[at] == 1);
+    EXPECT_EQ(thickness.values[at] > 0, potential.values[at] >= 0);
+    if (thickness.values[at] > 0) {
+      EXPECT_NEAR(thickness.values[at], 6, 0.6);
+    }
+  }
+  EXPECT_LT(apart, volume.voxel_count() / 1000);  // the smoothed surface may pass a voxel's centre
+  EXPECT_FALSE(field_volume(session, "beauty").ok());
+}
+
+TEST(Session, WithoutAWallThereIsNoThicknessToShow) {
+  Session session;
+  ASSERT_TRUE(session.set_recipe(small_case()).ok());
+  RunContext ctx;
+  ASSERT_TRUE(session.run(Stage::kSizing, ctx).ok());
+  EXPECT_TRUE(field_volume(session, "size").ok());
+  const Result<ScalarVolume> none = field_volume(session, "thickness");
+  ASSERT_FALSE(none.ok());
+  EXPECT_NE(none.error().message.find("sizing.thickness names no wall"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,23 @@
+// Sizes from volumes beside the one that is meshed: painted masks and images of sizes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sizing/build_sizing_field.h"
+
+namespace voxtet {
+
+/// Lowers the field to the mask's sizes. `name` is that of the recipe's entry. Errors: kUsage for a mask
+/// without sizes, with two for one label, with one for a label that it does not hold or that is not positive,
+/// and for one of which no voxel with a size lies on the grid.
+Status lower_by_mask(const LabelVolume& mask, const MaskSize& wish, const std::string& name,
+                     SizingField& field);
+
+/// Lowers `sizes` (mm, one a point of the grid) to what the image says, trilinear among its voxels that wish
+/// something. Errors: kBadInput for values that are no sizes, and for an image that wishes nothing at any
+/// labelled voxel of the volume; one that does so at some of them is warned of.
+Status lower_by_image(const LabelVolume& volume, const ScalarVolume& image, const std::string& name,
+                      const SizingField& grid, std::vector<float>& sizes, RunContext& ctx);
+
+}  // namespace voxtet
