@@ -158,11 +158,27 @@ void print_lookup(const nlohmann::json& report, std::FILE* out) {
 
 }  // namespace
 
+namespace {
+
+void print_layers(const nlohmann::json& report, std::FILE* out) {
+  if (!report.contains("layers")) return;
+  std::fprintf(out, "\nlayers between the surfaces, by area of the outer one\n");
+  for (const auto& l : report["layers"])
+    for (const char* way : {"by_edges", "by_lines"}) {
+      std::fprintf(out, "wall %s, %u wished, %s: %.1f %% exact, %.1f %% no fewer\n", l["wall"].dump().c_str(),
+                   l["wished"].get<unsigned>(), way, 100 * l[way]["exact"].get<double>(),
+                   100 * l[way]["at_least"].get<double>());
+    }
+}
+
+}  // namespace
+
 void print_report(const nlohmann::json& report, std::FILE* out) {
   std::fprintf(out, "%u tetrahedra, %u points, digest %s\n", report["tets"].get<unsigned>(),
                report["points"].get<unsigned>(), report["digest"].get<std::string>().c_str());
   print_fidelity(report["fidelity"], out);
   print_lookup(report, out);
+  print_layers(report, out);
   print_quality(report["quality"], out);
   std::fprintf(out, "\n");
   print_stages(report["stages"], out);

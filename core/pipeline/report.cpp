@@ -94,6 +94,19 @@ json fidelity_json(const QualityReport& report) {
           {"topology", topology_json(report.topology)}};
 }
 
+json layers_json(const std::vector<LayerCount>& counts) {
+  const auto shares_json = [](const LayerShares& shares) {
+    return json{{"area_mm2", shares.area_mm2}, {"exact", shares.exact}, {"at_least", shares.at_least}};
+  };
+  json out = json::array();
+  for (const LayerCount& count : counts)
+    out.push_back({{"wall", count.wall},
+                   {"wished", count.wished},
+                   {"by_edges", shares_json(count.by_edges)},
+                   {"by_lines", shares_json(count.by_lines)}});
+  return out;
+}
+
 /// Volumes of a looked-up label by three ways of giving it to tets, against its voxels.
 json lookup_json(const LabelLookUp& found) {
   json labels = json::array();
@@ -227,6 +240,7 @@ json report_json(const Session& session) {
   if (session.quality()) {
     out["quality"] = quality_json(*session.quality());
     out["fidelity"] = fidelity_json(*session.quality());
+    if (!session.quality()->layers.empty()) out["layers"] = layers_json(session.quality()->layers);
   }
   return out;
 }

@@ -209,6 +209,17 @@ Status Session::run_sizing(RunContext& ctx) {
   return keep(build_sizing_field(*volume(), recipe_.sizing, ctx, {walls_, masks, images}), sizing_);
 }
 
+Status Session::run_quality(RunContext& ctx) {
+  std::vector<LayeredWall> layered;
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    if (const std::uint32_t layers = recipe_.sizing.thickness[w].layers; layers > 0)
+      layered.push_back({walls_[w], layers});
+  return keep(
+      measure_quality(*mesh(), {*volume(), *selected_volume(), *smooth_, *remeshed_, *sizing_, layered},
+                      recipe_.quality, ctx),
+      quality_);
+}
+
 Status Session::run_stage(Stage stage, RunContext& ctx) {
   switch (stage) {
     case Stage::kVolume: return run_volume(ctx);
@@ -221,10 +232,7 @@ Status Session::run_stage(Stage stage, RunContext& ctx) {
     case Stage::kOptimise:
       return keep(optimise_tets(*filled_, *smooth_, *sizing_, recipe_.optimise, ctx), optimised_);
     case Stage::kLookup: return keep(look_up_labels(*mesh(), *source_, recipe_.lookup, ctx), lookup_);
-    case Stage::kQuality:
-      return keep(measure_quality(*mesh(), {*volume(), *selected_volume(), *smooth_, *remeshed_, *sizing_},
-                                  recipe_.quality, ctx),
-                  quality_);
+    case Stage::kQuality: return run_quality(ctx);
   }
   return Error{ErrorCode::kInternal, "session", "unknown stage", {}};
 }

@@ -91,6 +91,7 @@ class Session {
   Status run_stage(Stage stage, RunContext& ctx);
   Status run_volume(RunContext& ctx);
   Status run_sizing(RunContext& ctx);
+  Status run_quality(RunContext& ctx);
   void forget(Stage stage);
 
   Recipe recipe_;

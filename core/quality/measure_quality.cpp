@@ -238,6 +238,7 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   if (!distances) return distances.error();
   report.mesh_to_surface = distances->forth;
   report.surface_to_mesh = distances->back;
+  report.layers = count_layers(mesh, reference.walls);
   return report;
 }
 

@@ -1,8 +1,10 @@
 // A finished mesh -> its evidence.
 #pragma once
 
+#include <span>
 #include <vector>
 
+#include "quality/count_layers.h"
 #include "types/label_volume.h"
 #include "types/quality_report.h"
 #include "types/result.h"
@@ -25,6 +27,7 @@ struct QualityReference {
   const SurfaceMesh& label_surface;  ///< the smoothed extraction: the reference of distances and topology
   const SurfaceMesh& adapted;        ///< what the tets were filled into
   const SizingField& sizing;
+  std::span<const LayeredWall> walls = {};  ///< whose layers are counted
 };
 
 /// Shape of each tetrahedron, one value each: what a viewer colours by.
@@ -39,9 +42,9 @@ TetMeasures measure_tets(const TetMesh& mesh, const SizingField* sizing);
 
 /// All measures of the element-quality section: dihedral angles, radius ratio, mean ratio, aspect ratio, edge
 /// length against the sizing field (log2), triangle aspect ratio of `label_surface` and of `adapted`,
-/// distances both ways label by label, volume, Dice and topology per label, and the checklist. Errors: kUsage
-/// (parameters), kBadInput (indices out of range, no tetrahedra), kCancelled. A mesh with coordinates that
-/// are not finite gets the checklist alone.
+/// distances both ways label by label, volume, Dice and topology per label, layers of walls, and the
+/// checklist. Errors: kUsage (parameters), kBadInput (indices out of range, no tetrahedra), kCancelled. A
+/// mesh with coordinates that are not finite gets the checklist alone.
 Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReference& reference,
                                       const QualityParams& params, RunContext& ctx);
 

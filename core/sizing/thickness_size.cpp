@@ -6,12 +6,6 @@
 namespace voxtet {
 namespace {
 
-/// What isotropic elements of size t / N leave between the surfaces is N up to two, less beyond; measured on
-/// shells.
-double edge_of_layers(double thickness_mm, std::uint32_t layers) {
-  return (layers <= 2 ? 1.0 : 0.8) * thickness_mm / layers;
-}
-
 /// A thickness range to be mapped; the first and the last percentile of the wall's where none is given.
 struct Range {
   double thin_mm, thick_mm;
@@ -37,7 +31,7 @@ void lower_by_thickness(const WallField& wall, const ThicknessSize& wish, const 
                         std::vector<float>& sizes) {
   const Range range = range_of(wall, wish);
   const auto edge_of = [&](double thickness_mm) {
-    if (wish.layers > 0) return edge_of_layers(thickness_mm, wish.layers);
+    if (wish.layers > 0) return thickness_mm / wish.layers;
     const double span = range.thick_mm - range.thin_mm;
     const double share = span > 0 ? std::clamp((thickness_mm - range.thin_mm) / span, 0.0, 1.0) : 0.0;
     return wish.edge_thin_mm + share * (wish.edge_thick_mm - wish.edge_thin_mm);

@@ -57,6 +57,19 @@ struct TopologyComparison {
   std::vector<TopologyDifference> differences;
 };
 
+/// Area of a wall's outer surface by the number of layers beneath it.
+struct LayerShares {
+  std::vector<double> area_mm2;    ///< index: number of layers
+  double exact = 0, at_least = 0;  ///< parts of the area with as many layers as wished, and with no fewer
+};
+
+/// The layers of one wall, counted in two ways (quality/count_layers.h).
+struct LayerCount {
+  std::vector<Label> wall;
+  std::uint32_t wished = 0;
+  LayerShares by_edges, by_lines;
+};
+
 struct ChecklistItem {
   std::string name;  ///< e.g. "no_inverted_tets"
   bool passed = false;
@@ -69,6 +82,7 @@ struct QualityReport {
   std::vector<LabelFidelity> labels;
   DistanceSummary mesh_to_surface, surface_to_mesh;  ///< mesh boundary against the label surface
   TopologyComparison topology;
+  std::vector<LayerCount> layers;  ///< of the walls for which a number was wished
   std::vector<ChecklistItem> checklist;
 
   bool passed() const {

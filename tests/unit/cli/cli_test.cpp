@@ -168,5 +168,44 @@ TEST_F(CliTest, MakesLinksThatComeBack) {
   EXPECT_EQ(run({"url", "#c1=broken"}), kExitUsage);
 }
 
+TEST_F(CliTest, MasksAndSizeImagesSitBesideTheCaseOrComeByOption) {
+  write("case.json", kSphere);
+  ASSERT_EQ(run({"field", at("case.json"), "-o", at("sizes.nii.gz")}), kExitOk);
+  ASSERT_EQ(run({"phantom", "sphere", "--set", "radius_mm=3", "-o", at("paint.nii.gz")}), kExitOk);
+  ASSERT_EQ(run({"mesh", at("case.json"), "--report", at("plain.json")}), kExitOk);
+  ASSERT_EQ(run({"mesh", at("case.json"), "--size-image", at("sizes.nii.gz"), "--mask", at("paint.nii.gz"),
+                 "--mask-edge", "1=1.5", "--report", at("options.json")}),
+            kExitOk);
+  json named = json::parse(kSphere);
+  named["sizing"]["images"] = {{{"name", "sizes.nii.gz"}}};
+  named["sizing"]["masks"] = {{{"name", "paint.nii.gz"}, {"edges", {{{"label", 1}, {"edge_mm", 1.5}}}}}};
+  write("named.json", named.dump());
+  ASSERT_EQ(run({"mesh", at("named.json"), "--report", at("named_report.json")}), kExitOk);
+  EXPECT_EQ(read_json("options.json")["digest"], read_json("named_report.json")["digest"]);
+  EXPECT_GT(read_json("options.json")["tets"].get<int>(), read_json("plain.json")["tets"].get<int>());
+}
+
+TEST_F(CliTest, RefusesFieldsAndSideFilesThatAreNotThere) {
+  write("case.json", kSphere);
+  EXPECT_EQ(run({"field", at("case.json"), "--what", "thickness", "-o", at("a.nii")}), kExitUsage);
+  EXPECT_EQ(run({"field", at("case.json"), "-o", at("a.vtk")}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--mask", at("none.nii")}), kExitBadInput);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--size-image", at("case.json")}), kExitBadInput);
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(CliTest, ReportsTheLayersOfAWall) {
+  write("case.json",
+        R"({"source":{"phantom":{"kind":"shell","radius_mm":14,"inner_radius_mm":8,"spacing_mm":[1,1,1]}},)"
+        R"("sizing":{"thickness":[{"wall":[1],"layers":2}]}})");
+  ASSERT_EQ(run({"mesh", at("case.json"), "--report", at("report.json")}), kExitOk);
+  const json layers = read_json("report.json")["layers"];
+  ASSERT_EQ(layers.size(), 1U);
+  EXPECT_EQ(layers[0]["wall"], json({1}));
+  EXPECT_EQ(layers[0]["wished"], 2);
+  EXPECT_GT(layers[0]["by_edges"]["exact"], 0.8);
+  EXPECT_EQ(layers[0]["by_lines"]["at_least"], 1);
+}
+
 }  // namespace
 }  // namespace voxtet

@@ -286,11 +286,11 @@ TEST(BuildSizingField, LayersDivideTheThicknessOfAWall) {
   params.edge_mm = 9;
   ThicknessSize wish;
   wish.wall = {1};
-  for (const auto& [layers, factor] : {std::pair(1U, 1.0), std::pair(2U, 1.0), std::pair(4U, 0.8)}) {
+  for (const std::uint32_t layers : {1U, 2U, 4U}) {
     wish.layers = layers;
     const SizingField field = build_with_wall(volume, params, wish);
     for (const int i : {4, 8, 13})
-      EXPECT_NEAR(at_voxel(volume, field, i, 12, 12), factor * i / 2 / layers, 1e-5) << layers;
+      EXPECT_NEAR(at_voxel(volume, field, i, 12, 12), i / 2.0 / layers, 1e-5) << layers;
     // Beyond the wall the other label's own size, as far as the gradation allows.
     EXPECT_GT(at_voxel(volume, field, 23, 12, 12), 13.0 / 2 / layers);
   }
