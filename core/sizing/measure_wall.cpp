@@ -24,10 +24,9 @@ constexpr const char* kStage = "sizing";
 constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr double kThinVoxels = 3, kThinShare = 0.05;
 constexpr std::size_t kMostFineVoxels = std::size_t{1} << 27;
-constexpr std::uint16_t kUnreached = 0xffff;
 constexpr float kLonger =
-    1.25F;                  ///< how much longer a line may be than the shortest and still give the potential
-constexpr int kBeyond = 2;  ///< voxels by which values go on outside of the wall
+    1.25F;  ///< how much longer a line may be than the shortest and still give the potential
+constexpr std::size_t kBeyond = 2;  ///< voxels by which values go on outside of the wall
 
 /// The first complaint about the labels, if any.
 std::optional<Error> find_label_error(const LabelVolume& anatomy, const WallLabels& labels,
@@ -73,46 +72,27 @@ std::vector<Triangle> wall_triangles(const WallInput& input, const std::vector<L
   return triangles;
 }
 
-/// How many voxels one must go through the wall from each inner space, from face to face.
-std::vector<std::vector<std::uint16_t>> steps_from_inner(const WallGrid& grid, std::size_t inner_count) {
-  std::vector<std::vector<std::uint16_t>> steps(inner_count);
-  for (std::size_t space = 0; space < inner_count; ++space) {
-    std::vector<std::uint16_t>& here = steps[space];
-    here.assign(grid.kind.size(), kUnreached);
-    std::vector<std::size_t> front, next;
-    for (std::size_t at = 0; at < grid.kind.size(); ++at)
-      if (grid.kind[at] == wall::kInner + space) front.push_back(at);
-    for (std::uint16_t step = 1; !front.empty() && step < kUnreached; ++step) {
-      next.clear();
-      for (const std::size_t at : front)
-        for_face_neighbours(grid.size, at, [&](std::size_t other, std::size_t) {
-          if (grid.kind[other] != wall::kWall || here[other] != kUnreached) return;
-          here[other] = step;
-          next.push_back(other);
-        });
-      front.swap(next);
-    }
+/// Marks the wall voxels that can be reached through the wall in at most `most` steps from face to face, from
+/// inner spaces of which `starts` approves; returns the number of steps taken.
+template <class Starts>
+std::size_t reach(const WallGrid& grid, Starts&& starts, std::size_t most, std::vector<std::uint8_t>& marks) {
+  marks.assign(grid.kind.size(), 0);
+  std::vector<std::size_t> front, next;
+  for (std::size_t at = 0; at < grid.kind.size(); ++at)
+    if (grid.kind[at] >= wall::kInner && starts(grid.kind[at])) front.push_back(at);
+  std::size_t steps = 0;
+  for (; steps < most; ++steps) {
+    next.clear();
+    for (const std::size_t at : front)
+      for_face_neighbours(grid.size, at, [&](std::size_t other, std::size_t) {
+        if (grid.kind[other] != wall::kWall || marks[other]) return;
+        marks[other] = 1;
+        next.push_back(other);
+      });
+    if (next.empty()) break;
+    front.swap(next);
   }
   return steps;
-}
-
-/// Per inner space the voxels worth looking at: no further from it than half as much again as any voxel is
-/// from the inner space nearest to it. The lines that begin elsewhere in the wall are those of other spaces.
-std::vector<std::vector<std::uint8_t>> reaches(const WallGrid& grid, std::size_t inner_count) {
-  const auto steps = steps_from_inner(grid, inner_count);
-  std::uint16_t deepest = 0;
-  for (std::size_t at = 0; at < grid.kind.size(); ++at) {
-    std::uint16_t least = kUnreached;
-    for (const auto& from : steps) least = std::min(least, from[at]);
-    if (least != kUnreached) deepest = std::max(deepest, least);
-  }
-  std::vector<std::vector<std::uint8_t>> within(inner_count);
-  for (std::size_t space = 0; space < inner_count; ++space) {
-    within[space].resize(grid.kind.size());
-    for (std::size_t at = 0; at < grid.kind.size(); ++at)
-      within[space][at] = steps[space][at] <= deepest + deepest / 2;
-  }
-  return within;
 }
 
 /// Thickness and potential of the wall voxels of a grid; 0 where no line reaches both surfaces.
@@ -125,10 +105,15 @@ Measured measure(const WallGrid& grid, std::size_t inner_count, RunContext& ctx)
   out.thickness_mm.assign(grid.kind.size(), kFar);
   out.potential.assign(grid.kind.size(), 0);
   std::vector<float> chosen(grid.kind.size(), kFar);  // length of the line that gives the potential
-  const std::vector<std::vector<std::uint8_t>> within = reaches(grid, inner_count);
+  std::vector<std::uint8_t> within;
+  const std::size_t deepest = reach(
+      grid, [](std::uint8_t) { return true; }, grid.kind.size(), within);
   for (std::size_t space = 0; space < inner_count && !ctx.cancelled(); ++space) {
-    const wall::WallGraph graph =
-        wall::wall_graph(grid, static_cast<std::uint8_t>(wall::kInner + space), within[space]);
+    const auto inner = static_cast<std::uint8_t>(wall::kInner + space);
+    // Lines that begin further away than any voxel is from the inner space nearest to it are those of others.
+    reach(
+        grid, [&](std::uint8_t kind) { return kind == inner; }, deepest + deepest / 2, within);
+    const wall::WallGraph graph = wall::wall_graph(grid, inner, within);
     const std::vector<float> potential = wall::wall_potential(grid, graph, ctx.threads);
     const wall::WallLengths lengths = wall::wall_lengths(grid, graph, potential, ctx.threads);
     for (std::size_t n = 0; n < graph.voxel.size(); ++n) {
@@ -145,60 +130,53 @@ Measured measure(const WallGrid& grid, std::size_t inner_count, RunContext& ctx)
   return out;
 }
 
-/// Values for the voxels without any, from face neighbours with them, ring by ring: all of the wall that can
-/// be reached, and `rings` voxels outside of it.
-void spread(const WallGrid& grid, int rings, Measured& values) {
-  const std::array<std::size_t, 3> stride = grid.strides();
-  std::vector<std::size_t> front;
-  for (const bool outside : {false, true}) {
-    front.clear();
-    const auto wants = [&](std::size_t at) {
-      return values.thickness_mm[at] == 0 && (outside || grid.kind[at] == wall::kWall);
-    };
-    const auto for_neighbours = [&](std::size_t at, auto&& visit) {
-      for (std::size_t d = 0; d < 3; ++d) {
-        const std::size_t place = at / stride[d] % static_cast<std::size_t>(grid.size[d]);
-        if (place > 0) visit(at - stride[d]);
-        if (place + 1 < static_cast<std::size_t>(grid.size[d])) visit(at + stride[d]);
-      }
-    };
-    for (std::size_t at = 0; at < grid.kind.size(); ++at) {
-      if (!wants(at)) continue;
-      bool beside = false;
-      for_neighbours(at, [&](std::size_t other) { beside = beside || values.thickness_mm[other] > 0; });
-      if (beside) front.push_back(at);
+/// The mean of what the face neighbours of a voxel have; no thickness where none has any.
+std::array<float, 2> mean_around(const WallGrid& grid, const Measured& values, std::size_t at) {
+  float thickness = 0, potential = 0, count = 0;
+  for_face_neighbours(grid.size, at, [&](std::size_t other, std::size_t) {
+    if (!(values.thickness_mm[other] > 0)) return;
+    thickness += values.thickness_mm[other];
+    potential += values.potential[other];
+    count += 1;
+  });
+  return count > 0 ? std::array{thickness / count, potential / count} : std::array{0.F, 0.F};
+}
+
+/// Gives values to voxels of which `wants` approves and that have none, from their face neighbours, ring by
+/// ring.
+template <class Wants>
+void spread(const WallGrid& grid, std::size_t rings, Wants&& wants, Measured& values) {
+  std::vector<std::size_t> front, next;
+  for (std::size_t at = 0; at < grid.kind.size(); ++at)
+    if (wants(at) && values.thickness_mm[at] == 0 && mean_around(grid, values, at)[0] > 0)
+      front.push_back(at);
+  for (std::size_t ring = 0; !front.empty() && ring < rings; ++ring) {
+    std::vector<std::array<float, 2>> found;
+    for (const std::size_t at : front) found.push_back(mean_around(grid, values, at));
+    for (std::size_t f = 0; f < front.size(); ++f) {
+      values.thickness_mm[front[f]] = found[f][0];
+      values.potential[front[f]] = found[f][1];
     }
-    for (int ring = 0; !front.empty() && (!outside || ring < rings); ++ring) {
-      std::vector<std::array<float, 2>> found;
-      for (const std::size_t at : front) {
-        float thickness = 0, potential = 0, count = 0;
-        for_neighbours(at, [&](std::size_t other) {
-          if (!(values.thickness_mm[other] > 0)) return;
-          thickness += values.thickness_mm[other];
-          potential += values.potential[other];
-          count += 1;
-        });
-        thickness /= count;
-        potential /= count;
-        if (outside && grid.kind[at] != wall::kSide) {
-          const float beyond = grid.distance_mm[at] / thickness;
-          potential = potential < 0.5F ? -beyond : 1 + beyond;
-        }
-        found.push_back({thickness, potential});
-      }
-      for (std::size_t f = 0; f < front.size(); ++f) {
-        values.thickness_mm[front[f]] = found[f][0];
-        values.potential[front[f]] = found[f][1];
-      }
-      std::vector<std::size_t> next;
-      for (const std::size_t at : front)
-        for_neighbours(at, [&](std::size_t other) {
-          if (wants(other)) next.push_back(other);
-        });
-      std::sort(next.begin(), next.end());
-      next.erase(std::unique(next.begin(), next.end()), next.end());
-      front = std::move(next);
-    }
+    next.clear();
+    for (const std::size_t at : front)
+      for_face_neighbours(grid.size, at, [&](std::size_t other, std::size_t) {
+        if (wants(other) && values.thickness_mm[other] == 0) next.push_back(other);
+      });
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    front.swap(next);
+  }
+}
+
+/// Values beyond the wall: thickness as in the wall nearby, and the potential as it would go on, so that it
+/// is 0 and 1 at the surfaces.
+void continue_outside(const WallGrid& grid, std::size_t rings, Measured& values) {
+  const auto outside = [&](std::size_t at) { return grid.kind[at] != wall::kWall; };
+  spread(grid, rings, outside, values);
+  for (std::size_t at = 0; at < grid.kind.size(); ++at) {
+    if (!outside(at) || grid.kind[at] == wall::kSide || !(values.thickness_mm[at] > 0)) continue;
+    const float beyond = grid.distance_mm[at] / values.thickness_mm[at];
+    values.potential[at] = values.potential[at] < 0.5F ? -beyond : 1 + beyond;
   }
 }
 
@@ -266,7 +244,9 @@ Result<WallField> measure_wall(const WallInput& input, const WallLabels& labels,
   if (ctx.cancelled()) return cancelled_error(kStage);
   if (std::none_of(values.thickness_mm.begin(), values.thickness_mm.end(), [](float t) { return t > 0; }))
     return without_sides(name, labels);
-  spread(grid, kBeyond * factor, values);
+  const auto in_wall = [&](std::size_t at) { return grid.kind[at] == wall::kWall; };
+  spread(grid, grid.kind.size(), in_wall, values);
+  continue_outside(grid, kBeyond * static_cast<std::size_t>(factor), values);
   return field_of(grid, std::move(values), labels.wall);
 }
 

@@ -20,7 +20,7 @@ struct WallField {
   std::array<int, 3> size{0, 0, 0};
   Eigen::Matrix4d index_to_mm = Eigen::Matrix4d::Identity();
   Eigen::Matrix4d mm_to_index = Eigen::Matrix4d::Identity();  ///< inverse of index_to_mm
-  std::vector<float> thickness_mm;                            ///< 0: further than two voxels from the wall
+  std::vector<float> thickness_mm;                            ///< 0: nothing known, as away from the wall
   std::vector<float> potential;       ///< 0 at the inner surface, 1 at the outer one, a little beyond outside
   std::vector<std::uint8_t> in_wall;  ///< 1 inside the wall's surface
 
