@@ -130,6 +130,8 @@ Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
   }
   const Result<nlohmann::json> mask_edges = to_edges("--mask-edge", options.mask_edges);
   if (!mask_edges) return mask_edges.error();
+  if (!mask_edges->empty() && options.masks.empty())
+    return usage("--mask-edge " + options.mask_edges[0] + ": found no --mask, expected one that it sizes");
   for (const std::string& path : options.masks)
     json["sizing"]["masks"].push_back({{"name", file_name(path)}, {"edges", *mask_edges}});
   for (const std::string& path : options.size_images)

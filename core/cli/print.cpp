@@ -156,10 +156,6 @@ void print_lookup(const nlohmann::json& report, std::FILE* out) {
     }
 }
 
-}  // namespace
-
-namespace {
-
 void print_layers(const nlohmann::json& report, std::FILE* out) {
   if (!report.contains("layers")) return;
   std::fprintf(out, "\nlayers between the surfaces, by area of the outer one\n");

@@ -190,6 +190,7 @@ TEST_F(CliTest, RefusesFieldsAndSideFilesThatAreNotThere) {
   EXPECT_EQ(run({"field", at("case.json"), "--what", "thickness", "-o", at("a.nii")}), kExitUsage);
   EXPECT_EQ(run({"field", at("case.json"), "-o", at("a.vtk")}), kExitUsage);
   EXPECT_EQ(run({"mesh", at("case.json"), "--mask", at("none.nii")}), kExitBadInput);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--mask-edge", "1=2"}), kExitUsage);
   EXPECT_EQ(run({"mesh", at("case.json"), "--size-image", at("case.json")}), kExitBadInput);
   EXPECT_EQ(files(), 1U);
 }
