@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -180,15 +179,18 @@ void continue_outside(const WallGrid& grid, std::size_t rings, Measured& values)
   }
 }
 
-/// The part of the wall's voxels that are thinner than `limit_mm`, of those that have a thickness.
-double share_thinner(const WallGrid& grid, const Measured& values, double limit_mm) {
+/// Whether more than a few of the wall's voxels are thinner than three voxels. Cubes are compared, so that
+/// every platform decides alike.
+bool is_thin(const WallGrid& grid, const Measured& values, double voxel_mm3) {
+  const double limit_mm3 = kThinVoxels * kThinVoxels * kThinVoxels * voxel_mm3;
   std::size_t thin = 0, count = 0;
   for (std::size_t at = 0; at < grid.kind.size(); ++at) {
-    if (grid.kind[at] != wall::kWall || values.thickness_mm[at] == 0) continue;
+    const double t = values.thickness_mm[at];
+    if (grid.kind[at] != wall::kWall || t == 0) continue;
     ++count;
-    thin += values.thickness_mm[at] < limit_mm;
+    thin += t * t * t < limit_mm3;
   }
-  return count > 0 ? static_cast<double>(thin) / static_cast<double>(count) : 0;
+  return static_cast<double>(thin) > kThinShare * static_cast<double>(count);
 }
 
 WallField field_of(const WallGrid& grid, Measured values, const std::vector<Label>& labels) {
@@ -232,9 +234,8 @@ Result<WallField> measure_wall(const WallInput& input, const WallLabels& labels,
   WallGrid grid = coarse;
   wall::measure_distances(input.surface.points, triangles, 1, ctx.threads, grid);
   Measured values = measure(grid, inner_count, ctx);
-  const double voxel = std::cbrt(input.anatomy.voxel_mm3());
   int factor = 1;
-  if (share_thinner(grid, values, kThinVoxels * voxel) > kThinShare && !ctx.cancelled() &&
+  if (is_thin(grid, values, input.anatomy.voxel_mm3()) && !ctx.cancelled() &&
       8 * grid.kind.size() <= kMostFineVoxels) {
     factor = 2;
     grid = wall::refined(coarse, factor);

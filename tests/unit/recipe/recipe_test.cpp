@@ -113,5 +113,29 @@ TEST(RecipeSchema, DescribesEveryFieldOfTheRecipe) {
     EXPECT_NE(std::find(paths.begin(), paths.end(), path), paths.end()) << path;
 }
 
+TEST(Recipe, SizesByThicknessMaskAndImageComeBackFromJsonAsTheyWere) {
+  const nlohmann::json json = nlohmann::json::parse(R"({"sizing": {
+    "thickness": [{"wall": [1, 5, 6], "inner": [3], "layers": 2}, {"wall": [2], "edge_thin_mm": 0.7}],
+    "masks": [{"name": "paint.nii", "sha256": "ab", "edges": [{"label": 1, "edge_mm": 0.8}]}],
+    "images": [{"name": "sizes.nii.gz"}]}})");
+  const Result<Recipe> recipe = parse_recipe(json);
+  ASSERT_TRUE(recipe.ok()) << recipe.error().message;
+  ASSERT_EQ(recipe->sizing.thickness.size(), 2U);
+  EXPECT_EQ(recipe->sizing.thickness[0].wall, (std::vector<Label>{1, 5, 6}));
+  EXPECT_EQ(recipe->sizing.thickness[0].layers, 2U);
+  EXPECT_EQ(recipe->sizing.masks.at(0).edges.at(0).edge_mm, 0.8);
+  const Result<Recipe> back = parse_recipe(recipe_to_json(*recipe, true));
+  ASSERT_TRUE(back.ok());
+  EXPECT_EQ(recipe_to_json(*back), recipe_to_json(*recipe));
+}
+
+TEST(Recipe, NamesTheFieldOfANestedList) {
+  const Result<Recipe> recipe = parse_recipe(nlohmann::json::parse(
+      R"({"sizing": {"masks": [{"name": "a"}, {"name": "b", "edges": [{"label": 1, "edge_mm": -1}]}]}})"));
+  ASSERT_FALSE(recipe.ok());
+  EXPECT_NE(recipe.error().message.find("sizing.masks[1].edges[0].edge_mm: found -1"), std::string::npos)
+      << recipe.error().message;
+}
+
 }  // namespace
 }  // namespace voxtet

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/digest.h"
 #include "phantom/make_phantom.h"
 #include "support/wall_bodies.h"
 
@@ -21,6 +22,12 @@ void expect_accurate(const std::string& name, const Body& body, const LabelVolum
   EXPECT_GT(e.count, 1000u) << name;
   EXPECT_LE(std::abs(e.bias), 0.1) << name;
   EXPECT_LE(e.p95, 0.25) << name;
+}
+
+LabelVolume heart(bool pools) {
+  PhantomParams params;
+  params.blood_pools = pools;
+  return make_phantom(params).value();
 }
 
 TEST(MeasureWall, IsAccurateOnSphericalShells) {
@@ -71,6 +78,17 @@ TEST(MeasureWall, IsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(a.in_wall, b.in_wall);
 }
 
+// The digests hold natively and in WebAssembly.
+TEST(MeasureWall, IsTheSameOnEveryPlatform) {
+  RunContext ctx;
+  const LabelVolume volume = heart(false);
+  const WallField field = measure(volume, {{1, 2}, {}}, ctx).value();
+  EXPECT_EQ(digest_of(ScalarVolume{field.size, field.index_to_mm, field.thickness_mm}),
+            "8195da8cbc6ea8d73682bd1bd4f540a3d7c06e113512c1e887dc2b58c8921217");
+  EXPECT_EQ(digest_of(ScalarVolume{field.size, field.index_to_mm, field.potential}),
+            "eb9ffc777140d6c24e4e71f97cf3dbb7b4052bf11da94da181a5e3b1ffc74c11");
+}
+
 TEST(MeasureWall, FindsAClosedCavityWithoutALabel) {
   RunContext ctx;
   const LabelVolume volume = sample(test::shell(10, 20), {1, 1, 1}, {0, 0, 0});
@@ -102,12 +120,6 @@ TEST(MeasureWall, TakesTheRimOfAnOpenCupForNoSurface) {
       EXPECT_NEAR(field.thickness_at(std::sqrt(256 - height * height) * side + height * up), 8, 0.6)
           << height << (labelled ? " labelled" : " not labelled");
   }
-}
-
-LabelVolume heart(bool pools) {
-  PhantomParams params;
-  params.blood_pools = pools;
-  return make_phantom(params).value();
 }
 
 TEST(MeasureWall, FindsBothVentriclesOfAHeartWithoutPools) {
