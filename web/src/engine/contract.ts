@@ -282,6 +282,12 @@ export interface TetArrays {
   labels: Uint16Array;
   /** Four per tet: the tet across the face opposite corner i, or -1. */
   neighbours: Int32Array;
+  /** Half-faces, 4·tet + opposite corner: outer ones, those between labels (both sides), one of each other pair. */
+  faces: Uint32Array;
+  /** Four per tet: its centroid in mm, and its label. */
+  centres: Float32Array;
+  /** How many half-faces are outer; outer or between labels; the largest distance of a corner from its centroid. */
+  extents: Float64Array;
 }
 
 export const tetMeasures = [

@@ -1,96 +1,15 @@
-import { oppositeFace } from './tet_neighbours';
-
 /** Triangles as the scene draws them: three corners a face, one colour a corner, one owner a face. */
 export interface Faces {
   positions: Float32Array;
   colours: Uint8Array;
   /** Per corner, or nothing for flat shading. */
   normals?: Float32Array;
-  /** The tet or triangle that each face belongs to. */
+  /** The triangle that each face is. */
   owners: Uint32Array;
 }
 
-/** Writes the RGB (0..255) of element `element` seen from label `label` into out[at..at+2]. */
+/** Writes the RGB (0..255) of triangle `element` seen from label `label` into out[at..at+2]. */
 export type Painter = (element: number, label: number, out: Uint8Array, at: number) => void;
-
-export interface TetFilter {
-  /** Keep tets whose centroid c has normal . c <= offset. */
-  plane?: { normal: readonly number[]; offset: number };
-  hidden: ReadonlySet<number>;
-  /** Keep tets within a range of these values, any of the arrays. */
-  ranges?: { values: Float32Array[]; lo: number; hi: number };
-  /** Keep tets whose centroid lies within a ball. */
-  ball?: { centre: readonly number[]; radius: number };
-}
-
-/** One byte a tet: 1 where the filter keeps it. */
-export function keptTets(
-  points: Float32Array,
-  tets: Uint32Array,
-  labels: Uint16Array,
-  filter: TetFilter,
-): { kept: Uint8Array; count: number } {
-  const kept = new Uint8Array(labels.length);
-  const { plane, ranges, ball, hidden } = filter;
-  let count = 0;
-  for (let t = 0; t < labels.length; t++) {
-    if (hidden.size > 0 && hidden.has(labels[t])) continue;
-    if (ranges && !ranges.values.some((values) => values[t] >= ranges.lo && values[t] <= ranges.hi)) continue;
-    if (plane || ball) {
-      let x = 0;
-      let y = 0;
-      let z = 0;
-      for (let k = 0; k < 4; k++) {
-        const p = 3 * tets[4 * t + k];
-        x += points[p];
-        y += points[p + 1];
-        z += points[p + 2];
-      }
-      x /= 4;
-      y /= 4;
-      z /= 4;
-      if (plane && plane.normal[0] * x + plane.normal[1] * y + plane.normal[2] * z > plane.offset) continue;
-      if (ball) {
-        const [cx, cy, cz] = ball.centre;
-        if ((x - cx) ** 2 + (y - cy) ** 2 + (z - cz) ** 2 > ball.radius ** 2) continue;
-      }
-    }
-    kept[t] = 1;
-    count++;
-  }
-  return { kept, count };
-}
-
-/** Outer faces of the kept tets, whole elements and nothing cut; normals point out. */
-export function outerFaces(
-  mesh: { points: Float32Array; tets: Uint32Array; labels: Uint16Array; neighbours: Int32Array },
-  kept: Uint8Array,
-  paint: Painter,
-): Faces {
-  const { points, tets, labels, neighbours } = mesh;
-  let count = 0;
-  for (let t = 0; t < kept.length; t++) {
-    if (!kept[t]) continue;
-    for (let k = 0; k < 4; k++) {
-      const other = neighbours[4 * t + k];
-      if (other < 0 || !kept[other]) count++;
-    }
-  }
-  const faces = emptyFaces(count);
-  let face = 0;
-  for (let t = 0; t < kept.length; t++) {
-    if (!kept[t]) continue;
-    for (let k = 0; k < 4; k++) {
-      const other = neighbours[4 * t + k];
-      if (other >= 0 && kept[other]) continue;
-      const corners = oppositeFace[k];
-      for (let c = 0; c < 3; c++) copyPoint(points, tets[4 * t + corners[c]], faces.positions, 3 * face + c);
-      paintFace(faces, face, t, labels[t], paint);
-      face++;
-    }
-  }
-  return faces;
-}
 
 export interface SurfaceFilter {
   hidden: ReadonlySet<number>;
@@ -186,11 +105,12 @@ export function triangleEdges(points: Float32Array, triangles: Uint32Array): Flo
   return edges;
 }
 
-/** The values that bound the middle 98 % of finite entries, from a sample of at most 20,000. */
-export function robustRange(values: Float32Array): [number, number] {
+/** The values that bound the middle 98 % of finite entries that count, from a sample of some 20,000 at most. */
+export function robustRange(values: Float32Array, counts?: (index: number) => boolean): [number, number] {
   const step = Math.max(1, Math.floor(values.length / 20000));
   const sample: number[] = [];
-  for (let i = 0; i < values.length; i += step) if (Number.isFinite(values[i])) sample.push(values[i]);
+  for (let i = 0; i < values.length; i += step)
+    if (Number.isFinite(values[i]) && (!counts || counts(i))) sample.push(values[i]);
   if (sample.length === 0) return [0, 1];
   sample.sort((a, b) => a - b);
   const lo = sample[Math.floor(0.01 * (sample.length - 1))];

@@ -32,3 +32,11 @@ export function dropResults(stages: readonly StageName[]): void {
   for (const stage of stages) delete next[stage];
   shownDigests.value = next;
 }
+
+/** The points of whatever a stage shows, for the extent of the view. */
+export function pointsOf(stage: StageName): Float32Array | undefined {
+  const own = stage === 'quality' ? 'optimise' : stage;
+  if (own === 'surface' || own === 'smooth' || own === 'remesh' || own === 'optimise')
+    return shownResult(own)?.points;
+  return shownResult('surface')?.points;
+}
