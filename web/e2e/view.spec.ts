@@ -1,4 +1,5 @@
 /** The view: slices and their crosshair, cuts, colours, picking. */
+import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
 import { expect, idle, link, openAndRun, pixels, smallHeart, stage, test } from './support';
 
@@ -126,4 +127,27 @@ test('a cut leaves tetrahedra whole or goes through them; labels come apart; eve
   expect(await look()).toEqual(closed);
   await stage(page, 'remesh').click();
   await expect(page.getByLabel('Colour by')).toHaveValue('label');
+});
+
+test('keys turn the view over, and a picture of it is saved', async ({ page }) => {
+  await openAndRun(page, smallHeart);
+  await page.locator('.pane.model .pane-surface').focus();
+  await page.keyboard.press('2');
+  await expect(slice(page, 'axial')).toBeVisible();
+  await page.keyboard.press('1');
+  await expect(slice(page, 'axial')).toBeHidden();
+  await page.keyboard.press('[');
+  await expect(stage(page, 'optimise')).toHaveAttribute('aria-current', 'step');
+  await page.keyboard.press(']');
+  await page.keyboard.press('c');
+  await expect(page.getByLabel('Place of the cut')).toBeVisible();
+  await page.getByLabel('Colour by').selectOption('radius_ratio');
+  const downloading = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save a picture of the view' }).click();
+  const download = await downloading;
+  expect(download.suggestedFilename()).toBe('biventricle.png');
+  const png = await readFile(await download.path());
+  const sides = await page.locator('.view-host').evaluate((host) => [host.clientWidth, host.clientHeight]);
+  expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual(sides.map((side) => 2 * side));
+  expect(png.length).toBeGreaterThan(50_000);
 });

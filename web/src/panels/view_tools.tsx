@@ -1,5 +1,6 @@
 import type { Vec3 } from '../engine/contract';
 import { colourStops } from '../geometry/colours';
+import { downloadPicture } from '../store/exchange';
 import { nameOf } from '../store/input';
 import { shownDigests, shownResult } from '../store/results';
 import { report } from '../store/run';
@@ -268,6 +269,15 @@ export function ViewToolbar() {
         onClick={() => (command.value = { kind: 'fit' })}
       >
         <Icon name="fit" />
+      </button>
+      <button
+        type="button"
+        class="tool icon-only"
+        title="Save a picture of the view (P)"
+        aria-label="Save a picture of the view"
+        onClick={() => void downloadPicture()}
+      >
+        <Icon name="picture" />
       </button>
       <ShowAll />
     </div>

@@ -57,17 +57,17 @@ export class BodyView {
     this.owners = outline ? null : faces.owners;
   }
 
-  /** Whether this mesh was not the one shown already. */
-  showTets(mesh: TetArrays): boolean {
+  /** The model of the mesh, unless it is shown already. */
+  showTets(mesh: TetArrays): TetModel | null {
     this.surface.visible = false;
     this.owners = null;
-    if (this.mesh === mesh) return false;
+    if (this.mesh === mesh) return null;
     this.dropModel();
     this.mesh = mesh;
     this.model = new TetModel(mesh);
     this.model.setLook(...this.look);
     this.group.add(this.model.group);
-    return true;
+    return this.model;
   }
 
   setPlane(plane: Plane | null): void {

@@ -59,6 +59,16 @@ export class Canvas {
     }
   }
 
+  /** Draws with more pixels, hands the canvas over, and goes back to those of the screen. */
+  drawFiner(pixels: number, take: (canvas: HTMLCanvasElement) => void): void {
+    const usual = this.renderer.getPixelRatio();
+    this.renderer.setPixelRatio(pixels);
+    this.draw();
+    take(this.renderer.domElement);
+    this.renderer.setPixelRatio(usual);
+    this.draw();
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.frame);
     this.observer.disconnect();

@@ -1,7 +1,7 @@
 /** The view: follows the store, draws when it changes. The only folder that knows three.js. */
 import { batch, effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
-import type { TetArrays, Vec3 } from '../engine/contract';
+import type { StageName, TetArrays, Vec3 } from '../engine/contract';
 import { tetMask } from '../geometry/tet_faces';
 import { toIndex } from '../geometry/orientation';
 import { volume } from '../store/input';
@@ -21,17 +21,20 @@ import {
   marked,
   picked,
   showEdges,
+  sliceLegend,
   slicePlaces,
   stageShown,
   type Brush,
 } from '../store/view';
 import { BodyView } from './body_view';
 import { Canvas } from './canvas';
+import { contourGeometry, contourOf } from './contour';
 import { describe } from './describe';
 import { buildMarkers, disposeMarkers, sightOf } from './markers';
 import { addScaleBar, addTriad } from './overlay';
 import { surfaceBody, tetPaint } from './paint';
 import { pickAt } from './pick';
+import { takePicture } from './picture';
 import { addRegions } from './regions';
 import { addSlices } from './slices_view';
 import type { Plane } from './tet_model';
@@ -70,6 +73,10 @@ function brushed(range: Brush | null): { values: Float32Array[]; lo: number; hi:
   return { values, lo: range.lo, hi: range.hi };
 }
 
+function isSurface(stage: StageName): stage is 'surface' | 'smooth' | 'remesh' {
+  return stage === 'surface' || stage === 'smooth' || stage === 'remesh';
+}
+
 const onTets = () => stageShown.value === 'optimise' || stageShown.value === 'quality';
 
 export function mountScene(container: HTMLElement): () => void {
@@ -104,17 +111,19 @@ export function mountScene(container: HTMLElement): () => void {
       const points = pointsOf(stage);
       if (points && points.length > 0) viewer.setBounds(points);
       const tets = shownResult('optimise');
-      const surface =
-        stage === 'surface' || stage === 'smooth' || stage === 'remesh' ? shownResult(stage) : undefined;
       legend.value = null;
       if (onTets() && tets) {
-        if (body.showTets(tets)) slices.showMesh(body.model);
+        const model = body.showTets(tets);
+        if (model) slices.showSections(() => model.section());
       } else {
-        slices.showMesh(null);
         body.clear();
-        if (surface && !onTets()) {
-          const made = surfaceBody(stage as 'surface' | 'smooth' | 'remesh', surface);
+        slices.showSections(null);
+        const surface = isSurface(stage) && shownResult(stage);
+        if (surface) {
+          const made = surfaceBody(stage, surface);
           body.showSurface(made);
+          const triangles = contourGeometry(made.faces.positions);
+          slices.showSections(() => contourOf(triangles));
           legend.value = made.legend;
         } else if (stage === 'sizing') {
           const smooth = shownResult('smooth');
@@ -216,6 +225,9 @@ export function mountScene(container: HTMLElement): () => void {
           const { center, radius } = sightOf(marked.value, shownResult('remesh'), dotRadius());
           viewer.flyTo(center, radius);
         }
+        break;
+      case 'picture':
+        order.take(takePicture(canvas, container, legend.value ?? sliceLegend.value));
         break;
       case 'cut_facing_me': {
         const towards = viewer.camera.position.clone().sub(viewer.controls.target).normalize();

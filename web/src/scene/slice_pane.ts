@@ -6,14 +6,17 @@ import {
   OrthographicCamera,
   Scene,
   Vector3,
-  type Object3D,
+  type LineSegments,
+  type RawShaderMaterial,
 } from 'three';
 import { cross, dot, sidesOf, toIndex, toMm, type SliceFrame } from '../geometry/orientation';
 import type { Vec3 } from '../engine/contract';
 import { slicePlaces } from '../store/view';
 import type { Canvas, Pane } from './canvas';
 import type { Grid, SliceImage } from './slice_material';
-import type { TetDrawing } from './tet_model';
+
+/** What is seen of a body in the plane of its uniform `cutPlane`. */
+export type Section = (Mesh | LineSegments) & { material: RawShaderMaterial };
 
 const titles = { axial: 'Axial', coronal: 'Coronal', sagittal: 'Sagittal' } as const;
 const axisNames = ['i', 'j', 'k'];
@@ -48,7 +51,7 @@ export class SlicePane {
   private readonly stop: () => void;
   private frame: SliceFrame;
   private grid: Grid;
-  private section: TetDrawing | null = null;
+  private section: Section | null = null;
   private middle = new Vector3();
   private mmPerPixel = 1;
   private zoom = 1;
@@ -111,15 +114,11 @@ export class SlicePane {
     this.follow(slicePlaces.peek());
   }
 
-  setSection(section: TetDrawing | null): void {
+  setSection(section: Section | null): void {
     if (this.section) this.scene.remove(this.section);
     this.section = section;
     if (section) this.scene.add(section);
     this.follow(slicePlaces.peek());
-  }
-
-  add(object: Object3D): void {
-    this.scene.add(object);
   }
 
   dispose(): void {

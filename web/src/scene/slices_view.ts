@@ -19,17 +19,16 @@ import {
   stageShown,
 } from '../store/view';
 import type { Canvas } from './canvas';
-import type { TetDrawing, TetModel } from './tet_model';
 import { SliceImage } from './slice_material';
-import { SlicePane } from './slice_pane';
+import { SlicePane, type Section } from './slice_pane';
 import type { Viewer } from './viewer';
 
 /** Along right, front and head: the colours of the cross that turns the view. */
 const axisColours = [0xb5433b, 0x2c7a4b, 0x2b62ab];
 
 export interface SlicesView {
-  /** The mesh whose edges the slices show. */
-  showMesh(model: TetModel | null): void;
+  /** What the slices show of a body: the edges of a mesh, or the outline of a surface. */
+  showSections(make: (() => Section) | null): void;
   dispose(): void;
 }
 
@@ -54,7 +53,7 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
   }
   viewer.add(planes);
   viewer.add(cross);
-  let sections: TetDrawing[] = [];
+  let sections: Section[] = [];
 
   const setPositions = (mesh: Mesh | LineSegments, positions: Float32Array) =>
     mesh.geometry.setAttribute('position', new BufferAttribute(positions, 3));
@@ -134,14 +133,13 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
   };
 
   return {
-    showMesh(model) {
+    showSections(make) {
       dropSections();
-      if (!model) return;
+      if (!make) return;
       sections = panes.map((pane) => {
-        const section = model.section();
+        const section = make();
         section.visible = showEdges.peek();
         section.renderOrder = 1;
-        section.material.uniforms.edgeStrength.value = 0.9;
         pane.setSection(section);
         return section;
       });

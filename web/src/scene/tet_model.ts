@@ -115,6 +115,7 @@ export class TetModel {
   section(): TetDrawing {
     const made = this.drawing(sectionVertex, { need: chosenBit, lines: true });
     made.geometry.setDrawRange(0, 6 * this.mesh.labels.length);
+    made.material.uniforms.edgeStrength.value = 0.9;
     return made;
   }
 

@@ -4,6 +4,7 @@ import { encodeFragment } from '../link/codec';
 import { engine, takeTurn, tellError } from './actions';
 import { recipe } from './recipe';
 import { activity, announcement, meshedMinimal, meshedRecipe, report } from './run';
+import { command } from './view';
 
 export async function exportMesh(format: ExportFormat, space: Space): Promise<void> {
   const meshed = meshedRecipe.value;
@@ -20,6 +21,19 @@ export async function exportMesh(format: ExportFormat, space: Space): Promise<vo
     if (newest()) tellError(error);
   } finally {
     if (newest()) activity.value = 'idle';
+  }
+}
+
+/** The view as it stands, as a picture. */
+export function viewPicture(): Promise<Blob> {
+  return new Promise((made) => (command.value = { kind: 'picture', take: made }));
+}
+
+export async function downloadPicture(): Promise<void> {
+  try {
+    download(`${caseName()}.png`, await viewPicture());
+  } catch (error) {
+    tellError(error);
   }
 }
 

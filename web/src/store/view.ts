@@ -50,6 +50,7 @@ export type SceneCommand =
   | { kind: 'fit' }
   | { kind: 'look'; from: ViewDirection }
   | { kind: 'cut_facing_me' }
+  | { kind: 'picture'; take(picture: Promise<Blob>): void }
   | { kind: 'marked' };
 
 export const stageShown = signal<StageName>('smooth');
