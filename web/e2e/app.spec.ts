@@ -23,7 +23,7 @@ test('a link shows what it holds, runs only on a click, and ends in histograms',
   await dialog.getByRole('button', { name: 'Open and run' }).click();
   await meshed(page);
   expect(await tetCount(page)).toBeGreaterThan(1000);
-  await expect(page.locator('.histogram canvas')).toHaveCount(3);
+  await expect(page.locator('.histogram canvas')).toHaveCount(4);
   await expect(page.locator('.checklist li')).not.toHaveCount(0);
   await expect(page.locator('.checklist li.fail')).toHaveCount(0);
   for (const name of ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'optimise', 'quality']) {
@@ -32,7 +32,7 @@ test('a link shows what it holds, runs only on a click, and ends in histograms',
   }
 });
 
-test('dragging over a histogram and flying to the worst single elements out', async ({ page }) => {
+test('dragging over a histogram and flying along the worst list single elements out', async ({ page }) => {
   await openAndRun(page, smallHeart);
   const total = await tetCount(page);
   const chart = page.locator('.chart.brushable .u-over').first();
@@ -46,8 +46,13 @@ test('dragging over a histogram and flying to the worst single elements out', as
   await expect(count).toHaveText(/[1-9][\d,]* elements/);
   const shown = Number(/([\d,]+) elements/.exec(await count.innerText())![1].replaceAll(',', ''));
   expect(shown).toBeLessThan(total);
-  await page.getByRole('button', { name: /worst element by Min dihedral/ }).click();
+  const worst = page.locator('.worst button');
+  await worst.first().click();
   await expect(page.locator('.picked')).toContainText('Tetrahedron');
+  const first = await page.locator('.picked strong').innerText();
+  await page.keyboard.press('ArrowDown');
+  await expect(worst.nth(1)).toHaveAttribute('aria-current', 'true');
+  await expect(page.locator('.picked strong')).not.toHaveText(first);
   await page.getByRole('button', { name: 'Show all', exact: true }).click();
   await page.getByRole('button', { name: 'Cut', exact: true }).click();
   await page.getByLabel('Colour by').selectOption('min_dihedral_deg');

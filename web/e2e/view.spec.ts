@@ -13,6 +13,7 @@ async function openSlices(page: Page, recipe: object): Promise<void> {
   await idle(page);
   await page.getByRole('button', { name: 'Slices', exact: true }).click();
   await expect(place(page, 'axial')).toContainText('mm');
+  await page.getByRole('button', { name: 'Edges', exact: true }).click();
 }
 
 /** Colours at a lattice of places of a pane, away from its head line, crosshair and letters. */

@@ -2,6 +2,7 @@ import { useEffect } from 'preact/hooks';
 import { stageNames } from '../engine/contract';
 import { isCaseFragment } from '../link/codec';
 import { cancelRun, openFragment, redoEdit, runAll, undoEdit } from '../store/actions';
+import { pinned } from '../store/compare';
 import { downloadPicture } from '../store/exchange';
 import { volume } from '../store/input';
 import { shownDigests } from '../store/results';
@@ -12,6 +13,7 @@ import { brush, command, cut, focusTet, layout, picked, showEdges, stageShown } 
 const viewKeys: Record<string, () => void> = {
   '1': () => (layout.value = 'model'),
   '2': () => (layout.value = 'slices'),
+  '3': () => void (pinned.value && (layout.value = 'compare')),
   c: () => (cut.value = { ...cut.value, on: !cut.value.on }),
   e: () => (showEdges.value = !showEdges.value),
   f: () => (command.value = { kind: 'fit' }),

@@ -36,16 +36,18 @@ export function ViewPanel() {
   return (
     <main class="view" aria-label="View" data-layout={opened ? layout.value : undefined}>
       {opened && <ViewToolbar />}
-      <div class="view-host" ref={host} />
-      {!opened && <EmptyState />}
-      {trouble && <p class="view-trouble">{trouble}</p>}
-      {opened && (
-        <>
-          <LegendCard shown={legend.value ?? (layout.value === 'model' ? sliceLegend.value : null)} />
-          <SliceChoice />
-          <PickedCard />
-        </>
-      )}
+      <div class="view-body">
+        <div class="view-host" ref={host} />
+        {!opened && <EmptyState />}
+        {trouble && <p class="view-trouble">{trouble}</p>}
+        {opened && (
+          <>
+            <LegendCard shown={legend.value ?? (layout.value === 'model' ? sliceLegend.value : null)} />
+            <SliceChoice />
+            <PickedCard />
+          </>
+        )}
+      </div>
     </main>
   );
 }

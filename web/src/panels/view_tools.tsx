@@ -1,5 +1,6 @@
 import type { Vec3 } from '../engine/contract';
 import { colourStops } from '../geometry/colours';
+import { pinned } from '../store/compare';
 import { downloadPicture } from '../store/exchange';
 import { nameOf } from '../store/input';
 import { shownDigests, shownResult } from '../store/results';
@@ -245,6 +246,7 @@ export function ViewToolbar() {
         options={[
           ['model', '3-D', 'One view (1)'],
           ['slices', 'Slices', 'Three slices of the image beside it (2)'],
+          ...(pinned.value ? [['compare', 'Compare', 'The pinned run beside it (3)'] as const] : []),
         ]}
         onChange={(next) => (layout.value = next)}
       />

@@ -1,21 +1,17 @@
 /** The view: follows the store, draws when it changes. The only folder that knows three.js. */
 import { batch, effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
-import type { StageName, TetArrays, Vec3 } from '../engine/contract';
-import { tetMask } from '../geometry/tet_faces';
+import type { StageName, Vec3 } from '../engine/contract';
 import { toIndex } from '../geometry/orientation';
+import { pinned, pinnedArrays } from '../store/compare';
 import { volume } from '../store/input';
 import { recipe } from '../store/recipe';
 import { pointsOf, shownResult } from '../store/results';
 import {
-  brush,
-  colourOf,
   command,
   cut,
   dark,
-  explode,
   focusTet,
-  hiddenLabels,
   layout,
   legend,
   marked,
@@ -24,7 +20,6 @@ import {
   sliceLegend,
   slicePlaces,
   stageShown,
-  type Brush,
 } from '../store/view';
 import { BodyView } from './body_view';
 import { Canvas } from './canvas';
@@ -32,12 +27,14 @@ import { contourGeometry, contourOf } from './contour';
 import { describe } from './describe';
 import { buildMarkers, disposeMarkers, sightOf } from './markers';
 import { addScaleBar, addTriad } from './overlay';
-import { surfaceBody, tetPaint } from './paint';
+import { surfaceBody } from './paint';
 import { pickAt } from './pick';
 import { takePicture } from './picture';
 import { addRegions } from './regions';
 import { addSlices } from './slices_view';
 import type { Plane } from './tet_model';
+import { followTets, tetCentre, type TetSource } from './tets_view';
+import { Twin } from './twin';
 import { Viewer } from './viewer';
 
 /** Offset of the cutting plane along its normal, from the fraction of the body's extent. */
@@ -56,28 +53,16 @@ function planeOffset(viewer: Viewer, normal: Vec3, place: number): number {
   return lo + place * (hi - lo);
 }
 
-function tetCentre(mesh: TetArrays, tet: number): { centre: Vector3; size: number } {
-  const corners = [0, 1, 2, 3].map((k) => new Vector3().fromArray(mesh.points, 3 * mesh.tets[4 * tet + k]));
-  const centre = corners.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(4);
-  return { centre, size: Math.max(...corners.map((p) => p.distanceTo(corners[0]))) };
-}
-
-/** The values that a dragged range of a histogram is about. */
-function brushed(range: Brush | null): { values: Float32Array[]; lo: number; hi: number } | undefined {
-  const measures = shownResult('quality');
-  if (!range || !measures) return undefined;
-  const values =
-    range.metric === 'dihedral_deg'
-      ? [measures.min_dihedral_deg, measures.max_dihedral_deg]
-      : [measures[range.metric]];
-  return { values, lo: range.lo, hi: range.hi };
-}
-
 function isSurface(stage: StageName): stage is 'surface' | 'smooth' | 'remesh' {
   return stage === 'surface' || stage === 'smooth' || stage === 'remesh';
 }
 
 const onTets = () => stageShown.value === 'optimise' || stageShown.value === 'quality';
+
+function tetsShown(): TetSource | null {
+  const mesh = onTets() ? shownResult('optimise') : undefined;
+  return mesh ? { mesh, measures: shownResult('quality') } : null;
+}
 
 export function mountScene(container: HTMLElement): () => void {
   const canvas = new Canvas(container);
@@ -94,6 +79,21 @@ export function mountScene(container: HTMLElement): () => void {
   const slices = addSlices(canvas, viewer, panes);
   const body = new BodyView();
   viewer.add(body.group);
+  const beside = document.createElement('div');
+  beside.className = 'pane twin';
+  panes.append(beside);
+  const twin = new Twin(canvas, viewer, beside);
+  const other = new BodyView();
+  twin.scene.add(other.group);
+  for (const [pane, text] of [
+    [main, 'This run'],
+    [beside, 'Pinned'],
+  ] as const) {
+    const name = document.createElement('span');
+    name.className = 'run-name';
+    name.textContent = text;
+    pane.append(name);
+  }
 
   const planeNow = (): Plane | null => {
     const { on, flat, normal, place } = cut.value;
@@ -110,61 +110,39 @@ export function mountScene(container: HTMLElement): () => void {
       const stage = stageShown.value;
       const points = pointsOf(stage);
       if (points && points.length > 0) viewer.setBounds(points);
-      const tets = shownResult('optimise');
+      canvas.invalidate();
+      if (tetsShown()) return;
+      body.clear();
+      slices.showSections(null);
       legend.value = null;
-      if (onTets() && tets) {
-        const model = body.showTets(tets);
-        if (model) slices.showSections(() => model.section());
-      } else {
-        body.clear();
-        slices.showSections(null);
-        const surface = isSurface(stage) && shownResult(stage);
-        if (surface) {
-          const made = surfaceBody(stage, surface);
-          body.showSurface(made);
-          const triangles = contourGeometry(made.faces.positions);
-          slices.showSections(() => contourOf(triangles));
-          legend.value = made.legend;
-        } else if (stage === 'sizing') {
-          const smooth = shownResult('smooth');
-          if (smooth) body.showSurface(surfaceBody('smooth', smooth), true);
-        }
+      const surface = isSurface(stage) && shownResult(stage);
+      if (surface) {
+        const made = surfaceBody(stage, surface);
+        body.showSurface(made);
+        const triangles = contourGeometry(made.faces.positions);
+        slices.showSections(() => contourOf(triangles));
+        legend.value = made.legend;
+      } else if (stage === 'sizing') {
+        const smooth = shownResult('smooth');
+        if (smooth) body.showSurface(surfaceBody('smooth', smooth), true);
       }
-      canvas.invalidate();
+    }),
+    followTets(canvas, body, {
+      source: tetsShown,
+      plane: planeNow,
+      leads: true,
+      onModel: (model) => slices.showSections(() => model.section()),
+    }),
+    followTets(canvas, other, {
+      source: () => (layout.value === 'compare' ? pinnedArrays() : null),
+      plane: planeNow,
+      leads: false,
     }),
     effect(() => {
-      const mesh = shownResult('optimise');
-      if (!onTets() || !mesh || !body.model) return;
-      const focus = focusTet.value !== null && 4 * focusTet.value < mesh.tets.length ? focusTet.value : null;
-      const near = focus === null ? null : tetCentre(mesh, focus);
-      const ranges = brushed(brush.value);
-      const ball = near ? { centre: near.centre.toArray(), radius: 2.2 * near.size } : undefined;
-      const hidden = hiddenLabels.value;
-      const { mask, count } = tetMask(mesh.centres, { hidden, ranges, ball });
-      body.model.setMask(mask, ranges !== undefined || ball !== undefined, hidden.size > 0);
-      body.model.single(focus);
-      const range = untracked(() => brush.value);
-      if (range && range.shown !== count) brush.value = { ...range, shown: count };
-      canvas.invalidate();
+      if (!pinned.value) other.clear();
     }),
     effect(() => {
-      const mesh = shownResult('optimise');
-      if (!onTets() || !mesh || !body.model) return;
-      const paint = tetPaint(shownResult('quality'));
-      body.model.setPaint(paint, colourOf.value);
-      legend.value = paint.kind === 'scale' ? paint.legend : null;
-      canvas.invalidate();
-    }),
-    // Follows the first effect, so that a new mesh is cut and pulled apart like the one before.
-    effect(() => {
-      void shownResult('optimise');
-      void onTets();
-      body.setPlane(planeNow());
-      body.model?.setExplode(explode.value);
-      canvas.invalidate();
-    }),
-    effect(() => {
-      body.setLook(showEdges.value, dark.value ? 0.13 : 0.1);
+      for (const one of [body, other]) one.setLook(showEdges.value, dark.value ? 0.13 : 0.1);
       canvas.invalidate();
     }),
     effect(() => {
@@ -263,6 +241,8 @@ export function mountScene(container: HTMLElement): () => void {
     stopRegions();
     slices.dispose();
     body.dispose();
+    other.dispose();
+    twin.dispose();
     viewer.dispose();
     canvas.dispose();
     container.replaceChildren();

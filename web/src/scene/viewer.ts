@@ -54,8 +54,13 @@ export class Viewer {
     this.pane = {
       element: this.element,
       resized: (width, height) => {
+        const before = Math.min(1, this.camera.aspect);
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
+        // What was in sight stays in sight when the pane becomes narrow.
+        const { target } = this.controls;
+        const nearer = before / Math.min(1, this.camera.aspect);
+        this.camera.position.sub(target).multiplyScalar(nearer).add(target);
       },
       draw: (renderer) => {
         this.advanceFlight();

@@ -66,8 +66,9 @@ export const sliceLegend = signal<Legend | null>(null);
 export const picked = signal<Picked | null>(null);
 export const regionShown = signal<number | null>(null);
 export const gizmoMode = signal<'translate' | 'rotate' | 'scale'>('translate');
-/** One view of the mesh, or three slices of the image beside it. */
-export const layout = signal<'model' | 'slices'>('model');
+export type Layout = 'model' | 'slices' | 'compare';
+/** One view of the mesh; three slices of the image beside it; or the pinned run beside it. */
+export const layout = signal<Layout>('model');
 /** The crosshair: along each image axis, the fraction of the way from the first voxel to the last. */
 export const slicePlaces = signal<Vec3>([0.5, 0.5, 0.5]);
 /** What slices show: the labels, or the edge length asked for. */
