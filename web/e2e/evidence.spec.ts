@@ -1,6 +1,6 @@
 /** What a run leaves in the hand: a report, and the run before beside it. */
 import { readFile } from 'node:fs/promises';
-import { expect, meshed, openAndRun, pixels, smallHeart, test } from './support';
+import { expect, meshed, openAndRun, pixels, smallHeart, stage, test } from './support';
 
 test('the report is a page with pictures that needs nothing else', async ({ page }) => {
   await openAndRun(page, smallHeart);
@@ -59,4 +59,27 @@ test('a pinned run stands beside the next one, with one camera and a table of di
   expect(after.slice(3)).not.toEqual(before.slice(3));
   await page.getByRole('button', { name: 'Unpin' }).click();
   await expect(page.locator('.pane.twin')).toBeHidden();
+});
+
+test('an edit marks the stages it touches; only those run again, as far as is asked', async ({ page }) => {
+  await openAndRun(page, smallHeart);
+  await page.getByLabel('Edge length', { exact: true }).fill('6');
+  for (const name of ['volume', 'surface', 'smooth'])
+    await expect(stage(page, name)).toHaveAttribute('data-state', 'done');
+  for (const name of ['sizing', 'remesh', 'optimise', 'quality'])
+    await expect(stage(page, name)).toHaveAttribute('data-state', 'stale');
+  await page.getByRole('button', { name: 'Run to Remesh' }).click();
+  await expect(stage(page, 'remesh')).toHaveAttribute('data-state', 'done');
+  await expect(stage(page, 'remesh')).toHaveAttribute('aria-current', 'step');
+  await expect(stage(page, 'quality')).toHaveAttribute('data-state', 'stale');
+  await expect(stage(page, 'smooth')).toHaveAttribute('data-kept', 'true');
+  await page.getByTestId('run').click();
+  await meshed(page);
+  for (const name of ['volume', 'smooth', 'sizing', 'remesh'])
+    await expect(stage(page, name)).toHaveAttribute('data-kept', 'true');
+  await expect(stage(page, 'quality')).toHaveAttribute('data-kept', 'false');
+  await page.getByLabel('Edge length', { exact: true }).fill('7');
+  await expect(stage(page, 'sizing')).toHaveAttribute('data-state', 'stale');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(stage(page, 'sizing')).toHaveAttribute('data-state', 'done');
 });

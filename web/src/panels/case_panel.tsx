@@ -1,5 +1,5 @@
 import type { Recipe } from '../engine/contract';
-import { previewSoon } from '../store/actions';
+import { previewSoon } from '../store/runs';
 import { awaitedFile, volume } from '../store/input';
 import { carrierOf, dropIdleSizes, groupsOf } from '../store/labels';
 import { editRecipe, recipe } from '../store/recipe';

@@ -1,4 +1,5 @@
-import { cancelRun, expectedTets, redoEdit, runAll, undoEdit } from '../store/actions';
+import { expectedTets, redoEdit, undoEdit } from '../store/actions';
+import { cancelRun, runAll } from '../store/runs';
 import { caseName } from '../store/exchange';
 import { volume } from '../store/input';
 import { recipe, redoLabel, undoLabel } from '../store/recipe';

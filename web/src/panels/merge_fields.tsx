@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks';
 import type { Recipe } from '../engine/contract';
-import { previewSoon } from '../store/actions';
+import { previewSoon } from '../store/runs';
 import { nameOf } from '../store/input';
 import { carrierOf, dropIdleSizes, groupedWith, mergesAll } from '../store/labels';
 import { editRecipe } from '../store/recipe';

@@ -1,7 +1,8 @@
 import { useEffect } from 'preact/hooks';
 import { stageNames } from '../engine/contract';
 import { isCaseFragment } from '../link/codec';
-import { cancelRun, openFragment, redoEdit, runAll, undoEdit } from '../store/actions';
+import { openFragment, redoEdit, undoEdit } from '../store/actions';
+import { cancelRun, runAll } from '../store/runs';
 import { pinned } from '../store/compare';
 import { downloadPicture } from '../store/exchange';
 import { volume } from '../store/input';

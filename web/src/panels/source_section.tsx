@@ -1,6 +1,7 @@
 import { useRef } from 'preact/hooks';
 import type { PhantomKind, PhantomParams, Recipe, Vec3 } from '../engine/contract';
-import { editPhantom, openFiles, openPhantom, openSample, previewSoon } from '../store/actions';
+import { editPhantom, openFiles, openPhantom, openSample } from '../store/actions';
+import { previewSoon } from '../store/runs';
 import { volume } from '../store/input';
 import { CheckField, NumberField, SelectField, VectorField } from './fields';
 import { short } from './format';

@@ -2,7 +2,7 @@
 import type { ExportFormat, Space } from '../engine/contract';
 import { encodeFragment } from '../link/codec';
 import type { ReportPicture } from '../report/report_page';
-import { engine, takeTurn, tellError } from './actions';
+import { engine, takeTurn, tellError } from './engine';
 import { nameOf } from './input';
 import { recipe } from './recipe';
 import { activity, announcement, meshedMinimal, meshedRecipe, report } from './run';

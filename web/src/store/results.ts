@@ -17,6 +17,13 @@ export function keepResult(stage: StageName, digest: string, arrays: Partial<Sta
   kept.set(key, arrays);
   const ofStage = [...kept.keys()].filter((name) => name.startsWith(`${stage}:`));
   for (const old of ofStage.slice(0, -keptPerStage)) kept.delete(old);
+}
+
+export function isKept(stage: StageName, digest: string): boolean {
+  return kept.has(`${stage}:${digest}`);
+}
+
+export function showResult(stage: StageName, digest: string): void {
   shownDigests.value = { ...shownDigests.value, [stage]: digest };
 }
 
