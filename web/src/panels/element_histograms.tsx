@@ -70,7 +70,7 @@ const charts: Chart[] = [
   },
   {
     kind: 'ratios',
-    title: 'Achieved over prescribed edge',
+    title: 'Achieved / prescribed edge',
     of: 'edges',
     unit: 'log₂',
     brushed: { metric: 'size_log2', name: 'size ratio', unit: 'log₂' },

@@ -1,6 +1,5 @@
-import { openSample } from '../store/actions';
 import { awaitedFile } from '../store/input';
-import { activity } from '../store/run';
+import { Gallery } from './gallery';
 import { FileButton } from './source_section';
 
 export function EmptyState() {
@@ -30,15 +29,9 @@ export function EmptyState() {
           </p>
           <div class="empty-actions">
             <FileButton label="Open a file…" primary />
-            <button
-              type="button"
-              class="button"
-              onClick={() => void openSample()}
-              disabled={activity.value === 'starting'}
-            >
-              Take the sample heart
-            </button>
           </div>
+          <p class="empty-or">or begin with an example</p>
+          <Gallery />
         </>
       )}
     </div>

@@ -5,7 +5,7 @@ import { volume } from '../store/input';
 import { recipe, redoLabel, undoLabel } from '../store/recipe';
 import { activity, elapsedSeconds, report, upToDate } from '../store/run';
 import { dark, theme } from '../store/view';
-import { dialogShown } from './dialogs';
+import { dialogShown } from './dialog_shown';
 import { about, seconds } from './format';
 import { Icon } from './icons';
 

@@ -61,7 +61,7 @@ export function Pipeline() {
             <li key={name}>
               <button
                 type="button"
-                class={`chip ${stale ? 'stale' : status.state}`}
+                class={`chip ${stale ? 'outdated' : status.state}`}
                 aria-current={stageShown.value === name && ready ? 'step' : undefined}
                 disabled={!ready}
                 title={stale ? `${lessons[name]}. The recipe has changed since.` : lessons[name]}

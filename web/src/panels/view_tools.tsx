@@ -288,7 +288,7 @@ export function ViewToolbar() {
 
 /** What the slices show, in their corner. */
 export function SliceChoice() {
-  if (layout.value !== 'slices' || shownDigests.value.sizing === undefined) return null;
+  if (layout.value !== 'slices') return null;
   return (
     <div class="slice-choice">
       <Segments

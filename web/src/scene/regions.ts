@@ -136,6 +136,7 @@ export function addRegions(viewer: Viewer): () => void {
       name,
       (draft) => readBack(object, draft.sizing.regions[index], startRadius),
       `drag ${dragCount}`,
+      Infinity,
     );
   });
 

@@ -14,6 +14,7 @@ import type { Vec3 } from '../engine/contract';
 import { slicePlaces } from '../store/view';
 import type { Canvas, Pane } from './canvas';
 import type { Grid, SliceImage } from './slice_material';
+import { SliceRegions } from './slice_regions';
 
 /** What is seen of a body in the plane of its uniform `cutPlane`. */
 export type Section = (Mesh | LineSegments) & { material: RawShaderMaterial };
@@ -48,6 +49,7 @@ export class SlicePane {
   private readonly letters: HTMLElement[];
   private readonly lines: HTMLElement[];
   private readonly pane: Pane;
+  private readonly regions: SliceRegions;
   private readonly stop: () => void;
   private frame: SliceFrame;
   private grid: Grid;
@@ -87,6 +89,11 @@ export class SlicePane {
       draw: (renderer) => renderer.render(this.scene, this.camera),
     };
     canvas.add(this.pane);
+    this.regions = new SliceRegions(this.root, {
+      size: () => this.size,
+      mmPerPixel: () => this.mmPerPixel,
+      mmAt: (x, y) => this.mmAt(x, y),
+    });
     this.listen();
     this.stop = effect(() => {
       this.follow(slicePlaces.value);
@@ -123,9 +130,19 @@ export class SlicePane {
 
   dispose(): void {
     this.stop();
+    this.regions.dispose();
     this.canvas.remove(this.pane);
     this.quad.geometry.dispose();
     this.root.remove();
+  }
+
+  /** The crosshair, mm. */
+  private get centre(): Vec3 {
+    const { size, indexToMm } = this.grid;
+    return toMm(
+      indexToMm,
+      slicePlaces.peek().map((place, axis) => Math.round(place * (size[axis] - 1))),
+    );
   }
 
   private get index(): number {
@@ -135,14 +152,11 @@ export class SlicePane {
 
   private follow(places: Vec3): void {
     const { across, name } = this.frame;
-    const { size, indexToMm } = this.grid;
+    const { size } = this.grid;
     const corners = this.image.corners(across, places[across]);
     const positions = Float32Array.from(corners.flatMap((corner) => corner.toArray()));
     this.quad.geometry.setAttribute('position', new BufferAttribute(positions, 3));
-    const centre = toMm(
-      indexToMm,
-      places.map((place, axis) => Math.round(place * (size[axis] - 1))),
-    );
+    const { centre } = this;
     if (this.section) {
       const edge = (to: number) => corners[to].clone().sub(corners[0]).toArray() as Vec3;
       const normal = new Vector3(...cross(edge(1), edge(5))).normalize();
@@ -155,6 +169,7 @@ export class SlicePane {
     this.place.textContent = `${axisNames[across]} ${this.index + 1}/${size[across]} · ${side} ${mm.toFixed(1)} mm`;
     this.slider.setAttribute('aria-valuetext', this.place.textContent);
     this.placeLines(centre);
+    this.regions.draw();
     this.canvas.invalidate();
   }
 
@@ -204,31 +219,25 @@ export class SlicePane {
     camera.position.copy(middle).addScaledVector(new Vector3(...frame.towards), 4000);
     camera.lookAt(middle);
     camera.updateProjectionMatrix();
-    const { size: voxels, indexToMm } = this.grid;
-    this.placeLines(
-      toMm(
-        indexToMm,
-        slicePlaces.peek().map((place, axis) => Math.round(place * (voxels[axis] - 1))),
-      ),
-    );
+    this.placeLines(this.centre);
+    this.regions.draw();
     this.canvas.invalidate();
   }
 
-  /** Patient millimetres under the pointer, in the plane through the middle. */
-  private mmAt(event: MouseEvent): Vec3 {
-    const box = this.surface.getBoundingClientRect();
-    const x = (event.clientX - box.left - box.width / 2) * this.mmPerPixel;
-    const y = (box.height / 2 - (event.clientY - box.top)) * this.mmPerPixel;
+  /** Patient millimetres of a place of the pane, in the plane of the slice. */
+  private mmAt(px: number, py: number): Vec3 {
+    const x = (px - this.size[0] / 2) * this.mmPerPixel;
+    const y = (this.size[1] / 2 - py) * this.mmPerPixel;
+    const { right, up, towards } = this.frame;
+    const depth = dot(towards, this.centre) - dot(towards, this.middle.toArray());
     return this.middle
-      .clone()
-      .addScaledVector(new Vector3(...this.frame.right), x)
-      .addScaledVector(new Vector3(...this.frame.up), y)
-      .toArray();
+      .toArray()
+      .map((m, row) => m + x * right[row] + y * up[row] + depth * towards[row]) as Vec3;
   }
 
-  private aim(event: MouseEvent): void {
+  private aim(px: number, py: number): void {
     const { size, indexToMm } = this.grid;
-    const index = toIndex(indexToMm, this.mmAt(event));
+    const index = toIndex(indexToMm, this.mmAt(px, py));
     slicePlaces.value = slicePlaces.peek().map((old, axis) => {
       if (axis === this.frame.across || size[axis] < 2) return old;
       return clamped(Math.round(index[axis]) / (size[axis] - 1));
@@ -249,15 +258,24 @@ export class SlicePane {
   }
 
   private listen(): void {
-    const { surface } = this;
-    let held: 'aim' | 'shift' | null = null;
+    const { surface, regions } = this;
+    let held: 'aim' | 'shift' | 'region' | null = null;
+    const placeOf = (event: MouseEvent): [number, number] => {
+      const box = surface.getBoundingClientRect();
+      return [event.clientX - box.left, event.clientY - box.top];
+    };
     surface.addEventListener('pointerdown', (event) => {
-      held = event.button === 0 && !event.shiftKey ? 'aim' : 'shift';
+      const at = placeOf(event);
       surface.setPointerCapture(event.pointerId);
-      if (held === 'aim') this.aim(event);
+      if (event.button !== 0 || event.shiftKey) held = 'shift';
+      else held = regions.take(...at) ? 'region' : 'aim';
+      if (held === 'aim') this.aim(...at);
     });
     surface.addEventListener('pointermove', (event) => {
-      if (held === 'aim') this.aim(event);
+      const at = placeOf(event);
+      if (held === null) surface.style.cursor = regions.cursorAt(...at);
+      else if (held === 'region') regions.dragTo(...at);
+      else if (held === 'aim') this.aim(...at);
       else if (held === 'shift') {
         this.middle
           .addScaledVector(new Vector3(...this.frame.right), -event.movementX * this.mmPerPixel)
@@ -265,7 +283,10 @@ export class SlicePane {
         this.look();
       }
     });
-    const release = () => (held = null);
+    const release = () => {
+      held = null;
+      regions.release();
+    };
     surface.addEventListener('pointerup', release);
     surface.addEventListener('pointercancel', release);
     surface.addEventListener('contextmenu', (event) => event.preventDefault());

@@ -3,7 +3,7 @@ import { effect, untracked } from '@preact/signals';
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh } from 'three';
 import type { Vec3 } from '../engine/contract';
 import { robustRange } from '../geometry/faces';
-import { sliceFrames, toMm } from '../geometry/orientation';
+import { sliceFrames, toIndex, toMm } from '../geometry/orientation';
 import { volume } from '../store/input';
 import { recipe } from '../store/recipe';
 import { shownResult } from '../store/results';
@@ -25,6 +25,23 @@ import type { Viewer } from './viewer';
 
 /** Along right, front and head: the colours of the cross that turns the view. */
 const axisColours = [0xb5433b, 0x2c7a4b, 0x2b62ab];
+
+/** Whether a voxel of a grid lies in a label that is meshed. */
+function meshedVoxels(size: Vec3, indexToMm: readonly number[]): ((voxel: number) => boolean) | undefined {
+  const labels = shownResult('volume')?.labels;
+  const known = volume.value;
+  if (!labels || !known) return undefined;
+  const chosen = new Set(recipe.value?.labels);
+  return (voxel) => {
+    const column = voxel % size[0];
+    const row = Math.floor(voxel / size[0]) % size[1];
+    const slice = Math.floor(voxel / (size[0] * size[1]));
+    const [i, j, k] = toIndex(known.index_to_mm, toMm(indexToMm, [column, row, slice])).map(Math.round);
+    if ([i, j, k].some((at, axis) => at < 0 || at >= known.size[axis])) return false;
+    const label = labels[i + known.size[0] * (j + known.size[1] * k)];
+    return label > 0 && (chosen.size === 0 || chosen.has(label));
+  };
+}
 
 export interface SlicesView {
   /** What the slices show of a body: the edges of a mesh, or the outline of a surface. */
@@ -100,13 +117,8 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
       sliceLegend.value = null;
       canvas.invalidate();
       if (!wanted || !sizes || !counts) return;
-      const labels = untracked(() => shownResult('volume')?.labels);
-      const meshed = new Set(untracked(() => recipe.value?.labels));
-      const inside =
-        labels?.length === sizes.length
-          ? (i: number) => labels[i] > 0 && (meshed.size === 0 || meshed.has(labels[i]))
-          : undefined;
-      const [lo, hi] = robustRange(sizes, inside);
+      const meshed = untracked(() => meshedVoxels(counts.size, counts.index_to_mm));
+      const [lo, hi] = robustRange(sizes, meshed);
       image.setSizes(sizes, { size: counts.size, indexToMm: counts.index_to_mm }, lo, hi);
       sliceLegend.value = { title: 'Prescribed edge length', unit: 'mm', map: 'viridis', lo, hi };
     }),

@@ -14,6 +14,7 @@ import { autosave, savedCase } from './autosave';
 import { engine, takeTurn, tellError, useEngine } from './engine';
 import { estimateTets } from './estimate';
 import { fitRecipe } from './fit_recipe';
+import type { Example } from './gallery';
 import { awaitedFile, volume } from './input';
 import { amendRecipe, editRecipe, recipe, redo, startRecipe, undo } from './recipe';
 import { activity, announcement, defaults, expectation, forgetResults, schema, tell } from './run';
@@ -43,19 +44,8 @@ export async function startEngine(client: EngineClient): Promise<void> {
   }
 }
 
-/** The sample: a heart with scar, coarse enough to be meshed in seconds. */
-export async function openSample(): Promise<void> {
-  await offerCase({
-    source: { phantom: { kind: 'biventricle', scar: true, spacing_mm: [2, 2, 2] } },
-    labels: [1, 2, 5, 6],
-    sizing: {
-      edge_mm: 4,
-      labels: [
-        { label: 5, edge_mm: 2 },
-        { label: 6, edge_mm: 2.5 },
-      ],
-    },
-  });
+export async function openExample({ recipe: value }: Example): Promise<void> {
+  await offerCase(value);
   acceptOffer(false);
 }
 

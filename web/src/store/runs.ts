@@ -1,4 +1,5 @@
 /** What makes the engine run: the surface after every edit, and runs up to a stage. */
+import { effect, untracked } from '@preact/signals';
 import { stageNames, type Recipe, type StageName, type VolumeSummary } from '../engine/contract';
 import { engine, takeTurn, tellError } from './engine';
 import { awaitedFile, volume } from './input';
@@ -17,14 +18,30 @@ import {
   stopClock,
 } from './run';
 import { stageInput } from './stage_inputs';
-import { brush, command, focusTet, marked, picked, stageShown } from './view';
+import { brush, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from './view';
 
 let previewTimer: ReturnType<typeof setTimeout> | undefined;
+
+/** The sizing field is on show, and follows the recipe like the surface does. */
+function watchesSizing(): boolean {
+  return stageShown.value === 'sizing' || (layout.value === 'slices' && sliceOverlay.value === 'size');
+}
 
 /** The label surface, as soon as it exists. Runs by itself after whatever changes it. */
 export async function preview(fit: boolean): Promise<void> {
   clearTimeout(previewTimer);
-  await runStages('smooth', 'preview', fit);
+  await runStages(watchesSizing() ? 'sizing' : 'smooth', 'preview', fit);
+}
+
+/** Brings the sizing field up to date whenever it is on show and the recipe changes. */
+export function keepSizingShown(): void {
+  effect(() => {
+    const current = recipe.value;
+    if (!watchesSizing() || !current) return;
+    untracked(() => {
+      if (volume.value && stages.value.sizing.madeFrom !== stageInput(current, 'sizing')) previewSoon();
+    });
+  });
 }
 
 export function previewSoon(): void {
