@@ -1,5 +1,4 @@
 import { readFile } from 'node:fs/promises';
-import AxeBuilder from '@axe-core/playwright';
 import {
   dropFile,
   expect,
@@ -198,27 +197,3 @@ test('regions are placed, edited by number, undone and redone', async ({ page })
   await page.getByRole('button', { name: 'Redo' }).click();
   await expect(page.getByLabel('Centre R')).toHaveValue('7.5');
 });
-
-for (const colorScheme of ['light', 'dark'] as const) {
-  test(`no serious accessibility finding (${colorScheme})`, async ({ page }) => {
-    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
-    await page.goto('./');
-    await idle(page);
-    const serious = async () => {
-      const { violations } = await new AxeBuilder({ page }).analyze();
-      return violations
-        .filter((finding) => finding.impact === 'serious' || finding.impact === 'critical')
-        .map((finding) => `${finding.id}: ${finding.nodes.map((node) => node.target.join(' ')).join(', ')}`);
-    };
-    expect(await serious()).toEqual([]);
-    await openAndRun(page, smallHeart);
-    await page.getByRole('button', { name: 'Sphere', exact: true }).click();
-    expect(await serious()).toEqual([]);
-    for (const name of ['Share', 'Export']) {
-      await page.getByRole('button', { name }).first().click();
-      await expect(page.getByRole('dialog')).toBeVisible();
-      expect(await serious()).toEqual([]);
-      await page.keyboard.press('Escape');
-    }
-  });
-}

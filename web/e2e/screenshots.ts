@@ -39,7 +39,7 @@ test.describe('gallery', () => {
       await page.addStyleTag({
         content: `html, body, .app, .view, .view-body { background: none !important }
           .triad, .scale-bar { display: none !important }
-          .pipeline, .panel { border: 0 !important }`,
+          .pipeline, .panel { visibility: hidden }`,
       });
       await page.waitForTimeout(1000);
       await page.locator('.view-host').screenshot({ path: join(pictures, `${name}.png`), omitBackground: true });

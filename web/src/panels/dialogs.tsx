@@ -9,6 +9,7 @@ import { Segments } from './fields';
 import { whole } from './format';
 import { Gallery } from './gallery';
 import { Icon } from './icons';
+import { KeyList } from './key_list';
 
 function Dialog(props: { title: string; onClose(): void; children: ComponentChildren }) {
   const element = useRef<HTMLDialogElement>(null);
@@ -248,6 +249,11 @@ export function Dialogs() {
       {dialogShown.value === 'examples' && (
         <Dialog title="Examples" onClose={close}>
           <Gallery onOpen={close} />
+        </Dialog>
+      )}
+      {dialogShown.value === 'keys' && (
+        <Dialog title="Keys" onClose={close}>
+          <KeyList />
         </Dialog>
       )}
       {dialogShown.value === 'share' && <ShareDialog close={close} />}

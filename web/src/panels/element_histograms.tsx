@@ -1,6 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { Report } from '../engine/contract';
-import { seriesOf, type ChartKind } from '../report/charts';
+import { coveringRange } from '../geometry/histogram';
+import { seriesOf, type ChartKind, type Series } from '../report/charts';
 import { brush, focusTet, stageShown, type Brush } from '../store/view';
 import { NumberInput } from './fields';
 import { whole } from './format';
@@ -10,9 +11,25 @@ import { Icon } from './icons';
 type BrushMetric = Brush['metric'];
 
 /** The range that a histogram has selected, in numbers: the same control for the keyboard. */
-function BrushRow({ metric, name, unit }: { metric: BrushMetric; name: string; unit: string }) {
+function BrushRow(props: { metric: BrushMetric; name: string; unit: string; series: Series[] }) {
+  const { metric, name, unit, series } = props;
   const range = brush.value?.metric === metric ? brush.value : null;
-  if (!range) return <p class="brush-hint">Drag across the bars to see those elements.</p>;
+  if (!range) {
+    return (
+      <p class="brush-hint">
+        Drag across the bars to see those elements, or{' '}
+        <button
+          type="button"
+          class="link-button"
+          onClick={() => startBrush(metric, ...coveringRange(series.map(({ histogram }) => histogram)))}
+        >
+          give a range
+          <span class="sr"> of {name}</span>
+        </button>
+        .
+      </p>
+    );
+  }
   const set = (lo: number, hi: number) => (brush.value = { ...range, lo, hi });
   return (
     <div class="brush-row">
@@ -132,7 +149,7 @@ function ChartOf({ chart, found, pinned }: { chart: Chart; found: Report; pinned
         selected={selected && [selected.lo, selected.hi]}
         onSelect={brushing.get(chart.kind)}
       />
-      {brushed && <BrushRow {...brushed} />}
+      {brushed && <BrushRow {...brushed} series={series} />}
     </>
   );
 }

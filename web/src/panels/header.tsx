@@ -127,6 +127,15 @@ export function Header() {
       >
         <Icon name={dark.value ? 'sun' : 'moon'} />
       </button>
+      <button
+        type="button"
+        class="icon-button"
+        aria-label="Keys"
+        title="Keys (?)"
+        onClick={() => (dialogShown.value = 'keys')}
+      >
+        <Icon name="keys" />
+      </button>
       <button type="button" class="button" disabled={!hasCase} onClick={() => (dialogShown.value = 'share')}>
         <Icon name="share" /> Share
       </button>

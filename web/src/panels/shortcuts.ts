@@ -8,6 +8,7 @@ import { downloadPicture } from '../store/exchange';
 import { volume } from '../store/input';
 import { shownDigests } from '../store/results';
 import { activity } from '../store/run';
+import { dialogShown } from './dialog_shown';
 import { brush, command, cut, focusTet, layout, picked, showEdges, stageShown } from '../store/view';
 
 /** Keys of the view, for whoever is not typing. */
@@ -19,6 +20,7 @@ const viewKeys: Record<string, () => void> = {
   e: () => (showEdges.value = !showEdges.value),
   f: () => (command.value = { kind: 'fit' }),
   p: () => void downloadPicture(),
+  '?': () => (dialogShown.value = 'keys'),
   '[': () => stepStage(-1),
   ']': () => stepStage(1),
 };
@@ -60,7 +62,7 @@ function obeyKey(event: KeyboardEvent): boolean {
     (event.shiftKey ? redoEdit : undoEdit)();
   else if (held && key === 'y' && !(writes && target.type === 'text')) redoEdit();
   else if (held || event.altKey || typing || document.querySelector('dialog[open]')) return false;
-  else if (volume.value && Object.hasOwn(viewKeys, key)) viewKeys[key]();
+  else if ((volume.value || key === '?') && Object.hasOwn(viewKeys, key)) viewKeys[key]();
   else return false;
   return true;
 }

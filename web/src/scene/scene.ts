@@ -215,15 +215,10 @@ export function mountScene(container: HTMLElement): () => void {
     }
   }
 
-  let pressed: [number, number] | null = null;
-  const onDown = (event: PointerEvent) => (pressed = [event.clientX, event.clientY]);
-  const onUp = (event: PointerEvent) => {
-    const still = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 4;
-    pressed = null;
-    if (!still) return;
-    const box = viewer.element.getBoundingClientRect();
-    const at = { x: event.clientX - box.left, y: event.clientY - box.top };
-    const hit = pickAt(canvas.renderer, viewer.camera, body.pickable, box, at);
+  /** Shows the numbers of what is seen at a place of the 3-D view, and puts the crosshair there. */
+  function pick(x: number, y: number): void {
+    const { clientWidth: width, clientHeight: height } = viewer.element;
+    const hit = pickAt(canvas.renderer, viewer.camera, body.pickable, { width, height }, { x, y });
     canvas.invalidate();
     batch(() => {
       const element = hit && (body.owners ? body.owners[hit.element] : hit.element);
@@ -231,9 +226,20 @@ export function mountScene(container: HTMLElement): () => void {
         hit && element !== null ? describe(stageShown.value, element, hit.point.toArray()) : null;
       if (hit) aimAt(hit.point);
     });
-  };
-  viewer.element.addEventListener('pointerdown', onDown);
-  viewer.element.addEventListener('pointerup', onUp);
+  }
+
+  let pressed: [number, number] | null = null;
+  viewer.element.addEventListener('pointerdown', (event) => (pressed = [event.clientX, event.clientY]));
+  viewer.element.addEventListener('pointerup', (event) => {
+    const still = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 4;
+    pressed = null;
+    const box = viewer.element.getBoundingClientRect();
+    if (still) pick(event.clientX - box.left, event.clientY - box.top);
+  });
+  viewer.element.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter' && !event.ctrlKey && !event.metaKey)
+      pick(viewer.element.clientWidth / 2, viewer.element.clientHeight / 2);
+  });
 
   if (untracked(() => recipe.value && pointsOf(stageShown.value))) viewer.fitFromFront();
   return () => {

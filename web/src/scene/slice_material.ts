@@ -97,6 +97,7 @@ export class SliceImage {
   readonly material: RawShaderMaterial;
   grid: Grid = { size: [1, 1, 1], indexToMm: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] };
   private readonly smooth: boolean;
+  private shown: Uint16Array | null = null;
 
   /** `smooth`: whether the graphics card interpolates floats. */
   constructor(smooth: boolean) {
@@ -122,8 +123,9 @@ export class SliceImage {
   }
 
   setLabels(labels: Uint16Array, grid: Grid, largest: number): void {
-    this.grid = grid;
-    const narrow = largest < 256 ? Uint8Array.from(labels) : labels;
+    if (this.shown === labels) return;
+    this.shown = labels;
+    const narrow = largest < 256 ? new Uint8Array(labels) : labels;
     this.replace('labels', volumeTexture(narrow, grid.size));
     this.material.uniforms.toLabel.value.copy(inverse(grid.indexToMm));
   }

@@ -43,6 +43,8 @@ function meshedVoxels(size: Vec3, indexToMm: readonly number[]): ((voxel: number
   };
 }
 
+const showsPlanes = () => stageShown.value === 'volume' || stageShown.value === 'sizing';
+
 export interface SlicesView {
   /** What the slices show of a body: the edges of a mesh, or the outline of a surface. */
   showSections(make: (() => Section) | null): void;
@@ -95,11 +97,18 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
       const labels = shownResult('volume')?.labels;
       const known = untracked(() => volume.value);
       if (!labels || !known || labels.length !== known.size.reduce((product, n) => product * n, 1)) return;
-      const grid = { size: known.size, indexToMm: known.index_to_mm };
-      image.setLabels(labels, grid, Math.max(0, ...known.labels.map(({ label }) => label)));
-      const frames = sliceFrames(grid.indexToMm);
+      image.grid = { size: known.size, indexToMm: known.index_to_mm };
+      const frames = sliceFrames(known.index_to_mm);
       panes.forEach((pane, i) => pane.setFrame(frames[i]));
       moveCross(slicePlaces.peek());
+      canvas.invalidate();
+    }),
+    // A large image is taken to the graphics card only once a slice of it is looked at.
+    effect(() => {
+      const labels = shownResult('volume')?.labels;
+      const known = untracked(() => volume.value);
+      if (!labels || !known || !(showsPlanes() || layout.value === 'slices')) return;
+      image.setLabels(labels, image.grid, Math.max(0, ...known.labels.map(({ label }) => label)));
       canvas.invalidate();
     }),
     effect(() => {
@@ -124,7 +133,7 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
     }),
     effect(() => {
       moveCross(slicePlaces.value);
-      planes.visible = stageShown.value === 'volume' || stageShown.value === 'sizing';
+      planes.visible = showsPlanes();
       cross.visible = layout.value === 'slices';
       canvas.invalidate();
     }),
