@@ -1,4 +1,5 @@
 import { readFile } from 'node:fs/promises';
+import { gzipSync } from 'node:zlib';
 import {
   dropFile,
   expect,
@@ -29,6 +30,19 @@ test('a link shows what it holds, runs only on a click, and ends in histograms',
     await stage(page, name).click();
     await expect(stage(page, name)).toHaveAttribute('aria-current', 'step');
   }
+});
+
+test('all JavaScript of the page is at most 250 kB gzipped', async ({ page }) => {
+  const sizes = new Map<string, number>();
+  page.on('response', async (response) => {
+    if (/assets\/.*\.js$/.test(response.url()))
+      sizes.set(response.url(), gzipSync(await response.body(), { level: 9 }).length);
+  });
+  await openAndRun(page, smallHeart);
+  const total = [...sizes.values()].reduce((sum, size) => sum + size, 0);
+  test.info().annotations.push({ type: 'JavaScript, gzipped', description: `${total} bytes` });
+  expect(sizes.size).toBeGreaterThan(2);
+  expect(total).toBeLessThanOrEqual(250_000);
 });
 
 test('dragging over a histogram and flying along the worst list single elements out', async ({ page }) => {

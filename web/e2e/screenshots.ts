@@ -5,7 +5,7 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { sampleCase } from '../serve.mjs';
 import { gallery } from '../src/store/gallery';
-import { openAndRun, test } from './support';
+import { meshed, openAndRun, test } from './support';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const docs = join(here, '../docs');
@@ -27,6 +27,26 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await page.screenshot({ path: join(docs, `app-${colorScheme}.png`) });
   });
 }
+
+test('slices.png', async ({ page }) => {
+  await openCut(page, sampleCase, 'light');
+  await page.getByRole('button', { name: 'Slices', exact: true }).click();
+  await page.getByRole('group', { name: 'Slices show' }).getByRole('button', { name: 'Edge length' }).click();
+  await page.getByLabel('Colour by').selectOption('target_mm');
+  await page.waitForTimeout(1500);
+  await page.screenshot({ path: join(docs, 'slices.png') });
+});
+
+test('compare.png', async ({ page }) => {
+  await openCut(page, sampleCase, 'dark');
+  await page.getByRole('button', { name: 'Pin this run' }).click();
+  await page.getByLabel('Edge length', { exact: true }).fill('6');
+  await page.getByTestId('run').click();
+  await meshed(page);
+  await page.getByRole('button', { name: 'Side by side' }).click();
+  await page.waitForTimeout(1500);
+  await page.screenshot({ path: join(docs, 'compare.png') });
+});
 
 /** The gallery's pictures stand on nothing, so that they suit either theme. */
 test.describe('gallery', () => {

@@ -274,6 +274,8 @@ export interface SurfaceArrays {
   points: Float32Array;
   triangles: Uint32Array;
   sides: Uint16Array;
+  /** Nine per triangle, for a surface that is finer than the eye follows. */
+  normals?: Float32Array;
 }
 
 export interface TetArrays {

@@ -1,3 +1,4 @@
+import { smoothNormals } from '../geometry/smooth_normals';
 import { tetFaces } from '../geometry/tet_faces';
 import { tetNeighbours } from '../geometry/tet_neighbours';
 import type {
@@ -7,6 +8,7 @@ import type {
   LookedUpArray,
   Reply,
   StageName,
+  SurfaceArrays,
   TetArrays,
 } from './contract';
 import { stageNames, tetMeasures } from './contract';
@@ -133,6 +135,8 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
           }
         };
         keep(stage, arrayNames[stage]);
+        if (stage === 'smooth' && arrays.triangles)
+          arrays.normals = smoothNormals(arrays as unknown as SurfaceArrays);
         if (stage === 'quality') keep('lookup', lookedUpArrays(lookedUp));
         if (stage === 'optimise' && arrays.tets) {
           arrays.neighbours = tetNeighbours(arrays.tets as Uint32Array, arrays.points.length / 3);

@@ -1,3 +1,5 @@
+import type { SurfaceArrays } from '../engine/contract';
+
 /** Triangles as the scene draws them: three corners a face, one colour a corner, one owner a face. */
 export interface Faces {
   positions: Float32Array;
@@ -11,83 +13,27 @@ export interface Faces {
 /** Writes the RGB (0..255) of triangle `element` seen from label `label` into out[at..at+2]. */
 export type Painter = (element: number, label: number, out: Uint8Array, at: number) => void;
 
-export interface SurfaceFilter {
-  hidden: ReadonlySet<number>;
-  /** Normals averaged between triangles of the same pair of labels, for surfaces finer than the eye follows. */
-  smooth: boolean;
-}
-
 /** Triangles that border a shown label, coloured by it. */
-export function surfaceFaces(
-  mesh: { points: Float32Array; triangles: Uint32Array; sides: Uint16Array },
-  filter: SurfaceFilter,
-  paint: Painter,
-): Faces {
-  const { points, triangles, sides } = mesh;
+export function surfaceFaces(mesh: SurfaceArrays, hidden: ReadonlySet<number>, paint: Painter): Faces {
+  const { points, triangles, sides, normals } = mesh;
   const shown: number[] = [];
   const seenAs: number[] = [];
   for (let t = 0; t < triangles.length / 3; t++) {
     const behind = sides[2 * t];
     const front = sides[2 * t + 1];
-    const label = !filter.hidden.has(behind) ? behind : front > 0 && !filter.hidden.has(front) ? front : 0;
+    const label = !hidden.has(behind) ? behind : front > 0 && !hidden.has(front) ? front : 0;
     if (label === 0) continue;
     shown.push(t);
     seenAs.push(label);
   }
   const faces = emptyFaces(shown.length);
+  if (normals) faces.normals = new Float32Array(9 * shown.length);
   shown.forEach((t, face) => {
     for (let c = 0; c < 3; c++) copyPoint(points, triangles[3 * t + c], faces.positions, 3 * face + c);
+    if (normals) for (let d = 0; d < 9; d++) faces.normals![9 * face + d] = normals[9 * t + d];
     paintFace(faces, face, t, seenAs[face], paint);
   });
-  if (filter.smooth) faces.normals = smoothNormals(mesh, faces);
   return faces;
-}
-
-function smoothNormals(
-  mesh: { points: Float32Array; triangles: Uint32Array; sides: Uint16Array },
-  faces: Faces,
-): Float32Array {
-  const { triangles, sides } = mesh;
-  const normals = new Float32Array(faces.positions.length);
-  const sums = new Float32Array(mesh.points.length);
-  const pairOf = (face: number) => sides[2 * faces.owners[face]] * 65536 + sides[2 * faces.owners[face] + 1];
-  const order = Uint32Array.from(faces.owners.keys()).sort((a, b) => pairOf(a) - pairOf(b));
-  for (let from = 0; from < order.length;) {
-    let to = from;
-    while (to < order.length && pairOf(order[to]) === pairOf(order[from])) to++;
-    const group = order.subarray(from, to);
-    const cornersOf = (face: number, c: number) => 3 * triangles[3 * faces.owners[face] + c];
-    for (const face of group)
-      for (let c = 0; c < 3; c++) sums.fill(0, cornersOf(face, c), cornersOf(face, c) + 3);
-    for (const face of group) {
-      const [nx, ny, nz] = areaNormal(faces.positions, 9 * face);
-      for (let c = 0; c < 3; c++) {
-        const p = cornersOf(face, c);
-        sums[p] += nx;
-        sums[p + 1] += ny;
-        sums[p + 2] += nz;
-      }
-    }
-    for (const face of group) {
-      for (let c = 0; c < 3; c++) {
-        const p = cornersOf(face, c);
-        const length = Math.hypot(sums[p], sums[p + 1], sums[p + 2]) || 1;
-        for (let d = 0; d < 3; d++) normals[9 * face + 3 * c + d] = sums[p + d] / length;
-      }
-    }
-    from = to;
-  }
-  return normals;
-}
-
-function areaNormal(p: Float32Array, at: number): [number, number, number] {
-  const ax = p[at + 3] - p[at];
-  const ay = p[at + 4] - p[at + 1];
-  const az = p[at + 5] - p[at + 2];
-  const bx = p[at + 6] - p[at];
-  const by = p[at + 7] - p[at + 1];
-  const bz = p[at + 8] - p[at + 2];
-  return [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
 }
 
 /** Mean edge length of each triangle, mm. */
@@ -98,7 +44,8 @@ export function triangleEdges(points: Float32Array, triangles: Uint32Array): Flo
     for (let c = 0; c < 3; c++) {
       const a = 3 * triangles[3 * t + c];
       const b = 3 * triangles[3 * t + ((c + 1) % 3)];
-      sum += Math.hypot(points[a] - points[b], points[a + 1] - points[b + 1], points[a + 2] - points[b + 2]);
+      const [x, y, z] = [points[a] - points[b], points[a + 1] - points[b + 1], points[a + 2] - points[b + 2]];
+      sum += Math.sqrt(x * x + y * y + z * z);
     }
     edges[t] = sum / 3;
   }
@@ -136,6 +83,5 @@ function paintFace(faces: Faces, face: number, owner: number, label: number, pai
   faces.owners[face] = owner;
   const at = 9 * face;
   paint(owner, label, faces.colours, at);
-  faces.colours.copyWithin(at + 3, at, at + 3);
-  faces.colours.copyWithin(at + 6, at, at + 3);
+  for (let d = 0; d < 3; d++) faces.colours[at + 3 + d] = faces.colours[at + 6 + d] = faces.colours[at + d];
 }

@@ -4,6 +4,7 @@ import createVoxtet from '../engine/testing/mock_engine.mjs';
 import { colourTable, labelColour } from './colours';
 import { robustRange, surfaceFaces } from './faces';
 import { coveringRange, rebin } from './histogram';
+import { smoothNormals } from './smooth_normals';
 import { chosenBit, shownBit, tetFaces, tetMask } from './tet_faces';
 import { oppositeFace, tetNeighbours } from './tet_neighbours';
 
@@ -130,15 +131,28 @@ describe('tetMask', () => {
 describe('surfaceFaces', () => {
   it('shows the triangles that border a shown label, seen as that label', () => {
     const seen = new Set<number>();
-    const faces = surfaceFaces(mesh.surface, { hidden: new Set([1]), smooth: true }, (_, label) =>
-      seen.add(label),
-    );
+    const faces = surfaceFaces(mesh.surface, new Set([1]), (_, label) => seen.add(label));
     expect([...seen]).toEqual([2]);
     faces.owners.forEach((t) =>
       expect([mesh.surface.sides[2 * t], mesh.surface.sides[2 * t + 1]]).toContain(2),
     );
-    for (let i = 0; i < (faces.normals?.length ?? 0); i += 3) {
-      expect(Math.hypot(...(faces.normals as Float32Array).subarray(i, i + 3))).toBeCloseTo(1, 4);
+  });
+});
+
+describe('smoothNormals', () => {
+  it('point the way of their triangles, the same for all that meet at a point of one boundary', () => {
+    const { points, triangles, sides } = mesh.surface;
+    const normals = smoothNormals(mesh.surface);
+    const known = new Map<string, number[]>();
+    for (let corner = 0; corner < triangles.length; corner++) {
+      const normal = [...normals.subarray(3 * corner, 3 * corner + 3)];
+      expect(Math.hypot(...normal)).toBeCloseTo(1, 4);
+      const t = Math.floor(corner / 3);
+      const place = `${triangles[corner]} ${sides[2 * t]} ${sides[2 * t + 1]}`;
+      expect(normal).toEqual(known.get(place) ?? normal);
+      known.set(place, normal);
+      const outward = normal.reduce((sum, part, d) => sum + part * points[3 * triangles[corner] + d], 0);
+      expect(outward).toBeGreaterThan(0);
     }
   });
 });

@@ -48,11 +48,11 @@ export class BodyView {
     this.dropModel();
   }
 
-  showSurface({ faces, smooth }: SurfaceBody, outline = false): void {
+  showSurface({ faces }: SurfaceBody, outline = false): void {
     this.dropModel();
     this.surface.geometry.dispose();
     this.surface.geometry = geometryOf(faces);
-    this.surface.material = outline ? this.glass : smooth ? this.opaque.smooth : this.opaque.flat;
+    this.surface.material = outline ? this.glass : faces.normals ? this.opaque.smooth : this.opaque.flat;
     this.surface.visible = true;
     this.owners = outline ? null : faces.owners;
   }

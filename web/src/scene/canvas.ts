@@ -20,6 +20,8 @@ export class Canvas {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setScissorTest(true);
+    // Asking whether a shader compiled waits for it.
+    this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.renderer.domElement.className = 'view-canvas';
     this.renderer.domElement.setAttribute('aria-hidden', 'true');
     container.append(this.renderer.domElement);
@@ -73,6 +75,8 @@ export class Canvas {
     cancelAnimationFrame(this.frame);
     this.observer.disconnect();
     this.renderer.dispose();
+    // A page has only so many contexts, and the collector takes its time.
+    this.renderer.forceContextLoss();
     this.renderer.domElement.remove();
   }
 

@@ -73,15 +73,13 @@ function scalePainter(values: Float32Array, { lo, hi, map }: Legend): Painter {
 
 export interface SurfaceBody {
   faces: Faces;
-  smooth: boolean;
   legend: Legend | null;
 }
 
-export function surfaceBody(stage: 'surface' | 'smooth' | 'remesh', mesh: SurfaceArrays): SurfaceBody {
-  const smooth = stage === 'smooth';
+export function surfaceBody(mesh: SurfaceArrays): SurfaceBody {
   const edges =
     colourBy.value === 'edge_mm' ? scaled(triangleEdges(mesh.points, mesh.triangles), scales.edge_mm) : null;
   const legend = edges?.kind === 'scale' ? edges.legend : null;
   const paint = edges?.kind === 'scale' ? scalePainter(edges.values, edges.legend) : labelPainter();
-  return { faces: surfaceFaces(mesh, { hidden: hiddenLabels.value, smooth }, paint), smooth, legend };
+  return { faces: surfaceFaces(mesh, hiddenLabels.value, paint), legend };
 }

@@ -117,14 +117,14 @@ export function mountScene(container: HTMLElement): () => void {
       legend.value = null;
       const surface = isSurface(stage) && shownResult(stage);
       if (surface) {
-        const made = surfaceBody(stage, surface);
+        const made = surfaceBody(surface);
         body.showSurface(made);
         const triangles = contourGeometry(made.faces.positions);
         slices.showSections(() => contourOf(triangles));
         legend.value = made.legend;
       } else if (stage === 'sizing') {
         const smooth = shownResult('smooth');
-        if (smooth) body.showSurface(surfaceBody('smooth', smooth), true);
+        if (smooth) body.showSurface(surfaceBody(smooth), true);
       }
     }),
     followTets(canvas, body, {

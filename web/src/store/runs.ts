@@ -97,7 +97,9 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
         showResult(summary.name, summary.digest);
         const previewed = summary.name === 'smooth' && changed && stageShown.value !== 'surface';
         const first = fit && (summary.name === 'surface' || summary.name === 'smooth');
-        if (kind === 'run' || previewed || first) stageShown.value = summary.name;
+        // What a run has kept is no news, unless it is what was asked for.
+        const news = kind === 'run' && (!summary.cached || summary.name === last);
+        if (news || previewed || first) stageShown.value = summary.name;
         if (fit && summary.name === 'surface') command.value = { kind: 'fit' };
       },
     });
