@@ -7,6 +7,7 @@ const slice = (page: Page, name: string) => page.locator(`.pane.${name}`);
 const place = (page: Page, name: string) => slice(page, name).locator('.pane-place');
 
 async function openSlices(page: Page, recipe: object): Promise<void> {
+  await page.goto('about:blank');
   await page.goto(link(recipe));
   await page.getByRole('button', { name: 'Open', exact: true }).click();
   await expect(stage(page, 'smooth')).toHaveAttribute('data-state', 'done');

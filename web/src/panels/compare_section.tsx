@@ -6,13 +6,15 @@ import { layout } from '../store/view';
 import { short, whole } from './format';
 import { Icon } from './icons';
 
-const text = (value: number) => (Number.isInteger(value) ? whole(value) : short(value));
+/** Three decimals are enough for what is smaller than one. */
+const brief = (value: number) => short(Math.abs(value) < 1 ? Number(value.toFixed(3)) : value);
+const text = (value: number) => (Number.isInteger(value) ? whole(value) : brief(value));
 
 function change({ pinned: before, now, unit, better }: Difference): { words: string; tone: string } {
   const step = now - before;
   if (Math.abs(step) < 1e-9 * Math.max(1, Math.abs(before))) return { words: '=', tone: '' };
   const share = unit === '' && Math.abs(before) > 1 ? (100 * step) / before : null;
-  const size = share === null ? short(Math.abs(step)) : `${short(Math.abs(share))} %`;
+  const size = share === null ? brief(Math.abs(step)) : `${Math.abs(share).toFixed(1)} %`;
   const good = better && (better === 'more') === step > 0;
   return { words: `${step > 0 ? '+' : '−'}${size}`, tone: better ? (good ? 'better' : 'worse') : '' };
 }
@@ -22,7 +24,7 @@ function Differences({ run, found }: { run: PinnedRun; found: Report }) {
   return (
     <>
       <div class="table-scroll" tabIndex={0} role="region" aria-label="Differences of the two runs">
-        <table class="measures" data-testid="differences">
+        <table class="measures tight" data-testid="differences">
           <thead>
             <tr>
               <th scope="col">Measure</th>
@@ -38,7 +40,7 @@ function Differences({ run, found }: { run: PinnedRun; found: Report }) {
               const { words, tone } = change(row);
               return (
                 <tr key={row.name}>
-                  <th scope="row">
+                  <th scope="row" title={row.name}>
                     {row.name} <span class="unit">{row.unit}</span>
                   </th>
                   <td class="num">{text(row.pinned)}</td>

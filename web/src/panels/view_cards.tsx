@@ -1,10 +1,41 @@
 import { colourStops } from '../geometry/colours';
-import { focusTet, picked, type Legend } from '../store/view';
+import { focusTet, layout, picked, type Legend } from '../store/view';
 import { short } from './format';
 import { Icon } from './icons';
 
+/** A scale on its side, for narrow panes. */
+export function ScaleStrip({ shown }: { shown: Legend }) {
+  const stops = colourStops(shown.map);
+  const ends = [shown.lo, shown.hi].map((end) => short(Number(end.toPrecision(2))));
+  return (
+    <div class="scale-strip" role="img" aria-label={`${shown.title} from ${ends.join(' to ')} ${shown.unit}`}>
+      <span>{ends[0]}</span>
+      <svg width="90" height="9" aria-hidden="true">
+        <linearGradient id={`strip-${shown.map}`}>
+          {stops.map((colour, i) => (
+            <stop key={colour} offset={i / (stops.length - 1)} stop-color={colour} />
+          ))}
+        </linearGradient>
+        <rect width="90" height="9" rx="2" fill={`url(#strip-${shown.map})`} />
+      </svg>
+      <span>
+        {ends[1]}
+        {shown.unit === '°' ? '°' : shown.unit && ` ${shown.unit}`}
+      </span>
+    </div>
+  );
+}
+
 export function LegendCard({ shown }: { shown: Legend | null }) {
   if (!shown) return null;
+  if (layout.value !== 'model') {
+    return (
+      <div class="legend flat">
+        <span class="legend-title">{shown.title}</span>
+        <ScaleStrip shown={shown} />
+      </div>
+    );
+  }
   const stops = colourStops(shown.map);
   const ticks = [1, 0.75, 0.5, 0.25, 0];
   return (

@@ -1,5 +1,4 @@
 import type { Vec3 } from '../engine/contract';
-import { colourStops } from '../geometry/colours';
 import { pinned } from '../store/compare';
 import { downloadPicture } from '../store/exchange';
 import { nameOf } from '../store/input';
@@ -23,8 +22,8 @@ import {
   type ColourBy,
 } from '../store/view';
 import { Segments } from './fields';
-import { short } from './format';
 import { Icon } from './icons';
+import { ScaleStrip } from './view_cards';
 
 const cutAxes: [string, string, Vec3][] = [
   ['R', 'Cut from right to left', [1, 0, 0]],
@@ -301,31 +300,7 @@ export function SliceChoice() {
         ]}
         onChange={(next) => (sliceOverlay.value = next)}
       />
-      <ScaleStrip />
-    </div>
-  );
-}
-
-function ScaleStrip() {
-  const shown = sliceLegend.value;
-  if (!shown) return null;
-  const stops = colourStops(shown.map);
-  return (
-    <div
-      class="scale-strip"
-      role="img"
-      aria-label={`${shown.title} from ${short(shown.lo)} to ${short(shown.hi)} mm`}
-    >
-      <span>{short(Number(shown.lo.toPrecision(2)))}</span>
-      <svg width="90" height="9" aria-hidden="true">
-        <linearGradient id="scale-strip">
-          {stops.map((colour, i) => (
-            <stop key={colour} offset={i / (stops.length - 1)} stop-color={colour} />
-          ))}
-        </linearGradient>
-        <rect width="90" height="9" rx="2" fill="url(#scale-strip)" />
-      </svg>
-      <span>{short(Number(shown.hi.toPrecision(2)))} mm</span>
+      {sliceLegend.value && <ScaleStrip shown={sliceLegend.value} />}
     </div>
   );
 }

@@ -1,6 +1,5 @@
 import { effect } from '@preact/signals';
 import {
-  BufferAttribute,
   BufferGeometry,
   Mesh,
   OrthographicCamera,
@@ -13,6 +12,7 @@ import { cross, dot, sidesOf, toIndex, toMm, type SliceFrame } from '../geometry
 import type { Vec3 } from '../engine/contract';
 import { slicePlaces } from '../store/view';
 import type { Canvas, Pane } from './canvas';
+import { setPositions } from './positions';
 import type { Grid, SliceImage } from './slice_material';
 import { SliceRegions } from './slice_regions';
 
@@ -155,7 +155,7 @@ export class SlicePane {
     const { size } = this.grid;
     const corners = this.image.corners(across, places[across]);
     const positions = Float32Array.from(corners.flatMap((corner) => corner.toArray()));
-    this.quad.geometry.setAttribute('position', new BufferAttribute(positions, 3));
+    setPositions(this.quad.geometry, positions);
     const { centre } = this;
     if (this.section) {
       const edge = (to: number) => corners[to].clone().sub(corners[0]).toArray() as Vec3;

@@ -1,6 +1,6 @@
 /** The image: three linked slices beside the 3-D view, the same slices as planes in it, and the crosshair of both. */
 import { effect, untracked } from '@preact/signals';
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh } from 'three';
+import { BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh } from 'three';
 import type { Vec3 } from '../engine/contract';
 import { robustRange } from '../geometry/faces';
 import { sliceFrames, toIndex, toMm } from '../geometry/orientation';
@@ -19,6 +19,7 @@ import {
   stageShown,
 } from '../store/view';
 import type { Canvas } from './canvas';
+import { setPositions } from './positions';
 import { SliceImage } from './slice_material';
 import { SlicePane, type Section } from './slice_pane';
 import type { Viewer } from './viewer';
@@ -74,21 +75,18 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
   viewer.add(cross);
   let sections: Section[] = [];
 
-  const setPositions = (mesh: Mesh | LineSegments, positions: Float32Array) =>
-    mesh.geometry.setAttribute('position', new BufferAttribute(positions, 3));
-
   const moveCross = (places: Vec3) => {
     const { size, indexToMm } = image.grid;
     places.forEach((place, axis) => {
       const corners = image.corners(axis, place).flatMap((corner) => corner.toArray());
-      setPositions(planes.children[axis] as Mesh, Float32Array.from(corners));
+      setPositions((planes.children[axis] as Mesh).geometry, Float32Array.from(corners));
       const end = (at: number) =>
         toMm(
           indexToMm,
           places.map((other, i) => (i === axis ? at : Math.round(other * (size[i] - 1)))),
         );
       const line = Float32Array.from([...end(-0.5), ...end(size[axis] - 0.5)]);
-      setPositions(cross.children[axis] as LineSegments, line);
+      setPositions((cross.children[axis] as LineSegments).geometry, line);
     });
   };
 
