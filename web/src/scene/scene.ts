@@ -23,7 +23,7 @@ import {
 } from '../store/view';
 import { BodyView } from './body_view';
 import { Canvas } from './canvas';
-import { contourGeometry, contourOf } from './contour';
+import { contourOf } from './contour';
 import { describe } from './describe';
 import { buildMarkers, disposeMarkers, sightOf } from './markers';
 import { addScaleBar, addTriad } from './overlay';
@@ -33,6 +33,7 @@ import { takePicture } from './picture';
 import { addRegions } from './regions';
 import { addSlices } from './slices_view';
 import type { Plane } from './tet_model';
+import { arrayTexture } from './textures';
 import { followTets, tetCentre, type TetSource } from './tets_view';
 import { Twin } from './twin';
 import { Viewer } from './viewer';
@@ -119,8 +120,11 @@ export function mountScene(container: HTMLElement): () => void {
       if (surface) {
         const made = surfaceBody(surface);
         body.showSurface(made);
-        const triangles = contourGeometry(made.faces.positions);
-        slices.showSections(() => contourOf(triangles));
+        const { positions, owners } = made.faces;
+        slices.showSections(() => {
+          const triangles = arrayTexture(positions, 1);
+          return () => contourOf(triangles, owners.length);
+        });
         legend.value = made.legend;
       } else if (stage === 'sizing') {
         const smooth = shownResult('smooth');
@@ -131,7 +135,7 @@ export function mountScene(container: HTMLElement): () => void {
       source: tetsShown,
       plane: planeNow,
       leads: true,
-      onModel: (model) => slices.showSections(() => model.section()),
+      onModel: (model) => slices.showSections(() => () => model.section()),
     }),
     followTets(canvas, other, {
       source: () => (layout.value === 'compare' ? pinnedArrays() : null),

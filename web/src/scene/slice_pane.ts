@@ -8,7 +8,7 @@ import {
   type LineSegments,
   type RawShaderMaterial,
 } from 'three';
-import { cross, dot, sidesOf, toIndex, toMm, type SliceFrame } from '../geometry/orientation';
+import { cross, dot, obliqueness, sidesOf, toIndex, toMm, type SliceFrame } from '../geometry/orientation';
 import type { Vec3 } from '../engine/contract';
 import { slicePlaces } from '../store/view';
 import type { Canvas, Pane } from './canvas';
@@ -20,6 +20,8 @@ import { SliceRegions } from './slice_regions';
 export type Section = (Mesh | LineSegments) & { material: RawShaderMaterial };
 
 const titles = { axial: 'Axial', coronal: 'Coronal', sagittal: 'Sagittal' } as const;
+/** Degrees from the patient's axes. */
+const clearlyOblique = 5;
 const axisNames = ['i', 'j', 'k'];
 const patientNames = { axial: 'S', coronal: 'A', sagittal: 'R' } as const;
 const help =
@@ -45,6 +47,7 @@ export class SlicePane {
   private readonly scene = new Scene();
   private readonly quad: Mesh<BufferGeometry>;
   private readonly slider: HTMLInputElement;
+  private readonly name: HTMLElement;
   private readonly place: HTMLElement;
   private readonly letters: HTMLElement[];
   private readonly lines: HTMLElement[];
@@ -70,7 +73,8 @@ export class SlicePane {
     this.surface.setAttribute('role', 'img');
     this.lines = ['vertical', 'horizontal'].map((name) => part('i', `cross ${name}`, this.root));
     const head = part('div', 'pane-head', this.root);
-    part('span', 'pane-name', head).textContent = titles[frame.name];
+    this.name = part('span', 'pane-name', head);
+    this.name.textContent = titles[frame.name];
     this.slider = part('input', 'pane-slider', head);
     this.slider.type = 'range';
     this.slider.min = '0';
@@ -107,6 +111,8 @@ export class SlicePane {
     this.zoom = 1;
     const { size, indexToMm } = this.grid;
     this.slider.max = String(size[frame.across] - 1);
+    const turned = obliqueness(indexToMm) > clearlyOblique;
+    this.name.textContent = `${titles[frame.name]}${turned ? ', oblique' : ''}`;
     this.surface.setAttribute('aria-label', `${titles[frame.name]} slice. ${help}`);
     const opposite = frame.right.map((x) => -x) as Vec3;
     const down = frame.up.map((x) => -x) as Vec3;

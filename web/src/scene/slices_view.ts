@@ -47,8 +47,8 @@ function meshedVoxels(size: Vec3, indexToMm: readonly number[]): ((voxel: number
 const showsPlanes = () => stageShown.value === 'volume' || stageShown.value === 'sizing';
 
 export interface SlicesView {
-  /** What the slices show of a body: the edges of a mesh, or the outline of a surface. */
-  showSections(make: (() => Section) | null): void;
+  /** What the slices show of a body: the edges of a mesh, or the outline of a surface. Made once they are looked at. */
+  showSections(prepare: (() => () => Section) | null): void;
   dispose(): void;
 }
 
@@ -74,6 +74,7 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
   viewer.add(planes);
   viewer.add(cross);
   let sections: Section[] = [];
+  let pending: (() => () => Section) | null = null;
 
   const moveCross = (places: Vec3) => {
     const { size, indexToMm } = image.grid;
@@ -136,11 +137,25 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
       canvas.invalidate();
     }),
     effect(() => {
+      makeSections();
       const visible = showEdges.value;
       for (const section of sections) section.visible = visible;
       canvas.invalidate();
     }),
   ];
+
+  function makeSections(): void {
+    if (layout.value !== 'slices' || !pending) return;
+    const make = pending();
+    pending = null;
+    sections = panes.map((pane) => {
+      const section = make();
+      section.visible = showEdges.peek();
+      section.renderOrder = 1;
+      pane.setSection(section);
+      return section;
+    });
+  }
 
   const dropSections = () => {
     for (const pane of panes) pane.setSection(null);
@@ -152,16 +167,10 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
   };
 
   return {
-    showSections(make) {
+    showSections(prepare) {
       dropSections();
-      if (!make) return;
-      sections = panes.map((pane) => {
-        const section = make();
-        section.visible = showEdges.peek();
-        section.renderOrder = 1;
-        pane.setSection(section);
-        return section;
-      });
+      pending = prepare;
+      untracked(makeSections);
     },
     dispose() {
       for (const stop of stops) stop();
