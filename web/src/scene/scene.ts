@@ -98,6 +98,8 @@ export function mountScene(container: HTMLElement): () => void {
 
   const planeNow = (): Plane | null => {
     const { on, flat, normal, place } = cut.value;
+    // The ends of the way are those of the body that is shown.
+    void pointsOf(stageShown.value);
     if (!on || (focusTet.value !== null && onTets())) return null;
     return { normal, offset: planeOffset(viewer, normal, place), flat };
   };
