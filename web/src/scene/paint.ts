@@ -1,7 +1,6 @@
 /** From what the store shows to colours: pure choices, no three.js. */
 import type { StageArrays, SurfaceArrays, TetMeasure } from '../engine/contract';
-import { rgbOf } from '../geometry/colours';
-import { colourTable } from '../geometry/colours';
+import { colourTable, rgbOf } from '../geometry/colours';
 import { robustRange, surfaceFaces, triangleEdges, type Faces, type Painter } from '../geometry/faces';
 import { nameOf } from '../store/input';
 import { colourBy, colourOf, fractionLabel, hiddenLabels, type Legend } from '../store/view';
