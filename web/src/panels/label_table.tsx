@@ -1,3 +1,4 @@
+import { useState } from 'preact/hooks';
 import type { LabelSummary, Recipe, VolumeSummary } from '../engine/contract';
 import { volume } from '../store/input';
 import { carrierOf, dropIdleSizes, groupedWith, groupsOf } from '../store/labels';
@@ -8,6 +9,7 @@ import { NumberInput } from './fields';
 import { short, whole } from './format';
 import { Icon } from './icons';
 
+const manyLabels = 12;
 const textOf = ({ label, name }: LabelSummary): string => name || `Label ${label}`;
 
 function toggleMesh(known: VolumeSummary, chosen: ReadonlySet<number>, label: number): void {
@@ -46,6 +48,10 @@ function RegionChoice(props: { current: Recipe; entry: LabelSummary; chosen: Lab
   const { merge } = current;
   const carriers = chosen.filter(({ label }) => carrierOf(merge, label) === label && label !== entry.label);
   const carrier = carrierOf(merge, entry.label);
+  // Dozens of labels make thousands of choices; each list is filled when it is about to be opened.
+  const [near, setNear] = useState(false);
+  const listed =
+    near || chosen.length <= manyLabels ? carriers : carriers.filter(({ label }) => label === carrier);
   const join = (other: number) => {
     editRecipe('Merge labels', (draft) => {
       draft.merge = groupedWith(merge, entry.label, other);
@@ -63,12 +69,14 @@ function RegionChoice(props: { current: Recipe; entry: LabelSummary; chosen: Lab
         aria-label={`Region of ${textOf(entry)}`}
         title="The region of the mesh that it goes into"
         value={String(carrier)}
+        onPointerEnter={() => setNear(true)}
+        onFocus={() => setNear(true)}
         onChange={(event) => join(Number(event.currentTarget.value))}
       >
         <option value={String(entry.label)} selected={carrier === entry.label}>
           {entry.label} (its own)
         </option>
-        {carriers.map((other) => (
+        {listed.map((other) => (
           <option key={other.label} value={String(other.label)} selected={carrier === other.label}>
             {other.label} with {textOf(other)}
           </option>

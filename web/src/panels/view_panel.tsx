@@ -3,7 +3,7 @@ import { volume } from '../store/input';
 import { layout, legend, sliceLegend } from '../store/view';
 import { EmptyState } from './empty_state';
 import { LegendCard, PickedCard } from './view_cards';
-import { SliceChoice, ViewToolbar } from './view_tools';
+import { ShowAll, SliceChoice, ViewToolbar } from './view_tools';
 
 export function ViewPanel() {
   const host = useRef<HTMLDivElement>(null);
@@ -45,6 +45,7 @@ export function ViewPanel() {
             <LegendCard shown={legend.value ?? (layout.value === 'model' ? sliceLegend.value : null)} />
             <SliceChoice />
             <PickedCard />
+            <ShowAll />
           </>
         )}
       </div>

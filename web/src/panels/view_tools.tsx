@@ -214,12 +214,13 @@ function PlaneTools() {
   );
 }
 
-function ShowAll() {
+/** The way back from single elements, over the view: the toolbar keeps its height. */
+export function ShowAll() {
   if ((focusTet.value === null && brush.value === null) || !report.value) return null;
   return (
     <button
       type="button"
-      class="tool accent"
+      class="tool show-all"
       onClick={() => {
         focusTet.value = null;
         brush.value = null;
@@ -280,7 +281,6 @@ export function ViewToolbar() {
       >
         <Icon name="picture" />
       </button>
-      <ShowAll />
     </div>
   );
 }
