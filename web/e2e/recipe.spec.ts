@@ -41,9 +41,8 @@ test('a label is looked up instead of meshed, coloured by its share and compared
   await page.goto(link(smallHeart));
   await page.getByRole('button', { name: 'Open', exact: true }).click();
   await idle(page);
-  await page.getByText('Join labels to regions').click();
   for (const name of ['scar core', 'border zone'])
-    await page.getByLabel(name, { exact: true }).selectOption({ label: 'with LV myocardium' });
+    await page.getByLabel(`Region of ${name}`).selectOption({ label: '1 with LV myocardium' });
   await page.getByText('Look up in the image').click();
   await page.getByLabel('Look up scar core').check();
   await page.getByTestId('run').click();

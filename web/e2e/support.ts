@@ -80,6 +80,21 @@ export async function dropFile(page: Page, path: string): Promise<void> {
   await page.locator('main').dispatchEvent('drop', { dataTransfer: transfer });
 }
 
+/** Colours on the screen at places of the page. */
+export async function pixels(page: Page, places: { x: number; y: number }[]): Promise<number[][]> {
+  const picture = (await page.screenshot()).toString('base64');
+  return page.evaluate(
+    async ([png, at]) => {
+      const bytes = Uint8Array.from(atob(png), (c) => c.charCodeAt(0));
+      const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(image.width, image.height).getContext('2d', { willReadFrequently: true })!;
+      context.drawImage(image, 0, 0);
+      return at.map(({ x, y }) => [...context.getImageData(x, y, 1, 1).data]);
+    },
+    [picture, places] as const,
+  );
+}
+
 export async function tetCount(page: Page): Promise<number> {
   return Number((await page.getByTestId('tets').innerText()).replaceAll(',', ''));
 }

@@ -5,6 +5,7 @@ import { EngineClient } from './engine/client';
 import { isCaseFragment } from './link/codec';
 import { App } from './panels/app';
 import { keepSaving, openFragment, resumeCase, startEngine } from './store/actions';
+import { keepSizingShown } from './store/runs';
 import { dark, theme, type ThemeChoice } from './store/view';
 import './styles/main.css';
 
@@ -33,3 +34,4 @@ await startEngine(new EngineClient(browserSetup()));
 if (isCaseFragment(location.hash)) await openFragment(location.hash);
 else await resumeCase();
 keepSaving();
+keepSizingShown();

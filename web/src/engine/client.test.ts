@@ -108,7 +108,7 @@ describe('EngineClient', () => {
       onProgress: (stage) => progressed.add(stage),
       onStage(summary, arrays) {
         seen.push(summary.name);
-        if (summary.name === 'optimise' && 'neighbours' in arrays) neighbours = arrays.neighbours?.length ?? 0;
+        if (arrays && 'neighbours' in arrays) neighbours = arrays.neighbours?.length ?? 0;
       },
     });
     expect(seen).toEqual([...stageNames]);
@@ -122,12 +122,21 @@ describe('EngineClient', () => {
       const names: string[] = [];
       const recipe = JSON.stringify({ ...phantom, lookup: { labels } });
       await client.run(recipe, phantom.source, 'quality', {
-        onStage: (summary, arrays) => summary.name === 'quality' && names.push(...Object.keys(arrays)),
+        onStage: (summary, arrays) => summary.name === 'quality' && names.push(...Object.keys(arrays ?? {})),
       });
       return names.filter((name) => name.endsWith('_label') || name.startsWith('fraction'));
     };
     expect(await arraysOf([5, 6])).toEqual(['centroid_label', 'majority_label', 'fraction_5', 'fraction_6']);
     expect(await arraysOf([])).toEqual([]);
+  });
+
+  it('copies no arrays that are not wanted', async () => {
+    const handed: string[] = [];
+    await start().run(JSON.stringify(phantom), phantom.source, 'smooth', {
+      wants: (summary) => summary.name !== 'surface',
+      onStage: (summary, arrays) => arrays && handed.push(summary.name),
+    });
+    expect(handed).toEqual(['volume', 'smooth']);
   });
 
   it('rejects a damaged file with its name and reason, and keeps the earlier volume', async () => {

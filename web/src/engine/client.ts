@@ -33,8 +33,10 @@ export interface EngineSetup {
 
 export interface RunHandlers {
   onProgress?(stage: StageName, fraction: number): void;
-  /** A stage is done; its arrays can be asked for. */
-  onStage?(summary: StageSummary, arrays: Partial<StageArrays[StageName]>): void;
+  /** Whether the arrays of a stage that is done are to be copied out of the engine; else they are. */
+  wants?(summary: StageSummary): boolean;
+  /** A stage is done; nothing is handed over that was not wanted. */
+  onStage?(summary: StageSummary, arrays: Partial<StageArrays[StageName]> | null): void;
 }
 
 export interface RecipeReply {
@@ -150,7 +152,8 @@ export class EngineClient {
         const summary = done.find((entry) => entry.name === stage);
         if (!summary) throw failure('internal', `The engine did not report on the stage ${stage}.`, stage);
         summaries.push(summary);
-        const arrays = await this.answer(generation, stage, generation.api.arrays(stage));
+        const wanted = handlers.wants?.(summary) ?? true;
+        const arrays = wanted ? await this.answer(generation, stage, generation.api.arrays(stage)) : null;
         handlers.onStage?.(summary, arrays);
       }
       const report =

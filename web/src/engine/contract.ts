@@ -274,6 +274,8 @@ export interface SurfaceArrays {
   points: Float32Array;
   triangles: Uint32Array;
   sides: Uint16Array;
+  /** Nine per triangle, for a surface that is finer than the eye follows. */
+  normals?: Float32Array;
 }
 
 export interface TetArrays {
@@ -282,6 +284,12 @@ export interface TetArrays {
   labels: Uint16Array;
   /** Four per tet: the tet across the face opposite corner i, or -1. */
   neighbours: Int32Array;
+  /** Half-faces, 4·tet + opposite corner: outer ones, those between labels (both sides), one of each other pair. */
+  faces: Uint32Array;
+  /** Four per tet: its centroid in mm, and its label. */
+  centres: Float32Array;
+  /** How many half-faces are outer; outer or between labels; the largest distance of a corner from its centroid. */
+  extents: Float64Array;
 }
 
 export const tetMeasures = [

@@ -1,8 +1,21 @@
+import { smoothNormals } from '../geometry/smooth_normals';
+import { tetFaces } from '../geometry/tet_faces';
 import { tetNeighbours } from '../geometry/tet_neighbours';
-import type { EngineApi, ErrorInfo, ExportedFile, LookedUpArray, Reply, StageName } from './contract';
+import type {
+  EngineApi,
+  ErrorInfo,
+  ExportedFile,
+  LookedUpArray,
+  Reply,
+  StageName,
+  SurfaceArrays,
+  TetArrays,
+} from './contract';
 import { stageNames, tetMeasures } from './contract';
 
 type View = Float32Array | Uint32Array | Uint16Array;
+/** A view's copy, or what the worker made of some. */
+type Held = View | Int32Array | Float64Array;
 
 /** The embind class, as its users see it. */
 export interface Session {
@@ -114,7 +127,7 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
 
     arrays: (stage) =>
       guarded(stage, () => {
-        const arrays: Record<string, View | Int32Array> = {};
+        const arrays: Record<string, Held> = {};
         const keep = (from: string, names: readonly string[]) => {
           for (const name of names) {
             const view = session.view(from, name);
@@ -122,9 +135,12 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
           }
         };
         keep(stage, arrayNames[stage]);
+        if (stage === 'smooth' && arrays.triangles)
+          arrays.normals = smoothNormals(arrays as unknown as SurfaceArrays);
         if (stage === 'quality') keep('lookup', lookedUpArrays(lookedUp));
         if (stage === 'optimise' && arrays.tets) {
           arrays.neighbours = tetNeighbours(arrays.tets as Uint32Array, arrays.points.length / 3);
+          Object.assign(arrays, tetFaces(arrays as unknown as TetArrays));
         }
         return { ok: true, value: arrays as never };
       }),

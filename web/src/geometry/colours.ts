@@ -1,4 +1,4 @@
-/** Colour maps that stay readable in every common colour vision; stops from matplotlib's published tables. */
+/** Colour maps that stay readable in every common colour vision; stops from the published tables of matplotlib and Crameri. */
 const stops = {
   viridis: [
     '#440154',
@@ -23,6 +23,19 @@ const stops = {
     '#c3b369',
     '#e1cc55',
     '#fee838',
+  ],
+  /** Diverging: for what has a middle. */
+  vik: [
+    '#001261',
+    '#033e7d',
+    '#1e6f9d',
+    '#71a8c4',
+    '#c9dde7',
+    '#eacebd',
+    '#d39774',
+    '#be6533',
+    '#8b2706',
+    '#590008',
   ],
 } as const;
 export type ColourMapName = keyof typeof stops;

@@ -2,8 +2,10 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import createVoxtet from '../engine/testing/mock_engine.mjs';
 import { colourTable, labelColour } from './colours';
-import { keptTets, outerFaces, robustRange, surfaceFaces } from './faces';
+import { robustRange, surfaceFaces } from './faces';
 import { coveringRange, rebin } from './histogram';
+import { smoothNormals } from './smooth_normals';
+import { chosenBit, shownBit, tetFaces, tetMask } from './tet_faces';
 import { oppositeFace, tetNeighbours } from './tet_neighbours';
 
 /** The ball of the mock engine: 2,760 tetrahedra of two labels. */
@@ -26,14 +28,29 @@ async function ball() {
 const mesh = await ball();
 const none = new Set<number>();
 
+const drawn = tetFaces(mesh);
+
+/** Corners of the half-faces that the view's shader draws of the tets that are kept, seen from outside. */
+function drawnFaces(kept: (tet: number) => boolean): number[][] {
+  const corners = (half: number) => oppositeFace[half & 3].map((k) => mesh.tets[(half & ~3) + k]);
+  const seen: number[][] = [];
+  drawn.faces.forEach((half, face) => {
+    const other = mesh.neighbours[half];
+    const mine = kept(half >> 2);
+    const theirs = other >= 0 && kept(other);
+    if (face < drawn.extents[1] ? mine && !theirs : mine !== theirs)
+      seen.push(mine ? corners(half) : corners(half).reverse());
+  });
+  return seen;
+}
+
 /** Signed volume that closed, outward faces enclose. */
-function enclosed(positions: Float32Array): number {
-  let sum = 0;
-  for (let i = 0; i < positions.length; i += 9) {
-    const [ax, ay, az, bx, by, bz, cx, cy, cz] = positions.subarray(i, i + 9);
-    sum += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
-  }
-  return sum / 6;
+function enclosed(faces: number[][]): number {
+  const at = (corner: number) => mesh.points.subarray(3 * corner, 3 * corner + 3);
+  return faces.reduce((sum, face) => {
+    const [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = face.map(at);
+    return sum + (ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)) / 6;
+  }, 0);
 }
 
 function tetVolume(tet: number): number {
@@ -60,71 +77,82 @@ describe('tetNeighbours', () => {
   });
 });
 
-describe('outerFaces', () => {
-  it('encloses exactly the kept elements, whatever is kept', () => {
+describe('tetFaces', () => {
+  it('has the faces that enclose exactly the kept elements, whatever is kept', () => {
     fc.assert(
       fc.property(fc.integer({ min: 0, max: 2 ** 31 }), (seed) => {
-        const kept = mesh.labels.map((_, t) => (Math.imul(t + 1, seed | 1) >>> 7) & 1);
-        const wanted = [...kept].reduce((sum, keep, t) => sum + (keep ? tetVolume(t) : 0), 0);
-        const faces = outerFaces(mesh, Uint8Array.from(kept), () => undefined);
-        expect(enclosed(faces.positions)).toBeCloseTo(wanted, 0);
+        const kept = (t: number) => ((Math.imul(t + 1, seed | 1) >>> 7) & 1) === 1;
+        const wanted = [...mesh.labels.keys()].reduce((sum, t) => sum + (kept(t) ? tetVolume(t) : 0), 0);
+        expect(enclosed(drawnFaces(kept))).toBeCloseTo(wanted, 0);
       }),
       { numRuns: 20 },
     );
   });
 
-  it('gives each face the colour of its element', () => {
-    const faces = outerFaces(mesh, new Uint8Array(mesh.labels.length).fill(1), (tet, label, out, at) =>
-      out.set([tet & 255, label, 9], at),
-    );
-    faces.owners.forEach((tet, face) => {
-      for (const corner of [0, 3, 6])
-        expect([...faces.colours.subarray(9 * face + corner, 9 * face + corner + 3)]).toEqual([
-          tet & 255,
-          mesh.labels[tet],
-          9,
-        ]);
-    });
+  it('begins with what is seen of the whole body, then what is between its labels', () => {
+    const [outer, between, reach] = drawn.extents;
+    const faces = [...drawn.faces];
+    expect(faces.slice(0, outer).every((half) => mesh.neighbours[half] < 0)).toBe(true);
+    expect(faces.slice(outer, between).every((half) => differs(half))).toBe(true);
+    expect(faces.slice(between).some((half) => mesh.neighbours[half] < 0 || differs(half))).toBe(false);
+    expect(2 * (faces.length - between) + between).toBe(mesh.neighbours.length);
+    expect(reach).toBeGreaterThan(2);
+    expect(reach).toBeLessThan(4);
   });
 });
 
-describe('keptTets', () => {
-  it('keeps whole elements by the side of their centroid', () => {
-    const low = keptTets(mesh.points, mesh.tets, mesh.labels, {
-      hidden: none,
-      plane: { normal: [1, 0, 0], offset: 0.1 },
-    });
-    const high = keptTets(mesh.points, mesh.tets, mesh.labels, {
-      hidden: none,
-      plane: { normal: [-1, 0, 0], offset: -0.1 },
-    });
-    expect(low.count + high.count).toBe(mesh.labels.length);
-    low.kept.forEach((keep, t) => expect(keep + high.kept[t]).toBe(1));
-  });
+function differs(half: number): boolean {
+  return mesh.labels[mesh.neighbours[half]] !== mesh.labels[half >> 2];
+}
 
-  it('leaves out hidden labels and values outside the range', () => {
+describe('tetMask', () => {
+  it('leaves out hidden labels, and chooses by value', () => {
     const values = Float32Array.from(mesh.labels, (_, t) => t);
-    const { kept, count } = keptTets(mesh.points, mesh.tets, mesh.labels, {
+    const { mask, count } = tetMask(drawn.centres, {
       hidden: new Set([2]),
       ranges: { values: [values], lo: 10, hi: 200 },
     });
-    kept.forEach((keep, t) => expect(keep === 1).toBe(t >= 10 && t <= 200 && mesh.labels[t] === 1));
-    expect(count).toBe(kept.reduce((sum, keep) => sum + keep, 0));
+    mask.forEach((bits, t) => {
+      expect(bits & shownBit).toBe(mesh.labels[t] === 1 ? shownBit : 0);
+      expect(bits & chosenBit).toBe(t >= 10 && t <= 200 && mesh.labels[t] === 1 ? chosenBit : 0);
+    });
+    expect(count).toBe(mask.reduce((sum, bits) => sum + (bits & chosenBit ? 1 : 0), 0));
+  });
+
+  it('chooses the elements near a place by their centroid', () => {
+    const { mask } = tetMask(drawn.centres, { hidden: none, ball: { centre: [0, 0, 0], radius: 6 } });
+    mask.forEach((bits, t) => {
+      const [x, y, z] = drawn.centres.subarray(4 * t, 4 * t + 3);
+      expect((bits & chosenBit) > 0).toBe(Math.hypot(x, y, z) <= 6);
+    });
   });
 });
 
 describe('surfaceFaces', () => {
   it('shows the triangles that border a shown label, seen as that label', () => {
     const seen = new Set<number>();
-    const faces = surfaceFaces(mesh.surface, { hidden: new Set([1]), smooth: true }, (_, label) =>
-      seen.add(label),
-    );
+    const faces = surfaceFaces(mesh.surface, new Set([1]), (_, label) => seen.add(label));
     expect([...seen]).toEqual([2]);
     faces.owners.forEach((t) =>
       expect([mesh.surface.sides[2 * t], mesh.surface.sides[2 * t + 1]]).toContain(2),
     );
-    for (let i = 0; i < (faces.normals?.length ?? 0); i += 3) {
-      expect(Math.hypot(...(faces.normals as Float32Array).subarray(i, i + 3))).toBeCloseTo(1, 4);
+  });
+});
+
+describe('smoothNormals', () => {
+  it('point the way of their triangles, the same for all that meet at a point of one boundary', () => {
+    const { points, triangles, sides } = mesh.surface;
+    const normals = smoothNormals(mesh.surface);
+    const known = new Map<string, number[]>();
+    for (let corner = 0; corner < triangles.length; corner++) {
+      const normal = [...normals.subarray(3 * corner, 3 * corner + 3)];
+      expect(Math.hypot(...normal)).toBeCloseTo(1, 4);
+      const t = Math.floor(corner / 3);
+      const place = `${triangles[corner]} ${sides[2 * t]} ${sides[2 * t + 1]}`;
+      expect(normal).toEqual(known.get(place) ?? normal);
+      known.set(place, normal);
+      const outward = normal.reduce((sum, part, d) => sum + part * points[3 * triangles[corner] + d], 0);
+      expect(outward).toBeGreaterThan(0);
     }
   });
 });

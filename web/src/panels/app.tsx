@@ -1,6 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
-import { cancelRun, openFiles, openFragment, redoEdit, runAll, undoEdit } from '../store/actions';
-import { isCaseFragment } from '../link/codec';
+import { openFiles } from '../store/actions';
 import { activity, announcement, dismiss, lastCancelMs, notices } from '../store/run';
 import { showPlace } from '../store/view';
 import { CasePanel } from './case_panel';
@@ -9,6 +8,7 @@ import { EvidencePanel } from './evidence_panel';
 import { Header } from './header';
 import { Icon } from './icons';
 import { Pipeline } from './pipeline';
+import { useShortcuts } from './shortcuts';
 import { ViewPanel } from './view_panel';
 
 function Notices() {
@@ -46,35 +46,6 @@ function Notices() {
       ))}
     </div>
   );
-}
-
-function useShortcuts(): void {
-  useEffect(() => {
-    const onKey = (event: KeyboardEvent) => {
-      const held = event.ctrlKey || event.metaKey;
-      const typing = event.target instanceof HTMLInputElement && event.target.type === 'text';
-      if (held && event.key === 'Enter' && ['idle', 'preview'].includes(activity.value)) void runAll();
-      else if (
-        event.key === 'Escape' &&
-        ['run', 'preview', 'export'].includes(activity.value) &&
-        !document.querySelector('dialog[open]')
-      )
-        void cancelRun();
-      else if (held && !typing && event.key.toLowerCase() === 'z') (event.shiftKey ? redoEdit : undoEdit)();
-      else if (held && !typing && event.key.toLowerCase() === 'y') redoEdit();
-      else return;
-      event.preventDefault();
-    };
-    const onHash = () => {
-      if (isCaseFragment(location.hash)) void openFragment(location.hash);
-    };
-    window.addEventListener('keydown', onKey);
-    window.addEventListener('hashchange', onHash);
-    return () => {
-      window.removeEventListener('keydown', onKey);
-      window.removeEventListener('hashchange', onHash);
-    };
-  }, []);
 }
 
 function useDrop(): boolean {

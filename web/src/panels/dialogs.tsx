@@ -1,15 +1,15 @@
-import { signal } from '@preact/signals';
 import type { ComponentChildren } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { exportFormats, type ExportFormat, type Space } from '../engine/contract';
 import { acceptOffer, offered, closeOffer } from '../store/actions';
 import { downloadCase, downloadReport, exportMesh, shareCase, type SharedCase } from '../store/exchange';
 import { activity, report, upToDate } from '../store/run';
+import { dialogShown } from './dialog_shown';
 import { Segments } from './fields';
 import { whole } from './format';
+import { Gallery } from './gallery';
 import { Icon } from './icons';
-
-export const dialogShown = signal<'export' | 'share' | null>(null);
+import { KeyList } from './key_list';
 
 function Dialog(props: { title: string; onClose(): void; children: ComponentChildren }) {
   const element = useRef<HTMLDialogElement>(null);
@@ -246,6 +246,16 @@ export function Dialogs() {
     <>
       <OfferDialog />
       {dialogShown.value === 'export' && <ExportDialog close={close} />}
+      {dialogShown.value === 'examples' && (
+        <Dialog title="Examples" onClose={close}>
+          <Gallery onOpen={close} />
+        </Dialog>
+      )}
+      {dialogShown.value === 'keys' && (
+        <Dialog title="Keys" onClose={close}>
+          <KeyList />
+        </Dialog>
+      )}
       {dialogShown.value === 'share' && <ShareDialog close={close} />}
     </>
   );

@@ -1,16 +1,36 @@
+import { useState } from 'preact/hooks';
 import type { Report } from '../engine/contract';
-import { brush, focusTet, stageShown } from '../store/view';
+import { coveringRange } from '../geometry/histogram';
+import { seriesOf, type ChartKind, type Series } from '../report/charts';
+import { brush, focusTet, stageShown, type Brush } from '../store/view';
 import { NumberInput } from './fields';
 import { whole } from './format';
-import { HistogramChart, type Series } from './histogram';
+import { HistogramChart } from './histogram';
 import { Icon } from './icons';
 
+type BrushMetric = Brush['metric'];
+
 /** The range that a histogram has selected, in numbers: the same control for the keyboard. */
-function BrushRow({ metric, unit }: { metric: 'edge_mm' | 'dihedral_deg'; unit: string }) {
+function BrushRow(props: { metric: BrushMetric; name: string; unit: string; series: Series[] }) {
+  const { metric, name, unit, series } = props;
   const range = brush.value?.metric === metric ? brush.value : null;
-  if (!range) return <p class="brush-hint">Drag across the bars to see those elements.</p>;
+  if (!range) {
+    return (
+      <p class="brush-hint">
+        Drag across the bars to see those elements, or{' '}
+        <button
+          type="button"
+          class="link-button"
+          onClick={() => startBrush(metric, ...coveringRange(series.map(({ histogram }) => histogram)))}
+        >
+          give a range
+          <span class="sr"> of {name}</span>
+        </button>
+        .
+      </p>
+    );
+  }
   const set = (lo: number, hi: number) => (brush.value = { ...range, lo, hi });
-  const name = metric === 'edge_mm' ? 'mean edge' : 'angle';
   return (
     <div class="brush-row">
       <NumberInput
@@ -25,7 +45,8 @@ function BrushRow({ metric, unit }: { metric: 'edge_mm' | 'dihedral_deg'; unit: 
         onChange={(hi) => hi !== null && set(range.lo, hi)}
       />
       <span class="brush-count" data-testid="brush-count">
-        {unit}, {range.shown === null ? '…' : whole(range.shown)} elements
+        {unit && `${unit}, `}
+        {range.shown === null ? '…' : whole(range.shown)} elements
       </span>
       <button
         type="button"
@@ -40,75 +61,109 @@ function BrushRow({ metric, unit }: { metric: 'edge_mm' | 'dihedral_deg'; unit: 
   );
 }
 
-function startBrush(metric: 'edge_mm' | 'dihedral_deg') {
-  return (lo: number, hi: number) => {
-    focusTet.value = null;
-    if (stageShown.value !== 'optimise') stageShown.value = 'quality';
-    brush.value = { metric, lo, hi, shown: null };
-  };
+function startBrush(metric: BrushMetric, lo: number, hi: number): void {
+  focusTet.value = null;
+  if (stageShown.value !== 'optimise') stageShown.value = 'quality';
+  brush.value = { metric, lo, hi, shown: null };
 }
 
-const selectEdges = startBrush('edge_mm');
-const selectAngles = startBrush('dihedral_deg');
-const angleRange: [number, number] = [0, 180];
-const seriesCache = new WeakMap<Report, Record<'edges' | 'aspects' | 'angles', Series[]>>();
-
-/** Series keep their identity for one report, so that charts are not rebuilt with every render. */
-function seriesOf(found: Report) {
-  const cached = seriesCache.get(found);
-  if (cached) return cached;
-  const one = (metric: string, name: string, tone: Series['tone']): Series[] => {
-    const entry = found.quality.metrics.find((candidate) => candidate.name === metric);
-    return entry && entry.histogram.counts.length > 0 ? [{ name, histogram: entry.histogram, tone }] : [];
-  };
-  const made = {
-    edges: [...one('wished_edge_mm', 'Prescribed', 'before'), ...one('edge_mm', 'Achieved', 'now')],
-    aspects: [
-      ...one('triangle_aspect_before', 'Label surface', 'before'),
-      ...one('triangle_aspect_after', 'Adapted surface', 'now'),
-    ],
-    angles: one('dihedral_deg', 'All six angles of each element', 'now'),
-  };
-  seriesCache.set(found, made);
-  return made;
+interface Chart {
+  kind: ChartKind;
+  title: string;
+  of: string;
+  unit: string;
+  range?: [number, number];
+  /** What a dragged range chooses elements by. */
+  brushed?: { metric: BrushMetric; name: string; unit: string };
 }
 
-export function ElementHistograms({ found }: { found: Report }) {
-  const { edges, aspects, angles } = seriesOf(found);
-  const range = (metric: string): [number, number] | null =>
-    brush.value?.metric === metric ? [brush.value.lo, brush.value.hi] : null;
+const charts: Chart[] = [
+  {
+    kind: 'edges',
+    title: 'Edge length',
+    of: 'edges',
+    unit: 'mm',
+    brushed: { metric: 'edge_mm', name: 'mean edge', unit: 'mm' },
+  },
+  {
+    kind: 'ratios',
+    title: 'Achieved / prescribed edge',
+    of: 'edges',
+    unit: 'log₂',
+    brushed: { metric: 'size_log2', name: 'size ratio', unit: 'log₂' },
+  },
+  { kind: 'aspects', title: 'Aspect ratio of surface triangles', of: 'triangles', unit: '' },
+  {
+    kind: 'angles',
+    title: 'Dihedral angles',
+    of: 'angles',
+    unit: 'degrees',
+    range: [0, 180],
+    brushed: { metric: 'dihedral_deg', name: 'angle', unit: '°' },
+  },
+];
+
+const further: Chart[] = [
+  {
+    kind: 'radius_ratio',
+    title: 'Radius ratio',
+    of: 'tetrahedra',
+    unit: '',
+    brushed: { metric: 'radius_ratio', name: 'radius ratio', unit: '' },
+  },
+  {
+    kind: 'mean_ratio',
+    title: 'Mean ratio',
+    of: 'tetrahedra',
+    unit: '',
+    brushed: { metric: 'mean_ratio', name: 'mean ratio', unit: '' },
+  },
+  {
+    kind: 'aspect_ratio',
+    title: 'Aspect ratio',
+    of: 'tetrahedra',
+    unit: '',
+    brushed: { metric: 'aspect_ratio', name: 'aspect ratio', unit: '' },
+  },
+];
+
+const brushing = new Map(
+  [...charts, ...further].flatMap(({ kind, brushed }) =>
+    brushed ? [[kind, (lo: number, hi: number) => startBrush(brushed.metric, lo, hi)] as const] : [],
+  ),
+);
+
+function ChartOf({ chart, found, pinned }: { chart: Chart; found: Report; pinned: Report | null }) {
+  const series = seriesOf(found, pinned)[chart.kind];
+  if (series.length === 0) return null;
+  const { brushed } = chart;
+  const selected = brushed && brush.value?.metric === brushed.metric ? brush.value : null;
+  return (
+    <>
+      <HistogramChart
+        title={chart.title}
+        unit={chart.unit}
+        of={chart.of}
+        series={series}
+        range={chart.range}
+        selected={selected && [selected.lo, selected.hi]}
+        onSelect={brushing.get(chart.kind)}
+      />
+      {brushed && <BrushRow {...brushed} series={series} />}
+    </>
+  );
+}
+
+export function ElementHistograms({ found, pinned }: { found: Report; pinned: Report | null }) {
+  const [open, setOpen] = useState(false);
+  const row = (chart: Chart) => <ChartOf key={chart.kind} chart={chart} found={found} pinned={pinned} />;
   return (
     <section class="section histograms">
-      {edges.length > 0 && (
-        <>
-          <HistogramChart
-            title="Edge length"
-            unit="mm"
-            of="edges"
-            series={edges}
-            selected={range('edge_mm')}
-            onSelect={selectEdges}
-          />
-          <BrushRow metric="edge_mm" unit="mm" />
-        </>
-      )}
-      {aspects.length > 0 && (
-        <HistogramChart title="Aspect ratio of surface triangles" unit="" of="triangles" series={aspects} />
-      )}
-      {angles.length > 0 && (
-        <>
-          <HistogramChart
-            title="Dihedral angles"
-            unit="degrees"
-            of="angles"
-            series={angles}
-            range={angleRange}
-            selected={range('dihedral_deg')}
-            onSelect={selectAngles}
-          />
-          <BrushRow metric="dihedral_deg" unit="°" />
-        </>
-      )}
+      {charts.map(row)}
+      <details class="more" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
+        <summary>Shape of the tetrahedra</summary>
+        {open && further.map(row)}
+      </details>
     </section>
   );
 }

@@ -1,12 +1,17 @@
 import type { Report } from '../engine/contract';
+import { pinned } from '../store/compare';
+import { downloadReport, downloadReportPage } from '../store/exchange';
 import { report, upToDate } from '../store/run';
 import { Checklist } from './checklist';
+import { CompareSection } from './compare_section';
 import { ElementHistograms } from './element_histograms';
 import { FidelitySection } from './fidelity_section';
 import { notesOf } from './fidelity_text';
 import { short, whole } from './format';
+import { Icon } from './icons';
 import { MeasuresTable } from './measures_table';
 import { VerdictCard } from './verdict_card';
+import { WorstList } from './worst_list';
 
 function Summary({ found }: { found: Report }) {
   const angles = found.quality.metrics.find((metric) => metric.name === 'min_dihedral_deg');
@@ -72,11 +77,27 @@ export function EvidencePanel() {
         <>
           <Summary found={found} />
           <Checklist found={found} />
-          <ElementHistograms found={found} />
+          <CompareSection found={found} />
+          <ElementHistograms
+            found={found}
+            pinned={pinned.value?.report === found ? null : (pinned.value?.report ?? null)}
+          />
+          <WorstList found={found} />
           <FidelitySection found={found} />
           <MeasuresTable found={found} />
           <Messages title="Warnings" messages={found.warnings} />
           <Messages title="Notes" messages={notesOf(found)} />
+          <section class="section">
+            <h2>Report</h2>
+            <div class="compare-actions">
+              <button type="button" class="button small" onClick={() => void downloadReportPage()}>
+                <Icon name="download" size={13} /> Page with pictures
+              </button>
+              <button type="button" class="button small" onClick={downloadReport}>
+                <Icon name="download" size={13} /> JSON
+              </button>
+            </div>
+          </section>
         </>
       )}
     </aside>

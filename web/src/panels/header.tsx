@@ -1,10 +1,11 @@
-import { cancelRun, expectedTets, redoEdit, runAll, undoEdit } from '../store/actions';
+import { expectedTets, redoEdit, undoEdit } from '../store/actions';
+import { cancelRun, runAll } from '../store/runs';
 import { caseName } from '../store/exchange';
 import { volume } from '../store/input';
 import { recipe, redoLabel, undoLabel } from '../store/recipe';
 import { activity, elapsedSeconds, report, upToDate } from '../store/run';
 import { dark, theme } from '../store/view';
-import { dialogShown } from './dialogs';
+import { dialogShown } from './dialog_shown';
 import { about, seconds } from './format';
 import { Icon } from './icons';
 
@@ -125,6 +126,15 @@ export function Header() {
         onClick={() => (theme.value = dark.value ? 'light' : 'dark')}
       >
         <Icon name={dark.value ? 'sun' : 'moon'} />
+      </button>
+      <button
+        type="button"
+        class="icon-button"
+        aria-label="Keys"
+        title="Keys (?)"
+        onClick={() => (dialogShown.value = 'keys')}
+      >
+        <Icon name="keys" />
       </button>
       <button type="button" class="button" disabled={!hasCase} onClick={() => (dialogShown.value = 'share')}>
         <Icon name="share" /> Share

@@ -1,16 +1,10 @@
 import { useEffect, useRef } from 'preact/hooks';
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
-import type { Histogram } from '../engine/contract';
 import { coveringRange, rebin } from '../geometry/histogram';
+import type { Series } from '../report/charts';
 import { dark } from '../store/view';
 import { short } from './format';
-
-export interface Series {
-  name: string;
-  histogram: Histogram;
-  tone: 'now' | 'before';
-}
 
 interface HistogramProps {
   title: string;
@@ -81,8 +75,8 @@ export function HistogramChart(props: HistogramProps) {
         series: [
           {},
           ...series.map((one) => {
-            const stroke = cssColour(one.tone === 'now' ? '--chart-now' : '--chart-before');
-            const fill = cssColour(one.tone === 'now' ? '--chart-now-fill' : '--chart-before-fill');
+            const stroke = cssColour(`--chart-${one.tone}`);
+            const fill = cssColour(`--chart-${one.tone}-fill`);
             return { label: one.name, stroke, fill, width: 1.5, paths: stepped, points: { show: false } };
           }),
         ],

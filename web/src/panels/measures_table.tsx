@@ -1,30 +1,5 @@
-import type { Metric, Report } from '../engine/contract';
-import { tetMeasures, type TetMeasure } from '../engine/contract';
-import { brush, focusTet, stageShown } from '../store/view';
+import type { Report } from '../engine/contract';
 import { sentence, short, unitSign, whole } from './format';
-import { Icon } from './icons';
-
-function WorstButton({ metric }: { metric: Metric }) {
-  const isTetMeasure = metric.elements === 'tets' && (tetMeasures as readonly string[]).includes(metric.name);
-  if (!isTetMeasure || metric.worst.length === 0) return null;
-  const fly = () => {
-    if (stageShown.value !== 'optimise') stageShown.value = 'quality';
-    const at = focusTet.value === null ? -1 : metric.worst.indexOf(focusTet.value);
-    brush.value = null;
-    focusTet.value = metric.worst[(at + 1) % metric.worst.length];
-  };
-  return (
-    <button
-      type="button"
-      class="icon-button small"
-      aria-label={`Fly to the worst element by ${sentence(metric.name as TetMeasure)}`}
-      title="Fly to the worst; again for the next"
-      onClick={fly}
-    >
-      <Icon name="target" size={14} />
-    </button>
-  );
-}
 
 export function MeasuresTable({ found }: { found: Report }) {
   return (
@@ -44,9 +19,6 @@ export function MeasuresTable({ found }: { found: Report }) {
               <th scope="col" class="num">
                 Max
               </th>
-              <th scope="col">
-                <span class="sr">Worst</span>
-              </th>
             </tr>
           </thead>
           <tbody>
@@ -61,9 +33,6 @@ export function MeasuresTable({ found }: { found: Report }) {
                 <td class="num">{short(metric.min)}</td>
                 <td class="num">{short(metric.median)}</td>
                 <td class="num">{short(metric.max)}</td>
-                <td>
-                  <WorstButton metric={metric} />
-                </td>
               </tr>
             ))}
           </tbody>

@@ -1,8 +1,11 @@
 import { stageNames, type StageName } from '../engine/contract';
+import { runTo } from '../store/runs';
+import { volume } from '../store/input';
 import { shownDigests } from '../store/results';
-import { activity, report, stages, upToDate, type StageStatus } from '../store/run';
+import { activity, stages, staleStages, type StageStatus } from '../store/run';
 import { stageShown } from '../store/view';
 import { about, seconds } from './format';
+import { Icon } from './icons';
 
 const titles: Record<StageName, string> = {
   volume: 'Volume',
@@ -24,9 +27,6 @@ const lessons: Record<StageName, string> = {
   quality: 'Every element measured',
 };
 
-/** Stages that are brought up to date after every edit; the others wait for a run. */
-const previewed = new Set<StageName>(['volume', 'surface', 'smooth']);
-
 function detail(name: StageName, status: StageStatus): string {
   if (status.state === 'running')
     return status.fraction > 0 ? `${Math.round(100 * status.fraction)} %` : 'running';
@@ -47,7 +47,8 @@ function detail(name: StageName, status: StageStatus): string {
 }
 
 export function Pipeline() {
-  const outdated = report.value !== null && !upToDate.value;
+  const touched = staleStages.value;
+  const idle = activity.value === 'idle' && volume.value !== null;
   const busy = activity.value === 'run' || activity.value === 'preview';
   return (
     <nav class="pipeline" aria-label="Pipeline">
@@ -55,21 +56,25 @@ export function Pipeline() {
         {stageNames.map((name) => {
           const status = stages.value[name];
           const ready = shownDigests.value[name] !== undefined;
-          const stale = outdated && status.state === 'done' && !previewed.has(name);
+          const stale = touched.has(name);
           return (
             <li key={name}>
               <button
                 type="button"
-                class={`chip ${stale ? 'stale' : status.state}`}
+                class={`chip ${stale ? 'outdated' : status.state}`}
                 aria-current={stageShown.value === name && ready ? 'step' : undefined}
                 disabled={!ready}
-                title={lessons[name]}
+                title={stale ? `${lessons[name]}. The recipe has changed since.` : lessons[name]}
                 data-stage={name}
-                data-state={status.state}
+                data-state={stale ? 'stale' : status.state}
+                data-kept={status.summary?.cached}
                 onClick={() => (stageShown.value = name)}
               >
                 <span class="chip-name">{titles[name]}</span>
-                <span class="chip-detail">{detail(name, status)}</span>
+                <span class="chip-detail">
+                  {stale && <span class="chip-stale">changed · </span>}
+                  {detail(name, status)}
+                </span>
                 {busy && status.state === 'running' && (
                   <progress
                     max={1}
@@ -78,6 +83,17 @@ export function Pipeline() {
                   />
                 )}
               </button>
+              {idle && (stale || status.state === 'waiting' || status.state === 'failed') && (
+                <button
+                  type="button"
+                  class="run-to"
+                  aria-label={`Run to ${titles[name]}`}
+                  title={`Run to here: ${titles[name]}`}
+                  onClick={() => void runTo(name)}
+                >
+                  <Icon name="play" size={11} />
+                </button>
+              )}
             </li>
           );
         })}

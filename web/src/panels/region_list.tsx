@@ -1,24 +1,22 @@
 import type { Recipe, RegionShape, SizeRegion, Vec3 } from '../engine/contract';
+import { toMm } from '../geometry/orientation';
 import { volume } from '../store/input';
 import { editRecipe } from '../store/recipe';
-import { gizmoMode, regionShown } from '../store/view';
+import { gizmoMode, regionShown, slicePlaces } from '../store/view';
 import { NumberField, Segments, SelectField, VectorField } from './fields';
 import { Icon } from './icons';
 
-function middleOfVolume(): { centre: Vec3; extent: number } {
+/** Where the crosshair is, and how long the image is. */
+function placeForRegion(): { centre: Vec3; extent: number } {
   const known = volume.value;
   if (!known) return { centre: [0, 0, 0], extent: 60 };
-  const m = known.index_to_mm;
-  const half = known.size.map((size) => (size - 1) / 2);
-  const centre = [0, 1, 2].map((row) => {
-    const sum = m[4 * row] * half[0] + m[4 * row + 1] * half[1] + m[4 * row + 2] * half[2] + m[4 * row + 3];
-    return Math.round(10 * sum) / 10;
-  }) as Vec3;
+  const index = slicePlaces.value.map((place, axis) => Math.round(place * (known.size[axis] - 1)));
+  const centre = toMm(known.index_to_mm, index).map((x) => Math.round(10 * x) / 10) as Vec3;
   return { centre, extent: Math.max(...known.size.map((size, axis) => size * known.spacing_mm[axis])) };
 }
 
 function newRegion(shape: RegionShape, current: Recipe): SizeRegion {
-  const { centre, extent } = middleOfVolume();
+  const { centre, extent } = placeForRegion();
   const radius = Math.max(1, Math.round(extent / 8));
   const edge = Number((current.sizing.edge_mm / 2).toPrecision(2));
   return {
@@ -160,10 +158,15 @@ export function RegionList({ current }: { current: Recipe }) {
           <button type="button" class="button small" onClick={() => add('box')}>
             <Icon name="plus" size={13} /> Box
           </button>
+          <button type="button" class="button small" onClick={() => add('capsule')}>
+            <Icon name="plus" size={13} /> Capsule
+          </button>
         </span>
       </div>
       {current.sizing.regions.length === 0 && (
-        <p class="hint">A sphere or box with its own edge length, placed in the view.</p>
+        <p class="hint">
+          A body with its own edge length, placed at the crosshair. Drag it in the 3-D view or on the slices.
+        </p>
       )}
       {current.sizing.regions.map((region, index) => {
         const open = regionShown.value === index;

@@ -1,7 +1,10 @@
 import { useRef } from 'preact/hooks';
-import type { PhantomKind, PhantomParams, Recipe, Vec3 } from '../engine/contract';
-import { editPhantom, openFiles, openPhantom, openSample, previewSoon } from '../store/actions';
+import type { PhantomKind, PhantomParams, Recipe, Vec3, VolumeSummary } from '../engine/contract';
+import { obliqueness, orientationLetters } from '../geometry/orientation';
+import { editPhantom, openFiles, openPhantom } from '../store/actions';
+import { previewSoon } from '../store/runs';
 import { volume } from '../store/input';
+import { dialogShown } from './dialog_shown';
 import { CheckField, NumberField, SelectField, VectorField } from './fields';
 import { short } from './format';
 import { Icon } from './icons';
@@ -45,17 +48,45 @@ export function FileButton({ label, primary }: { label: string; primary?: boolea
   );
 }
 
+/** What was read, so that a wrong spacing or a turned image is seen before it is meshed. */
+function ReadFacts({ known }: { known: VolumeSummary }) {
+  const { size, spacing_mm, index_to_mm, prepared } = known;
+  const turned = obliqueness(index_to_mm);
+  const product = (numbers: readonly (number | string)[]) => numbers.join(' × ');
+  const rows: [string, string, string?][] = [
+    ['Voxels', product(size)],
+    ['Spacing', `${product(spacing_mm.map(short))} mm`],
+    ['Extent', `${product(size.map((n, axis) => short(n * spacing_mm[axis])))} mm`],
+    [
+      'Orientation',
+      `${orientationLetters(index_to_mm)}${turned > 0.5 ? `, oblique by ${short(turned)}°` : ''}`,
+      'Where each voxel axis leads: right or left, anterior or posterior, superior or inferior',
+    ],
+  ];
+  if (prepared && prepared.size.join() !== size.join())
+    rows.push(['Interpolated to', `${product(prepared.spacing_mm.map(short))} mm`]);
+  return (
+    <dl class="read-facts">
+      {rows.map(([name, value, title]) => (
+        <div key={name} title={title}>
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
 export function SourceSection({ current }: { current: Recipe }) {
   const { phantom, file } = current.source;
   const known = volume.value;
-  const interpolated = known?.prepared && known.prepared.size.join() !== known.size.join();
   return (
     <section class="section">
       <h2>Volume</h2>
       <div class="source-buttons">
         <FileButton label="Open file…" />
-        <button type="button" class="button" onClick={() => void openSample()}>
-          Sample heart
+        <button type="button" class="button" onClick={() => (dialogShown.value = 'examples')}>
+          Examples…
         </button>
       </div>
       {file && (
@@ -64,12 +95,7 @@ export function SourceSection({ current }: { current: Recipe }) {
         </p>
       )}
       {phantom && <PhantomFields phantom={phantom} />}
-      {known && (
-        <p class="facts">
-          {known.size.join(' × ')} voxels of {known.spacing_mm.map(short).join(' × ')} mm
-          {interpolated && `, slices interpolated to ${known.prepared?.spacing_mm.map(short).join(' × ')} mm`}
-        </p>
-      )}
+      {known && <ReadFacts known={known} />}
     </section>
   );
 }

@@ -1,5 +1,5 @@
 import type { Recipe, SchemaField } from '../engine/contract';
-import { previewSoon } from '../store/actions';
+import { previewSoon } from '../store/runs';
 import { editRecipe } from '../store/recipe';
 import { schema } from '../store/run';
 import { CheckField, NumberField, SelectField } from './fields';

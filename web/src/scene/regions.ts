@@ -111,7 +111,7 @@ function readBack(object: Group, region: SizeRegion, startRadius: number): void 
 export function addRegions(viewer: Viewer): () => void {
   const root = new Group();
   viewer.add(root);
-  const gizmo = new TransformControls(viewer.camera, viewer.renderer.domElement);
+  const gizmo = new TransformControls(viewer.camera, viewer.element);
   gizmo.size = 0.8;
   gizmo.setColors('#c9473f', '#2f8f57', '#3570c4', '#e0a100');
   viewer.add(gizmo.getHelper());
@@ -136,6 +136,7 @@ export function addRegions(viewer: Viewer): () => void {
       name,
       (draft) => readBack(object, draft.sizing.regions[index], startRadius),
       `drag ${dragCount}`,
+      Infinity,
     );
   });
 

@@ -1,56 +1,42 @@
-/** The 3-D view: follows the store, draws when it changes. The only folder that knows three.js. */
-import { effect, untracked } from '@preact/signals';
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Mesh,
-  Raycaster,
-  Vector2,
-  Vector3,
-  type Group,
-  type RawShaderMaterial,
-} from 'three';
-import { MeshBVH } from 'three-mesh-bvh';
-import type { StageName, TetArrays, Vec3 } from '../engine/contract';
-import { colourTable, rgbOf } from '../geometry/colours';
-import { robustRange, type Faces } from '../geometry/faces';
-import { nameOf, volume } from '../store/input';
+/** The view: follows the store, draws when it changes. The only folder that knows three.js. */
+import { batch, effect, untracked } from '@preact/signals';
+import { Vector3 } from 'three';
+import type { StageName, Vec3 } from '../engine/contract';
+import { toIndex } from '../geometry/orientation';
+import { pinned, pinnedArrays } from '../store/compare';
+import { volume } from '../store/input';
 import { recipe } from '../store/recipe';
-import { shownResult } from '../store/results';
-import { stages } from '../store/run';
+import { pointsOf, shownResult } from '../store/results';
 import {
-  brush,
-  colourOf,
   command,
   cut,
   dark,
   focusTet,
-  hiddenLabels,
+  layout,
   legend,
   marked,
   picked,
   showEdges,
+  sliceLegend,
   slicePlaces,
   stageShown,
 } from '../store/view';
-import { pointsOf, surfaceBody, tetBody, type Body } from './body';
-import { elementMaterial } from './element_material';
-import { lookedUpLines } from './looked_up';
+import { BodyView } from './body_view';
+import { Canvas } from './canvas';
+import { contourOf } from './contour';
+import { describe } from './describe';
 import { buildMarkers, disposeMarkers, sightOf } from './markers';
 import { addScaleBar, addTriad } from './overlay';
+import { surfaceBody } from './paint';
+import { pickAt } from './pick';
+import { takePicture } from './picture';
 import { addRegions } from './regions';
-import { buildSlices, disposeSlices } from './slices';
+import { addSlices } from './slices_view';
+import type { Plane } from './tet_model';
+import { arrayTexture } from './textures';
+import { followTets, tetCentre, type TetSource } from './tets_view';
+import { Twin } from './twin';
 import { Viewer } from './viewer';
-
-type ElementMesh = Mesh<BufferGeometry, RawShaderMaterial>;
-
-function geometryOf(faces: Faces): BufferGeometry {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(faces.positions, 3));
-  geometry.setAttribute('colour', new BufferAttribute(faces.colours, 3, true));
-  if (faces.normals) geometry.setAttribute('normal', new BufferAttribute(faces.normals, 3));
-  return geometry;
-}
 
 /** Offset of the cutting plane along its normal, from the fraction of the body's extent. */
 function planeOffset(viewer: Viewer, normal: Vec3, place: number): number {
@@ -68,167 +54,102 @@ function planeOffset(viewer: Viewer, normal: Vec3, place: number): number {
   return lo + place * (hi - lo);
 }
 
-function tetCentre(mesh: TetArrays, tet: number): { centre: Vector3; size: number } {
-  const corners = [0, 1, 2, 3].map((k) => new Vector3().fromArray(mesh.points, 3 * mesh.tets[4 * tet + k]));
-  const centre = corners.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(4);
-  return { centre, size: Math.max(...corners.map((p) => p.distanceTo(corners[0]))) };
+function isSurface(stage: StageName): stage is 'surface' | 'smooth' | 'remesh' {
+  return stage === 'surface' || stage === 'smooth' || stage === 'remesh';
+}
+
+const onTets = () => stageShown.value === 'optimise' || stageShown.value === 'quality';
+
+function tetsShown(): TetSource | null {
+  const mesh = onTets() ? shownResult('optimise') : undefined;
+  return mesh ? { mesh, measures: shownResult('quality') } : null;
 }
 
 export function mountScene(container: HTMLElement): () => void {
-  const viewer = new Viewer(container);
-  addTriad(viewer, container);
-  addScaleBar(viewer, container);
+  const canvas = new Canvas(container);
+  const panes = document.createElement('div');
+  panes.className = 'panes';
+  container.append(panes);
+  const main = document.createElement('div');
+  main.className = 'pane model';
+  panes.append(main);
+  const viewer = new Viewer(canvas, main);
+  addTriad(viewer, main);
+  addScaleBar(viewer, main);
   const stopRegions = addRegions(viewer);
+  const slices = addSlices(canvas, viewer, panes);
+  const body = new BodyView();
+  viewer.add(body.group);
+  const beside = document.createElement('div');
+  beside.className = 'pane twin';
+  panes.append(beside);
+  const twin = new Twin(canvas, viewer, beside);
+  const other = new BodyView();
+  twin.scene.add(other.group);
+  for (const [pane, text] of [
+    [main, 'This run'],
+    [beside, 'Pinned'],
+  ] as const) {
+    const name = document.createElement('span');
+    name.className = 'run-name';
+    name.textContent = text;
+    pane.append(name);
+  }
 
-  const opaque = { flat: elementMaterial({ smooth: false }), smooth: elementMaterial({ smooth: true }) };
-  const glass = elementMaterial({ smooth: false, ghost: true });
-  const body: ElementMesh = new Mesh(new BufferGeometry(), opaque.flat);
-  const ghost: ElementMesh = new Mesh(new BufferGeometry(), glass);
-  ghost.renderOrder = 1;
-  body.frustumCulled = ghost.frustumCulled = false;
-  viewer.add(body);
-  viewer.add(ghost);
-  let slices: Group | null = null;
-  let shown: { stage: StageName; faces: Faces } | null = null;
-  let tree: MeshBVH | null = null;
-
-  const clear = () => {
-    body.visible = ghost.visible = false;
-    shown = null;
-    tree = null;
-    if (slices) {
-      viewer.scene.remove(slices);
-      disposeSlices(slices);
-      slices = null;
-    }
-  };
-
-  const showBody = (stage: StageName, made: Body) => {
-    body.geometry.dispose();
-    body.geometry = geometryOf(made.faces);
-    body.material = made.smooth ? opaque.smooth : opaque.flat;
-    body.visible = true;
-    ghost.geometry.dispose();
-    ghost.visible = made.ghost !== undefined;
-    if (made.ghost) ghost.geometry = geometryOf(made.ghost);
-    shown = { stage, faces: made.faces };
-    legend.value = made.legend;
-  };
-
-  const showSlices = (stage: 'volume' | 'sizing') => {
-    legend.value = null;
-    if (stage === 'volume') {
-      const labels = shownResult('volume')?.labels;
-      if (!labels || !volume.value) return;
-      const hidden = hiddenLabels.value;
-      const colour = colourOf.value;
-      const known = new Map<number, number[]>();
-      slices = buildSlices(
-        { size: volume.value.size, indexToMm: volume.value.index_to_mm },
-        slicePlaces.value,
-        (index, out, at) => {
-          const label = labels[index];
-          if (label === 0 || hidden.has(label)) {
-            out.set(label === 0 ? [128, 138, 150, 26] : [128, 138, 150, 70], at);
-            return;
-          }
-          let rgb = known.get(label);
-          if (!rgb) known.set(label, (rgb = rgbOf(colour(label))));
-          out.set(rgb, at);
-          out[at + 3] = 255;
-        },
-      );
-    } else {
-      const wish = shownResult('sizing')?.h_mm;
-      const counts = untracked(() => stages.value.sizing.summary)?.counts as
-        { size: Vec3; index_to_mm: number[]; min_mm: number; max_mm: number } | undefined;
-      if (!wish || !counts) return;
-      const table = colourTable('viridis');
-      const labels = untracked(() => shownResult('volume')?.labels);
-      const inside = labels?.length === wish.length ? labels : undefined;
-      const [lo, hi] = inside
-        ? robustRange(wish.filter((_, index) => inside[index] > 0))
-        : [counts.min_mm, counts.max_mm];
-      const span = hi > lo ? hi - lo : 1;
-      legend.value = { title: 'Prescribed edge length', unit: 'mm', lo, hi: lo + span, map: 'viridis' };
-      slices = buildSlices(
-        { size: counts.size, indexToMm: counts.index_to_mm },
-        slicePlaces.value,
-        (index, out, at) => {
-          const x = 3 * Math.max(0, Math.min(255, Math.round((255 * (wish[index] - lo)) / span)));
-          out.set(table.subarray(x, x + 3), at);
-          out[at + 3] = inside && inside[index] === 0 ? 60 : 255;
-        },
-      );
-      const smooth = shownResult('smooth');
-      if (smooth) {
-        const outline = surfaceBody('smooth', smooth).faces;
-        ghost.geometry.dispose();
-        ghost.geometry = geometryOf({
-          ...outline,
-          colours: new Uint8Array(outline.colours.length).fill(140),
-        });
-        ghost.visible = true;
-      }
-    }
-    if (slices) viewer.add(slices);
-  };
-
-  const rebuild = () => {
-    const stage = stageShown.value;
-    clear();
-    const points = pointsOf(stage);
-    if (points && points.length > 0) viewer.setBounds(points);
-    if (stage === 'volume' || stage === 'sizing') {
-      showSlices(stage);
-    } else if (stage === 'surface' || stage === 'smooth' || stage === 'remesh') {
-      const mesh = shownResult(stage);
-      if (mesh) showBody(stage, surfaceBody(stage, mesh));
-      else legend.value = null;
-    } else {
-      const mesh = shownResult('optimise');
-      if (!mesh) {
-        legend.value = null;
-        return;
-      }
-      const { on, normal, place } = cut.value;
-      const plane = on ? { normal, offset: planeOffset(viewer, normal, place) } : undefined;
-      const focus = focusTet.value;
-      const near = focus === null ? undefined : tetCentre(mesh, focus);
-      const made = tetBody(
-        mesh,
-        near ? undefined : plane,
-        near && { centre: near.centre.toArray(), radius: 2.2 * near.size },
-      );
-      if (focus !== null) highlight(made.faces, focus);
-      showBody(stage, made);
-      const range = untracked(() => brush.value);
-      if (range && range.shown !== made.count) brush.value = { ...range, shown: made.count };
-    }
-  };
-
-  const clipSurface = () => {
-    const { on, normal, place } = cut.value;
-    const whole = stageShown.value === 'optimise' || stageShown.value === 'quality';
-    for (const material of [opaque.flat, opaque.smooth]) {
-      const plane = material.uniforms.clipPlane.value;
-      if (on && !whole) plane.set(...normal, planeOffset(viewer, normal, place));
-      else plane.set(0, 0, 0, 1);
-    }
+  const planeNow = (): Plane | null => {
+    const { on, flat, normal, place } = cut.value;
+    // The ends of the way are those of the body that is shown.
+    void pointsOf(stageShown.value);
+    if (!on || (focusTet.value !== null && onTets())) return null;
+    return { normal, offset: planeOffset(viewer, normal, place), flat };
   };
 
   const stops = [
     effect(() => {
-      rebuild();
-      clipSurface();
-      viewer.invalidate();
+      panes.dataset.layout = layout.value;
+      canvas.invalidate();
     }),
     effect(() => {
-      const strength = showEdges.value ? 1 : 0;
-      opaque.flat.uniforms.edgeStrength.value = 0.55 * strength;
-      opaque.smooth.uniforms.edgeStrength.value = 0.35 * strength;
-      glass.uniforms.opacity.value = dark.value ? 0.13 : 0.1;
-      viewer.invalidate();
+      const stage = stageShown.value;
+      const points = pointsOf(stage);
+      if (points && points.length > 0) viewer.setBounds(points);
+      canvas.invalidate();
+      if (tetsShown()) return;
+      body.clear();
+      slices.showSections(null);
+      legend.value = null;
+      const surface = isSurface(stage) && shownResult(stage);
+      if (surface) {
+        const made = surfaceBody(surface);
+        body.showSurface(made);
+        const { positions, owners } = made.faces;
+        slices.showSections(() => {
+          const triangles = arrayTexture(positions, 1);
+          return () => contourOf(triangles, owners.length);
+        });
+        legend.value = made.legend;
+      } else if (stage === 'sizing') {
+        const smooth = shownResult('smooth');
+        if (smooth) body.showSurface(surfaceBody(smooth), true);
+      }
+    }),
+    followTets(canvas, body, {
+      source: tetsShown,
+      plane: planeNow,
+      leads: true,
+      onModel: (model) => slices.showSections(() => () => model.section()),
+    }),
+    followTets(canvas, other, {
+      source: () => (layout.value === 'compare' ? pinnedArrays() : null),
+      plane: planeNow,
+      leads: false,
+    }),
+    effect(() => {
+      if (!pinned.value) other.clear();
+    }),
+    effect(() => {
+      for (const one of [body, other]) one.setLook(showEdges.value, dark.value ? 0.13 : 0.1);
+      canvas.invalidate();
     }),
     effect(() => {
       const order = command.value;
@@ -242,18 +163,21 @@ export function mountScene(container: HTMLElement): () => void {
       if (tet === null || !mesh || 4 * tet >= mesh.tets.length) return;
       const { centre, size } = tetCentre(mesh, tet);
       viewer.flyTo(centre, 2.6 * size);
-      untracked(() => describe(stageShown.value, tet));
+      untracked(() => {
+        picked.value = describe(stageShown.value, tet, centre.toArray());
+        aimAt(centre);
+      });
     }),
     effect(() => {
       const place = marked.value;
       if (!place) return;
       const group = buildMarkers(place, shownResult('remesh'), dotRadius());
       viewer.add(group);
-      viewer.invalidate();
+      canvas.invalidate();
       return () => {
         viewer.scene.remove(group);
         disposeMarkers(group);
-        viewer.invalidate();
+        canvas.invalidate();
       };
     }),
   ];
@@ -262,11 +186,14 @@ export function mountScene(container: HTMLElement): () => void {
     return viewer.bounds.getSize(new Vector3()).length() / 120;
   }
 
-  function highlight(faces: Faces, tet: number): void {
-    faces.owners.forEach((owner, face) => {
-      if (owner !== tet) return;
-      for (let c = 0; c < 3; c++) faces.colours.set([255, 196, 0], 9 * face + 3 * c);
-    });
+  /** Puts the crosshair at a place in mm. */
+  function aimAt(point: Vector3): void {
+    const known = volume.value;
+    if (!known) return;
+    const index = toIndex(known.index_to_mm, point.toArray());
+    slicePlaces.value = index.map((x, axis) =>
+      known.size[axis] < 2 ? 0.5 : Math.max(0, Math.min(1, Math.round(x) / (known.size[axis] - 1))),
+    ) as Vec3;
   }
 
   function obey(order: NonNullable<typeof command.value>): void {
@@ -283,6 +210,9 @@ export function mountScene(container: HTMLElement): () => void {
           viewer.flyTo(center, radius);
         }
         break;
+      case 'picture':
+        order.take(takePicture(canvas, container, legend.value ?? sliceLegend.value));
+        break;
       case 'cut_facing_me': {
         const towards = viewer.camera.position.clone().sub(viewer.controls.target).normalize();
         cut.value = { ...cut.value, on: true, normal: towards.toArray() };
@@ -291,86 +221,42 @@ export function mountScene(container: HTMLElement): () => void {
     }
   }
 
-  function describe(stage: StageName, element: number): void {
-    if (stage === 'optimise' || stage === 'quality') {
-      const mesh = shownResult('optimise');
-      const measures = shownResult('quality');
-      if (!mesh) return;
-      const lines: [string, string][] = [['Label', nameOf(mesh.labels[element])]];
-      if (measures) {
-        lines.push(
-          [
-            'Dihedral angles',
-            `${measures.min_dihedral_deg[element].toFixed(1)}° to ${measures.max_dihedral_deg[element].toFixed(1)}°`,
-          ],
-          ['Mean edge', `${measures.edge_mm[element].toFixed(2)} mm`],
-          ['Radius ratio', measures.radius_ratio[element].toFixed(3)],
-          ...lookedUpLines(measures, element),
-        );
-      }
-      picked.value = { title: `Tetrahedron ${element.toLocaleString('en')}`, lines };
-    } else if (stage === 'surface' || stage === 'smooth' || stage === 'remesh') {
-      const mesh = shownResult(stage);
-      if (!mesh) return;
-      const [behind, front] = [mesh.sides[2 * element], mesh.sides[2 * element + 1]];
-      picked.value = {
-        title: `Triangle ${element.toLocaleString('en')}`,
-        lines: [['Between', `${nameOf(behind)} and ${nameOf(front)}`]],
-      };
-    }
+  /** Shows the numbers of what is seen at a place of the 3-D view, and puts the crosshair there. */
+  function pick(x: number, y: number): void {
+    const { clientWidth: width, clientHeight: height } = viewer.element;
+    const hit = pickAt(canvas.renderer, viewer.camera, body.pickable, { width, height }, { x, y });
+    canvas.invalidate();
+    batch(() => {
+      const element = hit && (body.owners ? body.owners[hit.element] : hit.element);
+      picked.value =
+        hit && element !== null ? describe(stageShown.value, element, hit.point.toArray()) : null;
+      if (hit) aimAt(hit.point);
+    });
   }
 
   let pressed: [number, number] | null = null;
-  const canvas = viewer.renderer.domElement;
-  const onDown = (event: PointerEvent) => (pressed = [event.clientX, event.clientY]);
-  const onUp = (event: PointerEvent) => {
+  viewer.element.addEventListener('pointerdown', (event) => (pressed = [event.clientX, event.clientY]));
+  viewer.element.addEventListener('pointerup', (event) => {
     const still = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 4;
     pressed = null;
-    if (!still || !shown || !body.visible) return;
-    const box = canvas.getBoundingClientRect();
-    const pointer = new Vector2(
-      (2 * (event.clientX - box.left)) / box.width - 1,
-      1 - (2 * (event.clientY - box.top)) / box.height,
-    );
-    const caster = new Raycaster();
-    caster.setFromCamera(pointer, viewer.camera);
-    // The tree reorders an index of its own; positions stay as they are, three corners a face.
-    tree ??= new MeshBVH(body.geometry, { indirect: true });
-    const clip = body.material.uniforms.clipPlane.value as { x: number; y: number; z: number; w: number };
-    const hit = tree
-      .raycast(caster.ray, 2)
-      .filter(({ point }) => clip.x * point.x + clip.y * point.y + clip.z * point.z <= clip.w)
-      .sort((a, b) => a.distance - b.distance)[0];
-    if (hit?.faceIndex === undefined || hit.faceIndex === null) {
-      picked.value = null;
-      return;
-    }
-    describe(shown.stage, shown.faces.owners[hit.faceIndex]);
-    if (picked.value) {
-      picked.value = {
-        ...picked.value,
-        lines: [
-          ...picked.value.lines,
-          [
-            'At',
-            `${hit.point
-              .toArray()
-              .map((x) => x.toFixed(1))
-              .join(', ')} mm`,
-          ],
-        ],
-      };
-    }
-  };
-  canvas.addEventListener('pointerdown', onDown);
-  canvas.addEventListener('pointerup', onUp);
+    const box = viewer.element.getBoundingClientRect();
+    if (still) pick(event.clientX - box.left, event.clientY - box.top);
+  });
+  viewer.element.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter' && !event.ctrlKey && !event.metaKey)
+      pick(viewer.element.clientWidth / 2, viewer.element.clientHeight / 2);
+  });
 
   if (untracked(() => recipe.value && pointsOf(stageShown.value))) viewer.fitFromFront();
   return () => {
     for (const stop of stops) stop();
     stopRegions();
-    clear();
+    slices.dispose();
+    body.dispose();
+    other.dispose();
+    twin.dispose();
     viewer.dispose();
+    canvas.dispose();
     container.replaceChildren();
   };
 }

@@ -1,6 +1,7 @@
-import { Box3, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer, type Object3D } from 'three';
+import { Box3, PerspectiveCamera, Scene, Sphere, Vector3, type Object3D } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { ViewDirection } from '../store/view';
+import type { Canvas, Pane } from './canvas';
 
 const directions: Record<ViewDirection, [number, number, number]> = {
   R: [1, 0, 0],
@@ -17,43 +18,58 @@ const fitMargin = 0.84;
 /** From the patient's left front and a little above, as hearts are drawn. */
 const threeQuarters = new Vector3(-0.62, 1, 0.4).normalize();
 
-/** Canvas, camera and controls. Draws only when something changed. */
+/** A pane that is looked into from any side: scene, camera and controls. */
 export class Viewer {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(32, 1, 1, 5000);
-  readonly renderer: WebGLRenderer;
   readonly controls: OrbitControls;
+  /** Takes the events, and says how large the pane is. */
+  readonly element: HTMLElement;
   /** The body that the view is fitted to and cut along. */
   readonly bounds = new Box3(new Vector3(-50, -50, -50), new Vector3(50, 50, 50));
-  private readonly container: HTMLElement;
-  private readonly observer: ResizeObserver;
+  private readonly canvas: Canvas;
+  private readonly pane: Pane;
   private readonly afterDraw: (() => void)[] = [];
   private outline: Float32Array = new Float32Array(0);
-  private frame = 0;
   private flight: { begin: number; from: Vector3[]; to: Vector3[] } | null = null;
 
-  constructor(container: HTMLElement) {
-    this.container = container;
-    this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.renderer.domElement.className = 'view-canvas';
-    this.renderer.domElement.tabIndex = 0;
-    this.renderer.domElement.setAttribute('role', 'img');
-    this.renderer.domElement.setAttribute(
+  constructor(canvas: Canvas, parent: HTMLElement) {
+    this.canvas = canvas;
+    this.element = document.createElement('div');
+    this.element.className = 'pane-surface';
+    this.element.tabIndex = 0;
+    this.element.setAttribute('role', 'img');
+    this.element.setAttribute(
       'aria-label',
       '3-D view of the mesh. Drag to turn, wheel to zoom; arrow keys turn, plus and minus zoom.',
     );
-    container.append(this.renderer.domElement);
+    parent.append(this.element);
     this.camera.up.set(0, 0, 1);
     this.scene.add(this.camera);
-    this.controls = new OrbitControls(this.camera, this.renderer.domElement);
+    this.controls = new OrbitControls(this.camera, this.element);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => this.invalidate());
     this.controls.addEventListener('start', () => (this.flight = null));
-    this.renderer.domElement.addEventListener('keydown', (event) => this.onKey(event));
-    this.observer = new ResizeObserver(() => this.resize());
-    this.observer.observe(container);
-    this.resize();
+    this.element.addEventListener('keydown', (event) => this.onKey(event));
+    this.pane = {
+      element: this.element,
+      resized: (width, height) => {
+        const before = Math.min(1, this.camera.aspect);
+        this.camera.aspect = width / height;
+        this.camera.updateProjectionMatrix();
+        // What was in sight stays in sight when the pane becomes narrow.
+        const { target } = this.controls;
+        const nearer = before / Math.min(1, this.camera.aspect);
+        this.camera.position.sub(target).multiplyScalar(nearer).add(target);
+      },
+      draw: (renderer) => {
+        this.advanceFlight();
+        this.fitDepth();
+        renderer.render(this.scene, this.camera);
+        for (const callback of this.afterDraw) callback();
+      },
+    };
+    canvas.add(this.pane);
     this.fit(false);
   }
 
@@ -62,11 +78,7 @@ export class Viewer {
   }
 
   invalidate(): void {
-    if (this.frame !== 0) return;
-    this.frame = requestAnimationFrame(() => {
-      this.frame = 0;
-      this.draw();
-    });
+    this.canvas.invalidate();
   }
 
   setBounds(points: Float32Array): void {
@@ -107,11 +119,9 @@ export class Viewer {
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.frame);
-    this.observer.disconnect();
     this.controls.dispose();
-    this.renderer.dispose();
-    this.renderer.domElement.remove();
+    this.canvas.remove(this.pane);
+    this.element.remove();
   }
 
   /** The nearest place in a direction from which a sample of the body's points is all in sight. */
@@ -205,21 +215,5 @@ export class Viewer {
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
     this.invalidate();
-  }
-
-  private resize(): void {
-    const { clientWidth, clientHeight } = this.container;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setSize(clientWidth, clientHeight);
-    this.camera.aspect = clientWidth / clientHeight;
-    this.camera.updateProjectionMatrix();
-    this.draw();
-  }
-
-  private draw(): void {
-    this.advanceFlight();
-    this.fitDepth();
-    this.renderer.render(this.scene, this.camera);
-    for (const callback of this.afterDraw) callback();
   }
 }

@@ -1,42 +1,25 @@
 /** What the user can do: each action moves the store, and asks the engine where that needs it. */
 import { signal } from '@preact/signals';
-import { EngineClient } from '../engine/client';
+import type { EngineClient } from '../engine/client';
 import {
   EngineError,
-  stageNames,
   type Expected,
   type PhantomParams,
   type Recipe,
-  type StageName,
   type VolumeFile,
   type VolumeSummary,
 } from '../engine/contract';
-import { decodeFragment, LinkError, parseCase } from '../link/codec';
+import { decodeFragment, parseCase } from '../link/codec';
 import { autosave, savedCase } from './autosave';
+import { engine, takeTurn, tellError, useEngine } from './engine';
 import { estimateTets } from './estimate';
 import { fitRecipe } from './fit_recipe';
+import type { Example } from './gallery';
 import { awaitedFile, volume } from './input';
 import { amendRecipe, editRecipe, recipe, redo, startRecipe, undo } from './recipe';
-import { keepResult, shownDigests } from './results';
-import {
-  activity,
-  announcement,
-  defaults,
-  expectation,
-  forgetResults,
-  lastCancelMs,
-  meshedMinimal,
-  meshedRecipe,
-  report,
-  schema,
-  setStage,
-  stages,
-  startClock,
-  stopClock,
-  tell,
-  tellFailure,
-} from './run';
-import { brush, command, focusTet, marked, picked, resetView, stageShown } from './view';
+import { activity, announcement, defaults, expectation, forgetResults, schema, tell } from './run';
+import { preview, previewSoon, runAll } from './runs';
+import { resetView } from './view';
 
 /** A case that a link or a file offers, checked and waiting for the user's word. */
 export interface OfferedCase {
@@ -47,20 +30,8 @@ export interface OfferedCase {
 
 export const offered = signal<OfferedCase | null>(null);
 
-/** The engine of this page; there is none before startEngine. */
-export let engine: EngineClient;
-let previewTimer: ReturnType<typeof setTimeout> | undefined;
-/** Actions that were overtaken by newer ones leave the store alone. */
-let turn = 0;
-
-/** Begins an action: whether it is still the newest is asked of what this returns. */
-export function takeTurn(): () => boolean {
-  const mine = ++turn;
-  return () => mine === turn;
-}
-
 export async function startEngine(client: EngineClient): Promise<void> {
-  engine = client;
+  useEngine(client);
   try {
     const info = await engine.ready;
     schema.value = info.schema;
@@ -73,19 +44,8 @@ export async function startEngine(client: EngineClient): Promise<void> {
   }
 }
 
-/** The sample: a heart with scar, coarse enough to be meshed in seconds. */
-export async function openSample(): Promise<void> {
-  await offerCase({
-    source: { phantom: { kind: 'biventricle', scar: true, spacing_mm: [2, 2, 2] } },
-    labels: [1, 2, 5, 6],
-    sizing: {
-      edge_mm: 4,
-      labels: [
-        { label: 5, edge_mm: 2 },
-        { label: 6, edge_mm: 2.5 },
-      ],
-    },
-  });
+export async function openExample({ recipe: value }: Example): Promise<void> {
+  await offerCase(value);
   acceptOffer(false);
 }
 
@@ -111,7 +71,7 @@ export async function openFiles(files: File[]): Promise<void> {
   if (caseFile) return openCaseText(await caseFile.text());
   const main = files.find((file) => headerSuffix.test(file.name)) ?? files[0];
   if (!main) return;
-  const mine = ++turn;
+  const newest = takeTurn();
   activity.value = 'opening';
   announcement.value = `Reading ${main.name}`;
   try {
@@ -121,11 +81,11 @@ export async function openFiles(files: File[]): Promise<void> {
     const bytes = new Uint8Array(await main.arrayBuffer());
     if (engine.busy) await engine.cancel();
     const summary = await engine.openVolume({ name: main.name, bytes, siblings });
-    if (mine === turn) takeVolume(summary, main.name);
+    if (newest()) takeVolume(summary, main.name);
   } catch (error) {
     tellError(error);
   } finally {
-    if (mine === turn && activity.value === 'opening') activity.value = 'idle';
+    if (newest() && activity.value === 'opening') activity.value = 'idle';
   }
 }
 
@@ -160,107 +120,6 @@ function takeVolume(summary: VolumeSummary, fileName: string): void {
 function startingEdge(summary: VolumeSummary): number {
   const [x, y, z] = summary.spacing_mm;
   return Number((2 * Math.cbrt(x * y * z)).toPrecision(2));
-}
-
-/** The label surface, as soon as it exists. Runs by itself after whatever changes it. */
-export async function preview(fit: boolean): Promise<void> {
-  clearTimeout(previewTimer);
-  await runStages('smooth', 'preview', fit);
-}
-
-export function previewSoon(): void {
-  clearTimeout(previewTimer);
-  if (activity.value === 'run') return;
-  previewTimer = setTimeout(() => void preview(false), 350);
-}
-
-export async function runAll(): Promise<void> {
-  clearTimeout(previewTimer);
-  await runStages('quality', 'run', false);
-}
-
-async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean): Promise<void> {
-  const current = recipe.value;
-  if (!current || !(current.source.phantom || current.source.file) || awaitedFile.value) return;
-  const mine = ++turn;
-  const names = stageNames.slice(0, stageNames.indexOf(last) + 1);
-  if (engine.busy) await engine.cancel();
-  if (mine !== turn) return;
-  activity.value = kind;
-  marked.value = null;
-  if (kind === 'run') {
-    for (const name of names) setStage(name, { state: 'waiting', fraction: 0 });
-    announcement.value = 'Meshing started';
-    startClock();
-  }
-  try {
-    const result = await engine.run(JSON.stringify(current), current.source, last, {
-      onProgress(stage, fraction) {
-        if (mine === turn) setStage(stage, { state: 'running', fraction });
-      },
-      onStage(summary, arrays) {
-        if (mine !== turn) return;
-        const known = stages.value[summary.name].summary;
-        const kept =
-          known?.digest === summary.digest && summary.cached
-            ? { ...summary, seconds: known.seconds }
-            : summary;
-        setStage(summary.name, { state: 'done', fraction: 1, summary: kept });
-        if (summary.name === 'volume') volume.value = summary.counts as unknown as VolumeSummary;
-        const changed = shownDigests.value[summary.name] !== summary.digest;
-        keepResult(summary.name, summary.digest, arrays);
-        const previewed = summary.name === 'smooth' && changed && stageShown.value !== 'surface';
-        const first = fit && (summary.name === 'surface' || summary.name === 'smooth');
-        if (kind === 'run' || previewed || first) stageShown.value = summary.name;
-        if (fit && summary.name === 'surface') command.value = { kind: 'fit' };
-      },
-    });
-    if (mine !== turn) return;
-    if (result.report) finishRun(result.report, result.minimal, current);
-  } catch (error) {
-    if (mine !== turn) return;
-    for (const name of names) {
-      if (stages.value[name].state === 'running') setStage(name, { state: 'failed', fraction: 0 });
-    }
-    tellError(error);
-  } finally {
-    if (mine === turn) {
-      activity.value = 'idle';
-      stopClock();
-    }
-  }
-}
-
-function finishRun(
-  found: NonNullable<typeof report.value>,
-  minimal: Record<string, unknown>,
-  current: Recipe,
-): void {
-  report.value = found;
-  meshedRecipe.value = current;
-  meshedMinimal.value = minimal;
-  brush.value = null;
-  focusTet.value = null;
-  picked.value = null;
-  stageShown.value = 'quality';
-  announcement.value = `Mesh ready: ${found.tets.toLocaleString('en')} tetrahedra`;
-}
-
-export async function cancelRun(): Promise<void> {
-  turn++;
-  const mine = turn;
-  clearTimeout(previewTimer);
-  for (const name of stageNames) {
-    const { state, summary } = stages.value[name];
-    if (state === 'running' || state === 'waiting') {
-      setStage(name, { state: summary ? 'stale' : 'waiting', fraction: 0 });
-    }
-  }
-  activity.value = 'idle';
-  stopClock();
-  announcement.value = 'Run cancelled';
-  const milliseconds = await engine.cancel();
-  if (mine === turn) lastCancelMs.value = milliseconds;
 }
 
 export async function openFragment(fragment: string): Promise<void> {
@@ -376,14 +235,4 @@ function withoutPromise(full: Recipe): Recipe {
   const copy = structuredClone(full) as Recipe & { expected?: unknown };
   delete copy.expected;
   return copy;
-}
-
-export function tellError(error: unknown): void {
-  if (error instanceof EngineError) {
-    if (error.code !== 'cancelled') tellFailure(error);
-  } else if (error instanceof LinkError) {
-    tell('error', 'This link cannot be opened', error.message);
-  } else {
-    tell('error', 'Something went wrong', error instanceof Error ? error.message : String(error));
-  }
 }

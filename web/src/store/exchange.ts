@@ -1,9 +1,12 @@
 /** What leaves the page: files of the mesh, the report, the case, a link. */
 import type { ExportFormat, Space } from '../engine/contract';
 import { encodeFragment } from '../link/codec';
-import { engine, takeTurn, tellError } from './actions';
+import type { ReportPicture } from '../report/report_page';
+import { engine, takeTurn, tellError } from './engine';
+import { nameOf } from './input';
 import { recipe } from './recipe';
 import { activity, announcement, meshedMinimal, meshedRecipe, report } from './run';
+import { command, layout, type Layout } from './view';
 
 export async function exportMesh(format: ExportFormat, space: Space): Promise<void> {
   const meshed = meshedRecipe.value;
@@ -23,12 +26,71 @@ export async function exportMesh(format: ExportFormat, space: Space): Promise<vo
   }
 }
 
+/** The view as it stands, as a picture. */
+export function viewPicture(): Promise<Blob> {
+  return new Promise((made) => (command.value = { kind: 'picture', take: made }));
+}
+
+export async function downloadPicture(): Promise<void> {
+  try {
+    download(`${caseName()}.png`, await viewPicture());
+  } catch (error) {
+    tellError(error);
+  }
+}
+
 export function downloadReport(): void {
   if (!report.value) return;
   download(
     `${caseName()}.report.json`,
     new Blob([JSON.stringify(report.value, null, 2)], { type: 'application/json' }),
   );
+}
+
+function dataUrl(blob: Blob): Promise<string> {
+  return new Promise((read, failed) => {
+    const reader = new FileReader();
+    reader.onload = () => read(String(reader.result));
+    reader.onerror = () => failed(reader.error);
+    reader.readAsDataURL(blob);
+  });
+}
+
+/** The view in each of these layouts, then as it was. */
+async function picturesOf(layouts: readonly [Layout, string][]): Promise<ReportPicture[]> {
+  const before = layout.value;
+  const pictures: ReportPicture[] = [];
+  try {
+    for (const [next, title] of layouts) {
+      layout.value = next;
+      await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
+      pictures.push({ title, source: await dataUrl(await viewPicture()) });
+    }
+  } finally {
+    layout.value = before;
+  }
+  return pictures;
+}
+
+/** The report as a page with pictures, for whoever has no voxtet. */
+export async function downloadReportPage(): Promise<void> {
+  const found = report.value;
+  if (!found) return;
+  try {
+    const [{ reportPage }, pictures, { url: link }] = await Promise.all([
+      import('../report/report_page'),
+      picturesOf([
+        ['model', 'The mesh'],
+        ['slices', 'Slices of the image with the mesh'],
+      ]),
+      shareCase(),
+    ]);
+    const page = reportPage(found, { title: caseName(), link, pictures, nameOf });
+    download(`${caseName()}.report.html`, new Blob([page], { type: 'text/html' }));
+    announcement.value = 'Report written';
+  } catch (error) {
+    tellError(error);
+  }
 }
 
 export function downloadCase(minimal: Record<string, unknown>): void {

@@ -60,6 +60,21 @@ describe('the history of a recipe', () => {
     expect(recipe.value?.sizing.edge_mm).toBe(2);
   });
 
+  it('joins the steps of one drag, however slow', () => {
+    vi.useFakeTimers();
+    const drag = (edge: number, key: string) =>
+      editRecipe('Drag', (draft) => void (draft.sizing.edge_mm = edge), key, Infinity);
+    drag(6, 'drag 1');
+    vi.advanceTimersByTime(60_000);
+    drag(7, 'drag 1');
+    drag(8, 'drag 2');
+    vi.useRealTimers();
+    undo();
+    expect(recipe.value?.sizing.edge_mm).toBe(7);
+    undo();
+    expect(recipe.value?.sizing.edge_mm).toBe(2);
+  });
+
   it('forgets what was undone once something else is edited', () => {
     editRecipe('a', (draft) => void (draft.merge = [[1, 2]]));
     undo();

@@ -30,14 +30,22 @@ export function startRecipe(next: Recipe): void {
   future.value = [];
 }
 
-/** Edits the recipe as one step of its history; steps with the same `key` in quick succession are joined. */
-export function editRecipe(label: string, change: (draft: Recipe) => void, key?: string): void {
+/**
+ * Edits the recipe as one step of its history. Steps with the same `key` in quick succession are joined;
+ * those of one drag however long it takes, with `patienceMs` infinite.
+ */
+export function editRecipe(
+  label: string,
+  change: (draft: Recipe) => void,
+  key?: string,
+  patienceMs = joinMs,
+): void {
   if (!recipe.value) return;
   const [next, patches, inverse] = produceWithPatches(recipe.value, (draft) => change(draft as Recipe));
   if (patches.length === 0) return;
   const last = past.value.at(-1);
   const time = Date.now();
-  if (last && key !== undefined && last.key === key && time - last.time < joinMs) {
+  if (last && key !== undefined && last.key === key && time - last.time < patienceMs) {
     const joined = {
       ...last,
       time,

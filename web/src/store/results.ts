@@ -17,6 +17,13 @@ export function keepResult(stage: StageName, digest: string, arrays: Partial<Sta
   kept.set(key, arrays);
   const ofStage = [...kept.keys()].filter((name) => name.startsWith(`${stage}:`));
   for (const old of ofStage.slice(0, -keptPerStage)) kept.delete(old);
+}
+
+export function isKept(stage: StageName, digest: string): boolean {
+  return kept.has(`${stage}:${digest}`);
+}
+
+export function showResult(stage: StageName, digest: string): void {
   shownDigests.value = { ...shownDigests.value, [stage]: digest };
 }
 
@@ -31,4 +38,12 @@ export function dropResults(stages: readonly StageName[]): void {
   const next = { ...shownDigests.value };
   for (const stage of stages) delete next[stage];
   shownDigests.value = next;
+}
+
+/** The points of whatever a stage shows, for the extent of the view. */
+export function pointsOf(stage: StageName): Float32Array | undefined {
+  const own = stage === 'quality' ? 'optimise' : stage;
+  if (own === 'surface' || own === 'smooth' || own === 'remesh' || own === 'optimise')
+    return shownResult(own)?.points;
+  return shownResult('surface')?.points;
 }

@@ -13,6 +13,7 @@ import {
 import { verdictOf } from '../link/verdict';
 import { recipe } from './recipe';
 import { dropResults } from './results';
+import { stageInput } from './stage_inputs';
 import { showPlace } from './view';
 
 export type StageState = 'waiting' | 'running' | 'done' | 'stale' | 'failed';
@@ -21,6 +22,8 @@ export interface StageStatus {
   state: StageState;
   fraction: number;
   summary: StageSummary | null;
+  /** What of the recipe the result was made from. */
+  madeFrom: string | null;
 }
 
 export type Activity = 'idle' | 'starting' | 'opening' | 'preview' | 'run' | 'export';
@@ -55,6 +58,18 @@ export const upToDate = computed(
   () => meshedRecipe.value !== null && JSON.stringify(meshedRecipe.value) === JSON.stringify(recipe.value),
 );
 
+/** Stages whose result is not what the recipe as it stands would give. */
+export const staleStages = computed<ReadonlySet<StageName>>(() => {
+  const current = recipe.value;
+  if (!current) return new Set();
+  return new Set(
+    stageNames.filter((name) => {
+      const { state, madeFrom } = stages.value[name];
+      return state === 'stale' || (state === 'done' && madeFrom !== stageInput(current, name));
+    }),
+  );
+});
+
 export const verdict = computed(() => {
   const promise = expectation.value;
   if (!promise || !report.value || !meshedRecipe.value) return null;
@@ -64,7 +79,8 @@ export const verdict = computed(() => {
 
 export function blankStages(): Record<StageName, StageStatus> {
   const blank = {} as Record<StageName, StageStatus>;
-  for (const name of stageNames) blank[name] = { state: 'waiting', fraction: 0, summary: null };
+  for (const name of stageNames)
+    blank[name] = { state: 'waiting', fraction: 0, summary: null, madeFrom: null };
   return blank;
 }
 

@@ -1,10 +1,10 @@
 import { computed, signal } from '@preact/signals';
 import type { ErrorPlace, LookedUpArray, StageName, TetMeasure, Vec3 } from '../engine/contract';
-import { labelColour } from '../geometry/colours';
+import { labelColour, type ColourMapName } from '../geometry/colours';
 import { volume } from './input';
 
-export type ColourBy =
-  'label' | 'edge_mm' | 'min_dihedral_deg' | 'radius_ratio' | 'size_log2' | LookedUpArray;
+export type ColourBy = 'label' | 'target_mm' | TetMeasure | LookedUpArray;
+
 /** The label whose share an array holds, or null. */
 export function fractionLabel(name: string): number | null {
   const found = /^fraction_(\d+)$/.exec(name);
@@ -15,6 +15,8 @@ export type ThemeChoice = 'system' | 'light' | 'dark';
 
 export interface Cut {
   on: boolean;
+  /** Through the elements; else they stay whole. */
+  flat: boolean;
   normal: Vec3;
   /** Place of the plane along the normal: 0 and 1 are the ends of the shown body. */
   place: number;
@@ -34,7 +36,7 @@ export interface Legend {
   unit: string;
   lo: number;
   hi: number;
-  map: 'viridis' | 'cividis';
+  map: ColourMapName;
 }
 
 export interface Picked {
@@ -48,20 +50,31 @@ export type SceneCommand =
   | { kind: 'fit' }
   | { kind: 'look'; from: ViewDirection }
   | { kind: 'cut_facing_me' }
+  | { kind: 'picture'; take(picture: Promise<Blob>): void }
   | { kind: 'marked' };
 
 export const stageShown = signal<StageName>('smooth');
 export const colourBy = signal<ColourBy>('label');
 export const showEdges = signal(true);
-export const cut = signal<Cut>({ on: false, normal: [0, 1, 0], place: 0.5 });
+export const cut = signal<Cut>({ on: false, flat: false, normal: [0, 1, 0], place: 0.5 });
 export const brush = signal<Brush | null>(null);
 /** One element singled out: its id, or nothing. */
 export const focusTet = signal<number | null>(null);
 export const legend = signal<Legend | null>(null);
+/** Of what the slices show, where that is not the labels. */
+export const sliceLegend = signal<Legend | null>(null);
 export const picked = signal<Picked | null>(null);
 export const regionShown = signal<number | null>(null);
 export const gizmoMode = signal<'translate' | 'rotate' | 'scale'>('translate');
+export type Layout = 'model' | 'slices' | 'compare';
+/** One view of the mesh; three slices of the image beside it; or the pinned run beside it. */
+export const layout = signal<Layout>('model');
+/** The crosshair: along each image axis, the fraction of the way from the first voxel to the last. */
 export const slicePlaces = signal<Vec3>([0.5, 0.5, 0.5]);
+/** What slices show: the labels, or the edge length asked for. */
+export const sliceOverlay = signal<'labels' | 'size'>('labels');
+/** How far the labels are pulled apart: 1 doubles the distances of their middles. */
+export const explode = signal(0);
 export const hiddenLabels = signal<ReadonlySet<number>>(new Set());
 export const ownColours = signal<Readonly<Record<number, string>>>({});
 export const theme = signal<ThemeChoice>('system');
@@ -93,4 +106,6 @@ export function resetView(): void {
   ownColours.value = {};
   colourBy.value = 'label';
   cut.value = { ...cut.value, on: false, place: 0.5 };
+  slicePlaces.value = [0.5, 0.5, 0.5];
+  explode.value = 0;
 }

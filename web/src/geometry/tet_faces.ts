@@ -1,0 +1,84 @@
+import type { TetArrays } from '../engine/contract';
+
+type Tets = Pick<TetArrays, 'points' | 'tets' | 'labels' | 'neighbours'>;
+
+/** What a view needs of a mesh beside its points and corners: half-faces in drawing order, and centroids. */
+export function tetFaces({
+  points,
+  tets,
+  labels,
+  neighbours,
+}: Tets): Pick<TetArrays, 'faces' | 'centres' | 'extents'> {
+  let outer = 0;
+  let between = 0;
+  for (let half = 0; half < neighbours.length; half++) {
+    const other = neighbours[half];
+    if (other < 0) outer++;
+    else if (labels[other] !== labels[half >> 2]) between++;
+  }
+  const inner = (neighbours.length - outer - between) / 2;
+  const faces = new Uint32Array(outer + between + inner);
+  const next = [0, outer, outer + between];
+  for (let half = 0; half < neighbours.length; half++) {
+    const other = neighbours[half];
+    const own = half >> 2;
+    if (other < 0) faces[next[0]++] = half;
+    else if (labels[other] !== labels[own]) faces[next[1]++] = half;
+    else if (own < other) faces[next[2]++] = half;
+  }
+  const { centres, reach } = centroids(points, tets, labels);
+  return { faces, centres, extents: Float64Array.of(outer, outer + between, reach) };
+}
+
+function centroids(points: Float32Array, tets: Uint32Array, labels: Uint16Array) {
+  const centres = new Float32Array(4 * labels.length);
+  let reach = 0;
+  for (let t = 0; t < labels.length; t++) {
+    for (let d = 0; d < 3; d++) {
+      let sum = 0;
+      for (let k = 0; k < 4; k++) sum += points[3 * tets[4 * t + k] + d];
+      centres[4 * t + d] = sum / 4;
+    }
+    centres[4 * t + 3] = labels[t];
+    for (let k = 0; k < 4; k++) {
+      const p = 3 * tets[4 * t + k];
+      const x = points[p] - centres[4 * t];
+      const y = points[p + 1] - centres[4 * t + 1];
+      const z = points[p + 2] - centres[4 * t + 2];
+      reach = Math.max(reach, x * x + y * y + z * z);
+    }
+  }
+  return { centres, reach: Math.sqrt(reach) };
+}
+
+/** Bits of a tet's mask. */
+export const shownBit = 1;
+export const chosenBit = 2;
+
+export interface TetChoice {
+  hidden: ReadonlySet<number>;
+  /** Choose tets within a range of these values, any of the arrays. */
+  ranges?: { values: readonly Float32Array[]; lo: number; hi: number };
+  /** Choose tets whose centroid lies within a ball. */
+  ball?: { centre: readonly number[]; radius: number };
+}
+
+/** One byte a tet: whether its label is shown, and whether it is shown and chosen; and how many are chosen. */
+export function tetMask(centres: Float32Array, choice: TetChoice): { mask: Uint8Array; count: number } {
+  const mask = new Uint8Array(centres.length / 4);
+  const { hidden, ranges, ball } = choice;
+  let count = 0;
+  for (let t = 0; t < mask.length; t++) {
+    if (hidden.has(centres[4 * t + 3])) continue;
+    mask[t] = shownBit;
+    if (ranges && !ranges.values.some((values) => values[t] >= ranges.lo && values[t] <= ranges.hi)) continue;
+    if (ball) {
+      const [x, y, z] = ball.centre;
+      const away = (centres[4 * t] - x) ** 2 + (centres[4 * t + 1] - y) ** 2 + (centres[4 * t + 2] - z) ** 2;
+      if (away > ball.radius ** 2) continue;
+    }
+    mask[t] |= chosenBit;
+    count++;
+  }
+  return { mask, count };
+}

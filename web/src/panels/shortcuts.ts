@@ -1,0 +1,85 @@
+import { useEffect } from 'preact/hooks';
+import { stageNames } from '../engine/contract';
+import { isCaseFragment } from '../link/codec';
+import { openFragment, redoEdit, undoEdit } from '../store/actions';
+import { cancelRun, runAll } from '../store/runs';
+import { pinned } from '../store/compare';
+import { downloadPicture } from '../store/exchange';
+import { volume } from '../store/input';
+import { shownDigests } from '../store/results';
+import { activity } from '../store/run';
+import { dialogShown } from './dialog_shown';
+import { brush, command, cut, focusTet, layout, picked, showEdges, stageShown } from '../store/view';
+
+/** Keys of the view, for whoever is not typing. */
+const viewKeys: Record<string, () => void> = {
+  '1': () => (layout.value = 'model'),
+  '2': () => (layout.value = 'slices'),
+  '3': () => void (pinned.value && (layout.value = 'compare')),
+  c: () => (cut.value = { ...cut.value, on: !cut.value.on }),
+  e: () => (showEdges.value = !showEdges.value),
+  f: () => (command.value = { kind: 'fit' }),
+  p: () => void downloadPicture(),
+  '?': () => (dialogShown.value = 'keys'),
+  '[': () => stepStage(-1),
+  ']': () => stepStage(1),
+};
+
+/** The stage before or after the one that is shown, of those that have a result. */
+function stepStage(way: 1 | -1): void {
+  const ready = stageNames.filter((name) => shownDigests.value[name] !== undefined);
+  const next = ready[ready.indexOf(stageShown.value) + way];
+  if (next) stageShown.value = next;
+}
+
+function showAll(): boolean {
+  if (brush.value === null && focusTet.value === null && picked.value === null) return false;
+  brush.value = null;
+  focusTet.value = null;
+  picked.value = null;
+  return true;
+}
+
+function escape(): boolean {
+  if (document.querySelector('dialog[open]')) return false;
+  if (!['run', 'preview', 'export'].includes(activity.value)) return showAll();
+  void cancelRun();
+  return true;
+}
+
+/** Whether the key meant something. */
+function obeyKey(event: KeyboardEvent): boolean {
+  const held = event.ctrlKey || event.metaKey;
+  const { target } = event;
+  const writes = target instanceof HTMLInputElement && (target.type === 'text' || target.type === 'number');
+  const typing = writes || target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
+  const key = event.key.toLowerCase();
+  if (event.key === 'Escape') return escape();
+  if (held && event.key === 'Enter') {
+    if (!['idle', 'preview'].includes(activity.value)) return false;
+    void runAll();
+  } else if (held && key === 'z' && !(writes && target.type === 'text'))
+    (event.shiftKey ? redoEdit : undoEdit)();
+  else if (held && key === 'y' && !(writes && target.type === 'text')) redoEdit();
+  else if (held || event.altKey || typing || document.querySelector('dialog[open]')) return false;
+  else if ((volume.value || key === '?') && Object.hasOwn(viewKeys, key)) viewKeys[key]();
+  else return false;
+  return true;
+}
+
+export function useShortcuts(): void {
+  useEffect(() => {
+    const onKey = (event: KeyboardEvent) => {
+      if (obeyKey(event)) event.preventDefault();
+    };
+    const onHash = () => {
+      if (isCaseFragment(location.hash)) void openFragment(location.hash);
+    };
+    window.addEventListener('keydown', onKey);
+    window.addEventListener('hashchange', onHash);
+    return () => {
+      window.removeEventListener('keydown', onKey);
+      window.removeEventListener('hashchange', onHash);
+    };
+  }, []);
+}

@@ -1,0 +1,51 @@
+/** Which histograms of a report stand together in one chart. */
+import type { Histogram, Report } from '../engine/contract';
+
+export interface Series {
+  name: string;
+  histogram: Histogram;
+  /** What it is to be read against: the mesh that is shown, what came before it, another run. */
+  tone: 'now' | 'before' | 'pinned';
+}
+
+export type ChartKind =
+  'edges' | 'ratios' | 'aspects' | 'angles' | 'radius_ratio' | 'mean_ratio' | 'aspect_ratio';
+export type Charts = Record<ChartKind, Series[]>;
+
+function histogramOf(found: Report, metric: string): Histogram | null {
+  const entry = found.quality.metrics.find((candidate) => candidate.name === metric);
+  return entry && entry.histogram.counts.some((count) => count > 0) ? entry.histogram : null;
+}
+
+function make(found: Report, pinned: Report | null): Charts {
+  const one = (metric: string, name: string, tone: Series['tone'] = 'now', of = found): Series[] => {
+    const histogram = histogramOf(of, metric);
+    return histogram ? [{ name, histogram, tone }] : [];
+  };
+  const against = (metric: string, name: string): Series[] =>
+    pinned ? [...one(metric, 'Pinned', 'pinned', pinned), ...one(metric, 'This run')] : one(metric, name);
+  return {
+    edges: pinned
+      ? against('edge_mm', 'Achieved')
+      : [...one('wished_edge_mm', 'Prescribed', 'before'), ...one('edge_mm', 'Achieved')],
+    ratios: against('size_log2', 'Size ratio'),
+    aspects: pinned
+      ? against('triangle_aspect_after', 'Adapted surface')
+      : [
+          ...one('triangle_aspect_before', 'Label surface', 'before'),
+          ...one('triangle_aspect_after', 'Adapted surface'),
+        ],
+    angles: against('dihedral_deg', 'All six angles of each element'),
+    radius_ratio: against('radius_ratio', 'Radius ratio'),
+    mean_ratio: against('mean_ratio', 'Mean ratio'),
+    aspect_ratio: against('aspect_ratio', 'Aspect ratio'),
+  };
+}
+
+let last: { found: Report; pinned: Report | null; charts: Charts } | null = null;
+
+/** Series keep their identity for the same reports, so that charts are not rebuilt with every render. */
+export function seriesOf(found: Report, pinned: Report | null = null): Charts {
+  if (last?.found !== found || last.pinned !== pinned) last = { found, pinned, charts: make(found, pinned) };
+  return last.charts;
+}

@@ -1,0 +1,60 @@
+/** The numbers of one element, in words: no three.js. */
+import type { StageArrays, StageName } from '../engine/contract';
+import { nameOf } from '../store/input';
+import { shownResult } from '../store/results';
+import { fractionLabel, type Picked } from '../store/view';
+
+/** What was looked up in the image at one tet. */
+function lookedUpLines(arrays: StageArrays['quality'], tet: number): [string, string][] {
+  const { centroid_label: centroid, majority_label: majority } = arrays;
+  if (!centroid || !majority) return [];
+  const shares = Object.entries(arrays).flatMap(([name, values]): [string, string][] => {
+    const label = fractionLabel(name);
+    return label === null || !values
+      ? []
+      : [[`Share of ${nameOf(label)}`, `${(100 * values[tet]).toFixed(0)} %`]];
+  });
+  return [['At its centroid', nameOf(centroid[tet])], ['Most of it', nameOf(majority[tet])], ...shares];
+}
+
+function measureLines(measures: StageArrays['quality'], tet: number): [string, string][] {
+  const edge = measures.edge_mm[tet];
+  const ratio = 2 ** measures.size_log2[tet];
+  return [
+    [
+      'Dihedral angles',
+      `${measures.min_dihedral_deg[tet].toFixed(1)}° to ${measures.max_dihedral_deg[tet].toFixed(1)}°`,
+    ],
+    ['Mean edge', `${edge.toFixed(2)} mm`],
+    ['Prescribed', `${(edge / ratio).toFixed(2)} mm (× ${ratio.toFixed(2)})`],
+    ['Radius ratio', measures.radius_ratio[tet].toFixed(3)],
+    ['Mean ratio', measures.mean_ratio[tet].toFixed(3)],
+    ['Aspect ratio', measures.aspect_ratio[tet].toFixed(2)],
+    ...lookedUpLines(measures, tet),
+  ];
+}
+
+export function describe(stage: StageName, element: number, point?: readonly number[]): Picked | null {
+  const at: [string, string][] = point ? [['At', `${point.map((x) => x.toFixed(1)).join(', ')} mm`]] : [];
+  if (stage === 'optimise' || stage === 'quality') {
+    const mesh = shownResult('optimise');
+    const measures = shownResult('quality');
+    if (!mesh) return null;
+    return {
+      title: `Tetrahedron ${element.toLocaleString('en')}`,
+      lines: [
+        ['Label', nameOf(mesh.labels[element])],
+        ...(measures ? measureLines(measures, element) : []),
+        ...at,
+      ],
+    };
+  }
+  if (stage !== 'surface' && stage !== 'smooth' && stage !== 'remesh') return null;
+  const mesh = shownResult(stage);
+  if (!mesh) return null;
+  const [behind, front] = [mesh.sides[2 * element], mesh.sides[2 * element + 1]];
+  return {
+    title: `Triangle ${element.toLocaleString('en')}`,
+    lines: [['Between', `${nameOf(behind)} and ${nameOf(front)}`], ...at],
+  };
+}

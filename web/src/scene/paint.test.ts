@@ -1,0 +1,41 @@
+import { afterEach, describe, expect, it } from 'vitest';
+import { tetMeasures, type StageArrays } from '../engine/contract';
+import { colourBy } from '../store/view';
+import { tetPaint } from './paint';
+
+const measures = Object.fromEntries(
+  tetMeasures.map((name) => [name, Float32Array.from({ length: 100 }, (_, i) => i / 100)]),
+) as StageArrays['quality'];
+measures.edge_mm.fill(3);
+measures.size_log2.fill(-1).fill(0.25, 50);
+
+describe('colours of tetrahedra', () => {
+  afterEach(() => void (colourBy.value = 'label'));
+
+  it('are those of labels until there are measures', () => {
+    colourBy.value = 'radius_ratio';
+    expect(tetPaint(undefined).kind).toBe('label');
+    expect(tetPaint(measures).kind).toBe('scale');
+  });
+
+  it('tell the edge that was asked for from the one achieved and their ratio', () => {
+    colourBy.value = 'target_mm';
+    const paint = tetPaint(measures);
+    expect(paint.kind === 'scale' && [paint.values[0], paint.legend.unit]).toEqual([6, 'mm']);
+  });
+
+  it('have ratios around nothing in the middle of their scale', () => {
+    colourBy.value = 'size_log2';
+    const paint = tetPaint(measures);
+    expect(paint.kind === 'scale' && [paint.legend.lo, paint.legend.hi]).toEqual([-1, 1]);
+  });
+
+  it('follow the labels that were looked up, and shares from nothing to all', () => {
+    const looked = { ...measures, majority_label: measures.radius_ratio, fraction_5: measures.radius_ratio };
+    colourBy.value = 'majority_label';
+    expect(tetPaint(looked).kind).toBe('given');
+    colourBy.value = 'fraction_5';
+    const paint = tetPaint(looked);
+    expect(paint.kind === 'scale' && [paint.legend.lo, paint.legend.hi]).toEqual([0, 1]);
+  });
+});

@@ -1,0 +1,186 @@
+/** The image: three linked slices beside the 3-D view, the same slices as planes in it, and the crosshair of both. */
+import { effect, untracked } from '@preact/signals';
+import { BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh } from 'three';
+import type { Vec3 } from '../engine/contract';
+import { robustRange } from '../geometry/faces';
+import { sliceFrames, toIndex, toMm } from '../geometry/orientation';
+import { volume } from '../store/input';
+import { recipe } from '../store/recipe';
+import { shownResult } from '../store/results';
+import { stages } from '../store/run';
+import {
+  colourOf,
+  hiddenLabels,
+  layout,
+  showEdges,
+  sliceLegend,
+  sliceOverlay,
+  slicePlaces,
+  stageShown,
+} from '../store/view';
+import type { Canvas } from './canvas';
+import { setPositions } from './positions';
+import { SliceImage } from './slice_material';
+import { SlicePane, type Section } from './slice_pane';
+import type { Viewer } from './viewer';
+
+/** Along right, front and head: the colours of the cross that turns the view. */
+const axisColours = [0xb5433b, 0x2c7a4b, 0x2b62ab];
+
+/** Whether a voxel of a grid lies in a label that is meshed. */
+function meshedVoxels(size: Vec3, indexToMm: readonly number[]): ((voxel: number) => boolean) | undefined {
+  const labels = shownResult('volume')?.labels;
+  const known = volume.value;
+  if (!labels || !known) return undefined;
+  const chosen = new Set(recipe.value?.labels);
+  return (voxel) => {
+    const column = voxel % size[0];
+    const row = Math.floor(voxel / size[0]) % size[1];
+    const slice = Math.floor(voxel / (size[0] * size[1]));
+    const [i, j, k] = toIndex(known.index_to_mm, toMm(indexToMm, [column, row, slice])).map(Math.round);
+    if ([i, j, k].some((at, axis) => at < 0 || at >= known.size[axis])) return false;
+    const label = labels[i + known.size[0] * (j + known.size[1] * k)];
+    return label > 0 && (chosen.size === 0 || chosen.has(label));
+  };
+}
+
+const showsPlanes = () => stageShown.value === 'volume' || stageShown.value === 'sizing';
+
+export interface SlicesView {
+  /** What the slices show of a body: the edges of a mesh, or the outline of a surface. Made once they are looked at. */
+  showSections(prepare: (() => () => Section) | null): void;
+  dispose(): void;
+}
+
+export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): SlicesView {
+  const image = new SliceImage(canvas.renderer.extensions.has('OES_texture_float_linear'));
+  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  const panes = sliceFrames(identity).map((frame) => new SlicePane(canvas, host, image, frame));
+  const planes = new Group();
+  for (let axis = 0; axis < 3; axis++) {
+    const plane = new Mesh(new BufferGeometry(), image.material);
+    plane.frustumCulled = false;
+    planes.add(plane);
+  }
+  const cross = new Group();
+  for (const color of axisColours) {
+    const line = new LineSegments(
+      new BufferGeometry(),
+      new LineBasicMaterial({ color, transparent: true, opacity: 0.75 }),
+    );
+    line.frustumCulled = false;
+    cross.add(line);
+  }
+  viewer.add(planes);
+  viewer.add(cross);
+  let sections: Section[] = [];
+  let pending: (() => () => Section) | null = null;
+
+  const moveCross = (places: Vec3) => {
+    const { size, indexToMm } = image.grid;
+    places.forEach((place, axis) => {
+      const corners = image.corners(axis, place).flatMap((corner) => corner.toArray());
+      setPositions((planes.children[axis] as Mesh).geometry, Float32Array.from(corners));
+      const end = (at: number) =>
+        toMm(
+          indexToMm,
+          places.map((other, i) => (i === axis ? at : Math.round(other * (size[i] - 1)))),
+        );
+      const line = Float32Array.from([...end(-0.5), ...end(size[axis] - 0.5)]);
+      setPositions((cross.children[axis] as LineSegments).geometry, line);
+    });
+  };
+
+  const stops = [
+    effect(() => {
+      const labels = shownResult('volume')?.labels;
+      const known = untracked(() => volume.value);
+      if (!labels || !known || labels.length !== known.size.reduce((product, n) => product * n, 1)) return;
+      image.grid = { size: known.size, indexToMm: known.index_to_mm };
+      const frames = sliceFrames(known.index_to_mm);
+      panes.forEach((pane, i) => pane.setFrame(frames[i]));
+      moveCross(slicePlaces.peek());
+      canvas.invalidate();
+    }),
+    // A large image is taken to the graphics card only once a slice of it is looked at.
+    effect(() => {
+      const labels = shownResult('volume')?.labels;
+      const known = untracked(() => volume.value);
+      if (!labels || !known || !(showsPlanes() || layout.value === 'slices')) return;
+      image.setLabels(labels, image.grid, Math.max(0, ...known.labels.map(({ label }) => label)));
+      canvas.invalidate();
+    }),
+    effect(() => {
+      const largest = Math.max(0, ...(volume.value?.labels.map(({ label }) => label) ?? []));
+      image.setColours(largest, colourOf.value, hiddenLabels.value);
+      canvas.invalidate();
+    }),
+    effect(() => {
+      const sizes = shownResult('sizing')?.h_mm;
+      const wanted =
+        stageShown.value === 'sizing' || (layout.value === 'slices' && sliceOverlay.value === 'size');
+      const summary = untracked(() => stages.value.sizing.summary);
+      const counts = summary?.counts as { size: Vec3; index_to_mm: number[] } | undefined;
+      image.showSizes(wanted && sizes !== undefined);
+      sliceLegend.value = null;
+      canvas.invalidate();
+      if (!wanted || !sizes || !counts) return;
+      const meshed = untracked(() => meshedVoxels(counts.size, counts.index_to_mm));
+      const [lo, hi] = robustRange(sizes, meshed);
+      image.setSizes(sizes, { size: counts.size, indexToMm: counts.index_to_mm }, lo, hi);
+      sliceLegend.value = { title: 'Prescribed edge length', unit: 'mm', map: 'viridis', lo, hi };
+    }),
+    effect(() => {
+      moveCross(slicePlaces.value);
+      planes.visible = showsPlanes();
+      cross.visible = layout.value === 'slices';
+      canvas.invalidate();
+    }),
+    effect(() => {
+      makeSections();
+      const visible = showEdges.value;
+      for (const section of sections) section.visible = visible;
+      canvas.invalidate();
+    }),
+  ];
+
+  function makeSections(): void {
+    if (layout.value !== 'slices' || !pending) return;
+    const make = pending();
+    pending = null;
+    sections = panes.map((pane) => {
+      const section = make();
+      section.visible = showEdges.peek();
+      section.renderOrder = 1;
+      pane.setSection(section);
+      return section;
+    });
+  }
+
+  const dropSections = () => {
+    for (const pane of panes) pane.setSection(null);
+    for (const { geometry, material } of sections) {
+      geometry.dispose();
+      material.dispose();
+    }
+    sections = [];
+  };
+
+  return {
+    showSections(prepare) {
+      dropSections();
+      pending = prepare;
+      untracked(makeSections);
+    },
+    dispose() {
+      for (const stop of stops) stop();
+      dropSections();
+      for (const pane of panes) pane.dispose();
+      for (const object of [...planes.children, ...cross.children] as (Mesh | LineSegments)[])
+        object.geometry.dispose();
+      for (const line of cross.children as LineSegments<BufferGeometry, LineBasicMaterial>[])
+        line.material.dispose();
+      image.dispose();
+    },
+  };
+}

@@ -1,0 +1,152 @@
+/** What makes the engine run: the surface after every edit, and runs up to a stage. */
+import { effect, untracked } from '@preact/signals';
+import { stageNames, type Recipe, type StageName, type VolumeSummary } from '../engine/contract';
+import { engine, takeTurn, tellError } from './engine';
+import { awaitedFile, volume } from './input';
+import { recipe } from './recipe';
+import { dropResults, isKept, keepResult, showResult, shownDigests } from './results';
+import {
+  activity,
+  announcement,
+  lastCancelMs,
+  meshedMinimal,
+  meshedRecipe,
+  report,
+  setStage,
+  stages,
+  startClock,
+  stopClock,
+} from './run';
+import { stageInput } from './stage_inputs';
+import { brush, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from './view';
+
+let previewTimer: ReturnType<typeof setTimeout> | undefined;
+
+/** The sizing field is on show, and follows the recipe like the surface does. */
+function watchesSizing(): boolean {
+  return stageShown.value === 'sizing' || (layout.value === 'slices' && sliceOverlay.value === 'size');
+}
+
+/** The label surface, as soon as it exists. Runs by itself after whatever changes it. */
+export async function preview(fit: boolean): Promise<void> {
+  clearTimeout(previewTimer);
+  await runStages(watchesSizing() ? 'sizing' : 'smooth', 'preview', fit);
+}
+
+/** Brings the sizing field up to date whenever it is on show and the recipe changes. */
+export function keepSizingShown(): void {
+  effect(() => {
+    const current = recipe.value;
+    if (!watchesSizing() || !current) return;
+    untracked(() => {
+      if (volume.value && stages.value.sizing.madeFrom !== stageInput(current, 'sizing')) previewSoon();
+    });
+  });
+}
+
+export function previewSoon(): void {
+  clearTimeout(previewTimer);
+  if (activity.value === 'run') return;
+  previewTimer = setTimeout(() => void preview(false), 350);
+}
+
+export function runAll(): Promise<void> {
+  return runTo('quality');
+}
+
+/** Runs up to a stage; those whose input has not changed are kept. */
+export async function runTo(last: StageName): Promise<void> {
+  clearTimeout(previewTimer);
+  await runStages(last, 'run', false);
+}
+
+async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean): Promise<void> {
+  const current = recipe.value;
+  if (!current || !(current.source.phantom || current.source.file) || awaitedFile.value) return;
+  const newest = takeTurn();
+  const names = stageNames.slice(0, stageNames.indexOf(last) + 1);
+  if (engine.busy) await engine.cancel();
+  if (!newest()) return;
+  activity.value = kind;
+  marked.value = null;
+  if (kind === 'run') {
+    for (const name of names) setStage(name, { state: 'waiting', fraction: 0 });
+    announcement.value = 'Meshing started';
+    startClock();
+  }
+  try {
+    const result = await engine.run(JSON.stringify(current), current.source, last, {
+      onProgress(stage, fraction) {
+        if (newest()) setStage(stage, { state: 'running', fraction });
+      },
+      wants: (summary) => !isKept(summary.name, summary.digest),
+      onStage(summary, arrays) {
+        if (!newest()) return;
+        const known = stages.value[summary.name].summary;
+        const kept =
+          known?.digest === summary.digest && summary.cached
+            ? { ...summary, seconds: known.seconds }
+            : summary;
+        const madeFrom = stageInput(current, summary.name);
+        setStage(summary.name, { state: 'done', fraction: 1, summary: kept, madeFrom });
+        if (summary.name === 'volume') volume.value = summary.counts as unknown as VolumeSummary;
+        const changed = shownDigests.value[summary.name] !== summary.digest;
+        if (arrays) keepResult(summary.name, summary.digest, arrays);
+        // Measures are of one mesh.
+        if (summary.name === 'optimise' && changed) dropResults(['quality']);
+        showResult(summary.name, summary.digest);
+        const previewed = summary.name === 'smooth' && changed && stageShown.value !== 'surface';
+        const first = fit && (summary.name === 'surface' || summary.name === 'smooth');
+        // What a run has kept is no news, unless it is what was asked for.
+        const news = kind === 'run' && (!summary.cached || summary.name === last);
+        if (news || previewed || first) stageShown.value = summary.name;
+        if (fit && summary.name === 'surface') command.value = { kind: 'fit' };
+      },
+    });
+    if (!newest()) return;
+    if (result.report) finishRun(result.report, result.minimal, current);
+    else if (kind === 'run') announcement.value = `Ready: ${last}`;
+  } catch (error) {
+    if (!newest()) return;
+    for (const name of names) {
+      if (stages.value[name].state === 'running') setStage(name, { state: 'failed', fraction: 0 });
+    }
+    tellError(error);
+  } finally {
+    if (newest()) {
+      activity.value = 'idle';
+      stopClock();
+    }
+  }
+}
+
+function finishRun(
+  found: NonNullable<typeof report.value>,
+  minimal: Record<string, unknown>,
+  current: Recipe,
+): void {
+  report.value = found;
+  meshedRecipe.value = current;
+  meshedMinimal.value = minimal;
+  brush.value = null;
+  focusTet.value = null;
+  picked.value = null;
+  stageShown.value = 'quality';
+  announcement.value = `Mesh ready: ${found.tets.toLocaleString('en')} tetrahedra`;
+}
+
+export async function cancelRun(): Promise<void> {
+  const newest = takeTurn();
+  clearTimeout(previewTimer);
+  for (const name of stageNames) {
+    const { state, summary } = stages.value[name];
+    if (state === 'running' || state === 'waiting') {
+      setStage(name, { state: summary ? 'stale' : 'waiting', fraction: 0 });
+    }
+  }
+  activity.value = 'idle';
+  stopClock();
+  announcement.value = 'Run cancelled';
+  const milliseconds = await engine.cancel();
+  if (newest()) lastCancelMs.value = milliseconds;
+}
