@@ -162,7 +162,9 @@ Result<TetMesh> climb(const SurfaceMesh& surface, const EdgeGroups& edges, const
       const std::string filled = std::string("filled ") + rung.name;
       ctx.note("tetra",
                filled + " (way " + std::to_string(r + 1) + " of " + std::to_string(rungs.size()) + ")");
-      if (first_failure) ctx.warn("tetra", filled + ", after: " + first_failure->message);
+      // TetGen in the first way of its own is no worse than the Delaunay refinement that it follows.
+      if (r > 0 && rungs[r - 1].backend == rung.backend)
+        ctx.warn("tetra", filled + ", after: " + first_failure->message);
       return mesh;
     }
     if (mesh.error().code != ErrorCode::kMeshing) return mesh;

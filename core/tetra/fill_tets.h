@@ -15,7 +15,7 @@ enum class TetBackend {
 };
 
 struct FillParams {
-  TetBackend backend = TetBackend::kTetgen;
+  TetBackend backend = TetBackend::kDelaunay;
   double radius_edge = 1.414;  ///< bound on circumradius over shortest edge
   /// Asked of TetGen's refinement, not guaranteed; 0: not asked, since the optimiser (optimise_tets.h)
   /// reaches more with fewer points.
@@ -30,8 +30,8 @@ struct FillParams {
 /// how many, and no label's volume changes by more than 0.5 %. Either way the surface's points come first,
 /// unmoved. Should the mesher fail, or ask for 20 times the points that forecast_points gives, others take
 /// its place: TetGen with a finer tolerance, displaced points, no bounds on dihedral angles, bounds on sizes
-/// alone. ctx.note always says which way succeeded and how sharp the surface is, ctx.warn where it was not
-/// the first way and where angles are sharp. Polls ctx.cancelled() every few milliseconds while points are
+/// alone. ctx.note always says which way succeeded and how sharp the surface is, ctx.warn where it was
+/// none of the backend's own and TetGen's first, and where angles are sharp. Polls ctx.cancelled() every few milliseconds while points are
 /// inserted or moved. Verified before returning: all volumes positive, boundary triangles those of the
 /// surface (flipped or halved), each label's volume equal to that enclosed by its boundary to 1e-9 relative
 /// and rounding. Errors: kMeshing with the offending triangles: open or self-intersecting surface, leak,

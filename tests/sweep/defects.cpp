@@ -4,6 +4,7 @@
 #include <map>
 #include <regex>
 
+#include "geometry/label_topology.h"
 #include "geometry/surface_measures.h"
 #include "support/caught_failures.h"
 #include "support/check_surface.h"
@@ -14,13 +15,18 @@
 namespace voxtet::sweep {
 namespace {
 
-void check_enclosed_volumes(const TetMesh& mesh, const SurfaceMesh& surface) {
+/// What the tetrahedra of a label fill is what their faces enclose, and what the surface does but for the
+/// flips that fill_tets.h allows.
+void check_boundary(const TetMesh& mesh, const SurfaceMesh& surface) {
+  constexpr double kFlips = 5e-3;
+  const SurfaceMesh faces{mesh.points, mesh.faces, mesh.face_sides};
   std::map<Label, double> filled;
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) filled[mesh.labels[t]] += test::tet_volume(mesh, t);
   for (const Label label : test::labels_of(surface)) {
-    const double enclosed = enclosed_volume_mm3(surface, label);
-    EXPECT_NEAR(filled[label] / enclosed, 1, 1e-9) << "label " << label;
+    EXPECT_NEAR(filled[label] / enclosed_volume_mm3(faces, label), 1, 1e-9) << "label " << label;
+    EXPECT_NEAR(filled[label] / enclosed_volume_mm3(surface, label), 1, kFlips) << "label " << label;
   }
+  EXPECT_EQ(label_topology(faces), label_topology(surface));
 }
 
 }  // namespace
@@ -46,7 +52,7 @@ void find_surface_defects(const std::string& stage, const SurfaceMesh& surface,
 void find_tet_defects(const TetMesh& mesh, const SurfaceMesh& surface, std::vector<Defect>& defects) {
   const std::string failures = test::caught_failures([&] {
     test::check_tets(mesh);
-    check_enclosed_volumes(mesh, surface);
+    check_boundary(mesh, surface);
   });
   if (!failures.empty()) defects.push_back({"tetra", "unsound", failures});
 }

@@ -18,8 +18,8 @@ struct Defect {
 /// ("intersection", by support/exact_intersections.h).
 void find_surface_defects(const std::string& stage, const SurfaceMesh& surface, std::vector<Defect>& defects);
 
-/// Positive tetrahedra, their faces closed around every label, the volume of each label that which the
-/// adapted surface encloses.
+/// Positive tetrahedra, their faces closed around every label, the volume and the topology of each label
+/// those of the adapted surface, as fill_tets.h promises.
 void find_tet_defects(const TetMesh& mesh, const SurfaceMesh& surface, std::vector<Defect>& defects);
 
 /// Whether a warning or note of the session speaks of this label.

@@ -76,7 +76,7 @@ Label side_of(const SurfaceMesh& surface, std::uint32_t triangle, const Filled& 
 }
 
 /// The parts that the surface's triangles bound, without those in background.
-TetgenMesh parts_of(const SurfaceMesh& surface, Filled filled) {
+FilledParts parts_of(const SurfaceMesh& surface, Filled filled) {
   turn(filled);
   const TriangleFinder triangles(surface);
   const std::uint32_t count = static_cast<std::uint32_t>(filled.tets.size());
@@ -92,7 +92,7 @@ TetgenMesh parts_of(const SurfaceMesh& surface, Filled filled) {
   }
   std::vector<Label> label(count, kBackground);
   for (std::uint32_t t = 0; t < count; ++t) label[parts.find(t)] = std::max(label[parts.find(t)], touched[t]);
-  TetgenMesh kept;
+  FilledParts kept;
   kept.points = std::move(filled.points);
   for (std::uint32_t t = 0; t < count; ++t) {
     if (label[parts.find(t)] == kBackground) continue;
@@ -103,7 +103,7 @@ TetgenMesh parts_of(const SurfaceMesh& surface, Filled filled) {
 }
 
 /// Drops the points beyond the surface's that no tetrahedron uses.
-void drop_unused(std::size_t surface_points, TetgenMesh& mesh) {
+void drop_unused(std::size_t surface_points, FilledParts& mesh) {
   std::vector<std::uint32_t> place(mesh.points.size(), 0);
   for (const Tet& t : mesh.tets)
     for (const std::uint32_t v : t) place[v] = 1;
@@ -140,7 +140,7 @@ int fill_main(int argc, char** argv, const FillSurface& fill) {
     figures["error"] = filled.error().message;
     return finish(out, {}, figures);
   }
-  TetgenMesh parts = parts_of(task->surface, *std::move(filled));
+  FilledParts parts = parts_of(task->surface, *std::move(filled));
   drop_unused(task->surface.points.size(), parts);
   const TetMesh unlabelled{parts.points, parts.tets, std::vector<Label>(parts.tets.size(), 1), {}, {}};
   const Result<TetMesh> mesh = label_tets(task->surface, std::move(parts));

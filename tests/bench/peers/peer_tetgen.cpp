@@ -14,7 +14,7 @@ Result<peers::Filled> fill(const peers::FillTask& task, const std::string& varia
   options.min_dihedral_deg = variant == "paper" ? 0 : 14;
   options.max_dihedral_deg = variant == "paper" ? 0 : 145;
   const EdgeGroups edges(task.surface);
-  Result<TetgenMesh> mesh =
+  Result<FilledParts> mesh =
       run_tetgen(task.surface, find_hole_seeds(task.surface, edges), task.sizing, options, {});
   if (!mesh) return mesh.error();
   return peers::Filled{std::move(mesh->points), std::move(mesh->tets)};

@@ -34,7 +34,8 @@ using test::torus;
 using test::uniform_sizing;
 using test::volume_of;
 
-Result<TetMesh> fill(const SurfaceMesh& surface, const SizingField& sizing, const FillParams& params = {}) {
+Result<TetMesh> fill(const SurfaceMesh& surface, const SizingField& sizing,
+                     const FillParams& params = {TetBackend::kTetgen}) {
   RunContext ctx;
   return fill_tets(surface, sizing, params, ctx);
 }
@@ -235,7 +236,7 @@ TEST(FillTets, TriesAFinerToleranceWhenPointsNearlyCoincide) {
   RunContext ctx;
   std::string warning;
   ctx.on_warning = [&](const std::string&, const std::string& message) { warning += message; };
-  const auto mesh = fill_tets(surface, uniform_sizing(1), {}, ctx);
+  const auto mesh = fill_tets(surface, uniform_sizing(1), {TetBackend::kTetgen}, ctx);
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;
   check_tets(*mesh, surface);
   EXPECT_NE(warning.find("finer tolerance"), std::string::npos) << warning;
@@ -264,7 +265,7 @@ TEST(FillTets, WarnsOfTrianglesMeetingAtASharpAngle) {
   RunContext ctx;
   std::string warning;
   ctx.on_warning = [&](const std::string&, const std::string& message) { warning += message; };
-  const auto mesh = fill_tets(wedge, uniform_sizing(1), {}, ctx);
+  const auto mesh = fill_tets(wedge, uniform_sizing(1), {TetBackend::kTetgen}, ctx);
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;
   check_tets(*mesh, wedge);
   EXPECT_NE(warning.find("2.86 degrees"), std::string::npos) << warning;
@@ -283,7 +284,8 @@ TEST(FillTets, CancelsQuicklyWhileRefining) {
     if (asked_at == 0) asked_at = seconds();
     return true;
   };
-  const auto mesh = fill_tets(sphere({0, 0, 0}, 10, 4, 1, 0), uniform_sizing(0.15), {}, ctx);
+  const auto mesh =
+      fill_tets(sphere({0, 0, 0}, 10, 4, 1, 0), uniform_sizing(0.15), {TetBackend::kTetgen}, ctx);
   ASSERT_FALSE(mesh.ok());
   EXPECT_EQ(mesh.error().code, ErrorCode::kCancelled);
   EXPECT_LT(seconds() - asked_at, 1.0);
@@ -296,7 +298,8 @@ TEST(FillTets, ReportsProgressThatNeverFalls) {
     EXPECT_EQ(stage, "tetra");
     fractions.push_back(fraction);
   };
-  ASSERT_TRUE(fill_tets(sphere({0, 0, 0}, 10, 4, 1, 0), uniform_sizing(0.7), {}, ctx).ok());
+  ASSERT_TRUE(
+      fill_tets(sphere({0, 0, 0}, 10, 4, 1, 0), uniform_sizing(0.7), {TetBackend::kTetgen}, ctx).ok());
   ASSERT_GT(fractions.size(), 5U);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.front(), 0);

@@ -37,6 +37,7 @@ Outcome fill(const SurfaceMesh& surface, double edge) {
   ctx.on_note = [&](const std::string&, const std::string& text) { out.notes.push_back(text); };
   ctx.on_warning = [&](const std::string&, const std::string& text) { out.warnings.push_back(text); };
   FillParams params;
+  params.backend = TetBackend::kTetgen;
   params.min_dihedral_deg = 14;  // so that there is something to drop
   out.mesh = fill_tets(surface, uniform_sizing(edge), params, ctx);
   return out;
@@ -182,7 +183,7 @@ TEST(ForecastPoints, IsWithinAFactorOfThePointsThatUniformAndGradedMeshesGet) {
       {-11, -11, -11}, {11, 11, 11}, 0.75, [](const auto& x) { return std::min(1.5, 0.5 + 0.2 * x.norm()); });
   RunContext ctx;
   for (const SizingField& sizing : {uniform_sizing(1), uniform_sizing(2), graded}) {
-    const auto mesh = fill_tets(ball, sizing, {}, ctx);
+    const auto mesh = fill_tets(ball, sizing, {TetBackend::kTetgen}, ctx);
     ASSERT_TRUE(mesh.ok());
     const double ratio = forecast_points(ball, sizing) / static_cast<double>(mesh->points.size());
     EXPECT_GT(ratio, 0.5);

@@ -123,7 +123,7 @@ SurfaceMesh rough_balls() {
 
 TetMesh filled(const SurfaceMesh& surface, const SizingField& sizing) {
   RunContext ctx;
-  return *fill_tets(surface, sizing, {}, ctx);
+  return *fill_tets(surface, sizing, {TetBackend::kTetgen}, ctx);
 }
 
 /// What must hold with the boundary fixed.
