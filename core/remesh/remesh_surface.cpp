@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <new>
+#include <numeric>
 #include <stdexcept>
 
 #include "geometry/compare_topology.h"
@@ -141,7 +142,19 @@ Result<SurfaceMesh> adapt(const LabelVolume& volume, const SurfaceMesh& referenc
   adapt.shape_weight = params.shape_weight;
   adapt.verify = params.verify;
   ctx.note(kStage, "method remesh");
-  return adapt_complex(reference, sizing, adapt, ctx);
+  AdaptRecord record;
+  Result<SurfaceMesh> surface = adapt_complex(reference, sizing, adapt, ctx, &record);
+  if (surface && params.verify) {
+    const std::string found =
+        "intersections found after " +
+        std::to_string(std::accumulate(record.accepted.begin(), record.accepted.end(), std::uint64_t{0})) +
+        " verified operations: " + std::to_string(record.violations);
+    if (record.violations > 0)
+      ctx.warn(kStage, found);
+    else
+      ctx.note(kStage, found);
+  }
+  return surface;
 }
 
 Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,

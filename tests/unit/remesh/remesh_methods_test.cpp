@@ -143,6 +143,19 @@ TEST_P(RemeshSchedules, ChangeNothingThatIntersects) {
   EXPECT_GT(record.accepted[3], 0U);
 }
 
+TEST(RemeshMethods, SayWhatVerificationFound) {
+  const LabelVolume volume = test::heart_volume(20, 18, 18);
+  RemeshParams params;
+  params.method = RemeshMethod::kRemesh;
+  params.verify = true;
+  const Outcome out = remesh_with(volume, test::label_surface(volume), 2, params);
+  ASSERT_EQ(out.notes.size(), 2U);
+  EXPECT_EQ(out.notes[0], kRemeshNote[0]);
+  EXPECT_EQ(out.notes[1].find("intersections found after "), 0U) << out.notes[1];
+  EXPECT_NE(out.notes[1].find(" verified operations: 0"), std::string::npos) << out.notes[1];
+  EXPECT_TRUE(out.warnings.empty());
+}
+
 INSTANTIATE_TEST_SUITE_P(Both, RemeshSchedules,
                          ::testing::Values(AdaptSchedule::kAdaptive, AdaptSchedule::kPaper),
                          [](const auto& info) {
