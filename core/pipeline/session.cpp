@@ -158,8 +158,8 @@ void Session::forget(Stage stage) {
   switch (stage) {
     case Stage::kVolume: source_.reset(), volume_ = {}; break;
     case Stage::kSurface: surface_.reset(); break;
-    case Stage::kSmooth: smooth_.reset(); break;
-    case Stage::kSizing: sizing_.reset(), walls_.clear(); break;
+    case Stage::kSmooth: smooth_.reset(), walls_.clear(), walls_key_.clear(); break;
+    case Stage::kSizing: sizing_.reset(); break;
     case Stage::kRemesh: remeshed_.reset(); break;
     case Stage::kTetra: filled_.reset(); break;
     case Stage::kOptimise: optimised_.reset(); break;
@@ -191,8 +191,15 @@ Status Session::run_volume(RunContext& ctx) {
   return std::monostate{};
 }
 
-Status Session::run_sizing(RunContext& ctx) {
+Status Session::measure_walls(RunContext& ctx) {
+  Sha256 sha;
+  sha.update(key_of(Stage::kSmooth));
+  for (const ThicknessSize& wish : recipe_.sizing.thickness)
+    sha.update(nlohmann::json{wish.wall, wish.inner}.dump());
+  const std::string key = sha.hex();
+  if (key == walls_key_) return std::monostate{};
   walls_.clear();
+  walls_key_.clear();
   for (const ThicknessSize& wish : recipe_.sizing.thickness) {
     const std::string name = "sizing.thickness[" + std::to_string(walls_.size()) + "]";
     Result<WallField> wall =
@@ -200,6 +207,12 @@ Status Session::run_sizing(RunContext& ctx) {
     if (!wall) return wall.error();
     walls_.push_back(std::move(wall).value());
   }
+  walls_key_ = key;
+  return std::monostate{};
+}
+
+Status Session::run_sizing(RunContext& ctx) {
+  if (Status measured = measure_walls(ctx); !measured) return measured;
   std::vector<const LabelVolume*> masks;
   std::vector<const ScalarVolume*> images;
   if (Status found = find_side_volumes(recipe_.sizing.masks, masks_, "sizing.masks", masks); !found)

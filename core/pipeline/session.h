@@ -90,6 +90,8 @@ class Session {
   std::string key_of(Stage stage) const;
   Status run_stage(Stage stage, RunContext& ctx);
   Status run_volume(RunContext& ctx);
+  /// Measures the walls of the recipe, which takes seconds: only where those that stand are not the same.
+  Status measure_walls(RunContext& ctx);
   Status run_sizing(RunContext& ctx);
   Status run_quality(RunContext& ctx);
   void forget(Stage stage);
@@ -109,6 +111,7 @@ class Session {
   PreparedVolume volume_;
   std::optional<SurfaceMesh> surface_, smooth_, remeshed_;
   std::vector<WallField> walls_;
+  std::string walls_key_;  ///< of what walls_ were measured on; empty: not measured
   std::optional<SizingField> sizing_;
   std::optional<TetMesh> filled_, optimised_;
   std::optional<LabelLookUp> lookup_;

@@ -352,6 +352,31 @@ TEST(Session, SizesAWallByItsThicknessAndShowsItsFields) {
   EXPECT_FALSE(field_volume(session, "beauty").ok());
 }
 
+TEST(Session, MeasuresWallsAgainOnlyWhereTheyAreOthers) {
+  Session session;
+  Recipe recipe = layered_shell();
+  // Measuring asks more often than the rest of the stage whether to stop.
+  const auto polls = [&] {
+    int count = 0;
+    RunContext ctx;
+    ctx.on_cancelled = [&] { return ++count < 0; };
+    EXPECT_TRUE(session.set_recipe(recipe).ok());
+    EXPECT_TRUE(session.run(Stage::kSmooth, ctx).ok());
+    count = 0;
+    EXPECT_TRUE(session.run(Stage::kSizing, ctx).ok());
+    return count;
+  };
+  const int first = polls();
+  recipe.sizing.thickness[0].layers = 3;
+  EXPECT_LT(polls(), first);
+  EXPECT_NEAR(session.sizing()->at({13, 0, 0}), 2, 0.1) << "from the walls that were there";
+  recipe.smooth.iterations += 1;
+  EXPECT_EQ(polls(), first);
+  recipe.sizing.thickness.clear();
+  polls();
+  EXPECT_TRUE(session.walls().empty());
+}
+
 TEST(Session, WithoutAWallThereIsNoThicknessToShow) {
   Session session;
   ASSERT_TRUE(session.set_recipe(small_case()).ok());

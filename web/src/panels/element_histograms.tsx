@@ -103,28 +103,18 @@ const charts: Chart[] = [
   },
 ];
 
-const further: Chart[] = [
-  {
-    kind: 'radius_ratio',
-    title: 'Radius ratio',
-    of: 'tetrahedra',
-    unit: '',
-    brushed: { metric: 'radius_ratio', name: 'radius ratio', unit: '' },
-  },
-  {
-    kind: 'mean_ratio',
-    title: 'Mean ratio',
-    of: 'tetrahedra',
-    unit: '',
-    brushed: { metric: 'mean_ratio', name: 'mean ratio', unit: '' },
-  },
-  {
-    kind: 'aspect_ratio',
-    title: 'Aspect ratio',
-    of: 'tetrahedra',
-    unit: '',
-    brushed: { metric: 'aspect_ratio', name: 'aspect ratio', unit: '' },
-  },
+const shape = (kind: ChartKind & BrushMetric, title: string): Chart => ({
+  kind,
+  title,
+  of: 'tetrahedra',
+  unit: '',
+  brushed: { metric: kind, name: title.toLowerCase(), unit: '' },
+});
+
+const further = [
+  shape('radius_ratio', 'Radius ratio'),
+  shape('mean_ratio', 'Mean ratio'),
+  shape('aspect_ratio', 'Aspect ratio'),
 ];
 
 const brushing = new Map(

@@ -22,6 +22,7 @@ describe('stages that an edit touches', () => {
     ]);
     expect(touchedBy((draft) => void (draft.smooth.iterations = 9))).toEqual([
       'smooth',
+      'sizing',
       'remesh',
       'optimise',
       'quality',

@@ -5,8 +5,8 @@ const inputs: Record<StageName, { fields: (keyof Recipe)[]; after: StageName[] }
   volume: { fields: ['source', 'labels', 'merge', 'volume'], after: [] },
   surface: { fields: ['surface'], after: ['volume'] },
   smooth: { fields: ['smooth'], after: ['surface'] },
-  sizing: { fields: ['sizing'], after: ['volume'] },
-  remesh: { fields: ['remesh'], after: ['smooth', 'sizing'] },
+  sizing: { fields: ['sizing'], after: ['smooth'] },
+  remesh: { fields: ['remesh'], after: ['sizing'] },
   optimise: { fields: ['tetra', 'optimise'], after: ['remesh'] },
   quality: { fields: ['lookup', 'quality'], after: ['optimise'] },
 };
