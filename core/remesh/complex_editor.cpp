@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/closest_point.h"
 #include "geometry/self_intersections.h"
@@ -16,17 +17,27 @@ namespace {
 constexpr double kLeastTurnCosine = 0.5;
 /// Least cosine between facets and the reference's normals.
 constexpr double kNormalCosine = 0.5, kNormalCosineOfSlivers = -0.3;
+double longest_edge(const std::vector<Corners>& facets) {
+  double longest2 = 0;
+  for (const Corners& p : facets)
+    longest2 = std::max(
+        {longest2, (p[0] - p[1]).squaredNorm(), (p[1] - p[2]).squaredNorm(), (p[2] - p[0]).squaredNorm()});
+  return std::sqrt(longest2);
+}
+
 /// Improvements of an angle's cosine below this are not worth a change.
 constexpr double kCosineStep = 1e-3;
 
 }  // namespace
 
-ComplexEditor::ComplexEditor(const SurfaceMesh& surface, const SizingField& sizing)
-    : mesh_(surface), reference_(mesh_), samples_(mesh_, reference_), sizing_(sizing) {
-  for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) {
-    sizes_.push_back(sizing.at(mesh_.point(v)));
-    hints_.push_back(v);
-  }
+ComplexEditor::ComplexEditor(ComplexMesh mesh, const ComplexMesh& reference,
+                             const Correspondence& correspondence, const SizingField& sizing)
+    : mesh_(std::move(mesh)),
+      reference_(reference),
+      samples_(mesh_, reference_, correspondence),
+      sizing_(sizing),
+      hints_(correspondence.hints) {
+  for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) sizes_.push_back(sizing.at(mesh_.point(v)));
   for (std::uint32_t t = 0; t < mesh_.slot_count(); ++t) {
     const Corners p = mesh_.corners(mesh_.triangle(t));
     const Eigen::Vector3d cross = triangle_cross(p[0], p[1], p[2]);
@@ -58,30 +69,37 @@ bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t h
     old_corners_.push_back(mesh_.corners(mesh_.triangle(t)));
     old_normals_.push_back(normals_[t]);
   }
+  reach_mm_ = demand == Demand::kNearer ? std::max(limits.reach_mm, limits.nearer_mm) : limits.reach_mm;
   const bool moves = change.moved != kNone;
   const Eigen::Vector3d before = moves ? mesh_.point(change.moved) : Eigen::Vector3d::Zero();
   if (moves) mesh_.set_point(change.moved, change.position);
-  const Reason reason = check(change);
+  const Reason reason = check(change, before);
   if (reason != Reason::kNo) {
     if (moves) mesh_.set_point(change.moved, before);
     return refuse(reason);
   }
+  if (trying_) remember(change, before);
   if (moves) {
     sizes_[change.moved] = sizing_.at(change.position);
     if (hint != kNone) hints_[change.moved] = hint;
   }
-  commit(change);
+  commit(change, false);
+  if (trying_) {
+    trial_.back().back.removed = slots_;
+    placed_in_.resize(mesh_.slot_count(), 0);
+    for (const std::uint32_t t : slots_) placed_in_[t] = trial_number_;
+  }
   if (limits.verify) verify_from_scratch();
   return true;
 }
 
-Reason ComplexEditor::check(const Change& change) {
+Reason ComplexEditor::check(const Change& change, const Eigen::Vector3d& before) {
   Reason reason = check_shapes(change);
-  if (reason == Reason::kNo) reason = samples_.try_curves(mesh_, change, limits.reach_mm);
+  if (reason == Reason::kNo) reason = samples_.try_curves(mesh_, change, reach_mm_, before);
   if (reason == Reason::kNo)
-    reason = samples_.try_surface(mesh_, change, limits.reach_mm,
+    reason = samples_.try_surface(mesh_, change, reach_mm_,
                                   demand_ == Demand::kAllowed ? kNormalCosine : kNormalCosineOfSlivers,
-                                  old_normals_, new_normals_);
+                                  {old_corners_, old_normals_}, new_normals_);
   if (reason == Reason::kNo) reason = check_envelope(change);
   if (reason == Reason::kNo) reason = check_contacts(change);
   return reason;
@@ -111,46 +129,11 @@ Reason ComplexEditor::check_shapes(const Change& change) {
   return Reason::kNo;
 }
 
-Reason ComplexEditor::check_envelope(const Change& change) const {
-  PairId met = kNone;
-  for (std::size_t i = 0; i < change.added.size(); ++i) {
-    // The moved vertex itself needs to be looked at once for a pair.
-    const std::uint32_t moved = change.added[i].pair == met ? kNone : change.moved;
-    met = change.added[i].pair;
-    if (!near_reference(change.added[i], new_corners_[i], moved)) return Reason::kEnvelope;
-  }
-  return Reason::kNo;
-}
-
-/// Looks at lattice points of the facet. Its corners were looked at when they came to their places, and each
-/// edge inside the change is left to one of its two facets.
-bool ComplexEditor::near_reference(const Facet& facet, const Corners& p, std::uint32_t moved) const {
-  const double reach2 = limits.reach_mm * limits.reach_mm;
-  const double longest2 =
-      std::max({(p[0] - p[1]).squaredNorm(), (p[1] - p[2]).squaredNorm(), (p[2] - p[0]).squaredNorm()});
-  const int n = static_cast<int>(std::ceil(std::sqrt(longest2) / limits.lattice_mm));
-  std::uint32_t hint = hints_[facet.corners[0]];
-  for (int i = 0; i <= n; ++i)
-    for (int j = 0; j <= n - i; ++j) {
-      const std::array<int, 3> w{n - i - j, j, i};
-      const int zeros = (w[0] == 0) + (w[1] == 0) + (w[2] == 0);
-      if (zeros == 2) {
-        const std::uint32_t corner = facet.corners[w[0] ? 0 : w[1] ? 1 : 2];
-        if (corner != moved) continue;
-      } else if (zeros == 1) {
-        const int from = w[0] == 0 ? 1 : w[1] == 0 ? 2 : 0;
-        if (facet.corners[from] > facet.corners[(from + 1) % 3]) continue;
-      }
-      const Eigen::Vector3d at = (w[0] * p[0] + w[1] * p[1] + w[2] * p[2]) / n;
-      if ((reference_.walk(at, facet.pair, hint) - at).squaredNorm() > reach2) return false;
-    }
-  return true;
-}
-
 Reason ComplexEditor::check_contacts(const Change& change) {
   new_boxes_.clear();
   for (const Corners& p : new_corners_) new_boxes_.push_back(box_of(p));
   gap_mm_ = limits.gap_share > 0 ? limits.gap_share * local_size(change) : 0;
+  gap_growth_ = std::max(1.0, longest_edge(new_corners_) / longest_edge(old_corners_));
   wide_boxes_.clear();
   for (const FloatBox& box : new_boxes_) wide_boxes_.push_back(box.grown(gap_mm_));
   FloatBox all = wide_boxes_.front();
@@ -264,29 +247,7 @@ bool ComplexEditor::gap_allowed(std::size_t i, const Corners& corners, const Eig
   if (now >= gap_mm_ * gap_mm_) return true;
   double before = 1e300;
   for (const Corners& old : old_corners_) before = std::min(before, corner_distance2(old, corners));
-  return now >= before;
-}
-
-void ComplexEditor::commit(const Change& change) {
-  slots_.clear();
-  for (std::size_t i = 0; i < std::max(change.added.size(), change.removed.size()); ++i) {
-    if (i >= change.added.size()) {
-      hash_->erase(change.removed[i]);
-      mesh_.remove(change.removed[i]);
-      continue;
-    }
-    if (i < change.removed.size()) {
-      slots_.push_back(change.removed[i]);
-      mesh_.replace(slots_[i], change.added[i]);
-      hash_->move(slots_[i], new_corners_[i]);
-    } else {
-      slots_.push_back(mesh_.add(change.added[i]));
-      hash_->insert(slots_[i], new_corners_[i]);
-    }
-    if (slots_[i] >= normals_.size()) normals_.resize(slots_[i] + 1);
-    normals_[slots_[i]] = new_normals_[i];
-  }
-  samples_.commit(change, slots_);
+  return now >= (limits.breaches ? before * gap_growth_ * gap_growth_ : before);
 }
 
 /// Another path than the checks take: everything around, CGAL's own intersections.

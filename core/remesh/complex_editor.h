@@ -10,6 +10,7 @@
 
 #include "remesh/change.h"
 #include "remesh/complex_mesh.h"
+#include "remesh/correspondence.h"
 #include "remesh/reference_complex.h"
 #include "remesh/sample_hosts.h"
 #include "remesh/triangle_hash.h"
@@ -19,11 +20,14 @@ namespace voxtet::remesh {
 
 struct EditLimits {
   double reach_mm = 0.5;       ///< envelope, both directions
+  double nearer_mm = 0;        ///< the envelope for Demand::kNearer, if it is wider
   double lattice_mm = 1;       ///< spacing of the points at which new facets are compared with the reference
   double angle_cosine = 0.95;  ///< planar angles
   double crease_cosine = 0.5;  ///< angles between two facets inside a surface
   double junction_cosine = 0.9;  ///< angles between two facets where curves run
   double gap_share = 0;          ///< least distance of sheets that face each other, in wished edge lengths
+  bool breaches = false;  ///< the complex may be beyond its reach somewhere: there it must not go farther;
+                          ///< where sheets are nearer than the gap, edges grow no faster than it
   bool verify = false;
 };
 
@@ -31,13 +35,16 @@ enum class Demand : std::uint8_t {
   kAllowed,      ///< every limit holds, or what breaks it is no worse than before
   kBetterAngle,  ///< and the smallest planar angle grows; normals count for less
   kBetterFold,   ///< and the sharpest angle between facets grows; normals count for less
+  kNearer,       ///< and everything is within nearer_mm
 };
 
 /// Holds the complex, what it is compared with, and where its triangles are. The complex stays free of
 /// self-intersections and within the envelope after every accepted change, if it was so before.
 class ComplexEditor {
  public:
-  ComplexEditor(const SurfaceMesh& surface, const SizingField& sizing);
+  /// Both complexes have the same table of sides.
+  ComplexEditor(ComplexMesh mesh, const ComplexMesh& reference, const Correspondence& correspondence,
+                const SizingField& sizing);
 
   EditLimits limits;
 
@@ -58,7 +65,7 @@ class ComplexEditor {
   double metric_length(std::uint32_t a, std::uint32_t b) const {
     return (mesh_.point(a) - mesh_.point(b)).norm() * 0.5 * (1 / size(a) + 1 / size(b));
   }
-  /// A vertex of the reference near v, on a sheet or curve of v's.
+  /// A vertex of the reference near v, on a sheet or curve of v's; kNone if there is none.
   std::uint32_t hint(std::uint32_t v) const { return hints_[v]; }
   /// New cells for the search of near triangles.
   void set_cell(double cell_mm) { hash_.emplace(mesh_, cell_mm); }
@@ -67,6 +74,32 @@ class ComplexEditor {
   void drop_last_vertex();
   /// `hint` replaces that of the moved vertex.
   bool attempt(const Change& change, Demand demand, std::uint32_t hint = kNone);
+  /// From here on changes can be taken back, until keep_trial or undo_trial.
+  void begin_trial();
+  void keep_trial() { trying_ = false; }
+  /// Takes back what was accepted since begin_trial; vertices that were added stay without triangles.
+  void undo_trial();
+  /// Cosine of the smallest planar angle of what stood there before the trial.
+  double trial_cosine_before() const { return trial_cosine_; }
+  /// Triangles that the trial has put there, each at least once.
+  template <class Visit>
+  void for_trial_triangles(Visit&& visit) const {
+    for (const Accepted& step : trial_)
+      for (const std::uint32_t t : step.back.removed)
+        if (mesh_.alive(t)) visit(t);
+  }
+  /// Squared distance where nothing of the reference is known to be near.
+  static constexpr double kNowhere = 1e300;
+  /// Where a triangle is farthest from the reference, or a sample that it hosts from it.
+  struct Breach {
+    double distance2 = 0;
+    Eigen::Vector3d toward = Eigen::Vector3d::Zero();   ///< from the triangle to the reference
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< of the corners at the triangle's end
+  };
+  Breach farthest(std::uint32_t t) const;
+  /// Whether the triangle lies inside a sheet and hosts samples for most of its area, none farther than
+  /// `reach_mm`.
+  bool well_sampled(std::uint32_t t, double reach_mm) const;
   /// Books a refusal found before the change was described in full.
   bool refuse(Reason reason) {
     ++refusals_[static_cast<std::size_t>(reason)];
@@ -76,10 +109,13 @@ class ComplexEditor {
   std::uint64_t violations() const { return violations_; }
 
  private:
-  Reason check(const Change& change);
+  Reason check(const Change& change, const Eigen::Vector3d& before);
   Reason check_shapes(const Change& change);
   Reason check_envelope(const Change& change) const;
-  bool near_reference(const Facet& facet, const Corners& p, std::uint32_t moved) const;
+  Breach farthest_point_of(std::uint32_t t, const Corners& p) const;
+  std::uint32_t nearest_hint(const Facet& facet, const Corners& p) const;
+  Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double content2,
+                        std::uint32_t hint) const;
   Reason check_contacts(const Change& change);
   double local_size(const Change& change) const;
   Reason check_pair(const Facet& facet, std::size_t i, const Triangle& other, const Corners& corners,
@@ -91,7 +127,9 @@ class ComplexEditor {
   double old_fold(bool junction) const;
   bool gap_allowed(std::size_t i, const Corners& corners, const Eigen::Vector3d& normal, bool same_pair);
   bool is_removed(std::uint32_t t) const { return t < removed_in_.size() && removed_in_[t] == attempt_; }
-  void commit(const Change& change);
+  void remember(const Change& change, const Eigen::Vector3d& before);
+  void commit(const Change& change, bool backwards);
+  void place(const Change& change, std::size_t i);
   void verify_from_scratch();
 
   ComplexMesh mesh_;
@@ -114,8 +152,20 @@ class ComplexEditor {
   std::vector<Corners> old_corners_, new_corners_;
   std::vector<Eigen::Vector3d> old_normals_, new_normals_;
   std::vector<FloatBox> new_boxes_, wide_boxes_;
-  double gap_mm_ = 0;
+  double gap_mm_ = 0, gap_growth_ = 1, reach_mm_ = 0;
   std::vector<std::uint32_t> near_, slots_;
+
+  /// What takes an accepted change back.
+  struct Accepted {
+    Change back;
+    double size = 0;  ///< of the moved vertex
+    std::uint32_t hint = kNone;
+  };
+  std::vector<Accepted> trial_;
+  double trial_cosine_ = -1;
+  std::uint32_t trial_number_ = 0;
+  std::vector<std::uint32_t> placed_in_;  ///< by triangle: the trial that put it there
+  bool trying_ = false;
 };
 
 }  // namespace voxtet::remesh

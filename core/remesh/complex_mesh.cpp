@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 namespace voxtet::remesh {
 namespace {
@@ -10,9 +11,8 @@ constexpr std::uint16_t kSmallestBlockLog2 = 3;
 
 }  // namespace
 
-ComplexMesh::ComplexMesh(const SurfaceMesh& surface)
-    : points_(surface.points), triangles_(surface.triangles) {
-  sides_ = surface.sides;
+ComplexMesh::ComplexMesh(const SurfaceMesh& surface, std::vector<Sides> sides)
+    : points_(surface.points), triangles_(surface.triangles), sides_(std::move(sides)) {
   std::sort(sides_.begin(), sides_.end());
   sides_.erase(std::unique(sides_.begin(), sides_.end()), sides_.end());
   pairs_.reserve(surface.sides.size());

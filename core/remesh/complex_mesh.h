@@ -33,7 +33,9 @@ struct Facet {
 /// Flat arrays. A triangle slot is dead when its first corner is kNone, a vertex when its star is empty.
 class ComplexMesh {
  public:
-  explicit ComplexMesh(const SurfaceMesh& surface);
+  explicit ComplexMesh(const SurfaceMesh& surface) : ComplexMesh(surface, surface.sides) {}
+  /// `sides`: every pair of labels that may come, in any order; the surface's among them.
+  ComplexMesh(const SurfaceMesh& surface, std::vector<Sides> sides);
 
   std::size_t vertex_count() const { return points_.size(); }
   std::size_t slot_count() const { return triangles_.size(); }

@@ -72,11 +72,69 @@ std::uint32_t LocalOperations::other_curve_end(std::uint32_t v, std::uint32_t no
 bool LocalOperations::collapse(std::uint32_t a, std::uint32_t b, double longest, Demand demand) {
   const ComplexMesh& mesh = editor_.mesh();
   if (!link_allows(a, b) || mesh.star(a).size() > kLargestStar) return editor_.refuse(Reason::kLink);
+  return merge(a, b, longest, demand) || collapse_onto(a, b, longest, demand);
+}
+
+bool LocalOperations::collapse_onto(std::uint32_t a, std::uint32_t b, double longest, Demand demand) {
   for (const std::uint32_t v : neighbours(a)) {
     if (v == b) continue;
     const double length = editor_.metric_length(b, v);
     if (length > longest && length > editor_.metric_length(a, v)) return editor_.refuse(Reason::kLength);
   }
+  describe_collapse(a, b);
+  if (!editor_.attempt(change_, demand)) return false;
+  ++accepted[1];
+  touch();
+  return true;
+}
+
+/// Both ends to the middle, where nothing holds b more than a.
+bool LocalOperations::merge(std::uint32_t a, std::uint32_t b, double longest, Demand demand) {
+  const ComplexMesh& mesh = editor_.mesh();
+  const Stratum stratum = mesh.stratum(a);
+  if (stratum != mesh.stratum(b) || stratum == Stratum::kCorner) return false;
+  std::uint32_t hint = editor_.hint(b);
+  if (hint == kNone) return false;
+  const Eigen::Vector3d middle = 0.5 * (mesh.point(a) + mesh.point(b));
+  const Eigen::Vector3d on = stratum == Stratum::kCurve
+                                 ? editor_.reference().walk_curve(middle, hint)
+                                 : editor_.reference().walk(middle, mesh.pair(mesh.star(b).front()), hint);
+  for (const std::uint32_t end : {a, b})
+    for (const std::uint32_t v : neighbours(end)) {
+      if (v == a || v == b) continue;
+      const double length = (on - mesh.point(v)).norm() * 0.5 * (1 / editor_.size(b) + 1 / editor_.size(v));
+      if (length > longest && length > editor_.metric_length(end, v)) return false;
+    }
+  describe_collapse(a, b);
+  const std::size_t both = change_.removed.size() - change_.added.size();
+  std::vector<std::uint32_t> shared(change_.removed.end() - static_cast<std::ptrdiff_t>(both),
+                                    change_.removed.end());
+  change_.removed.resize(change_.added.size());
+  for (const std::uint32_t t : mesh.star(b))
+    if (!has_corner(mesh.triangle(t), a)) {
+      change_.removed.push_back(t);
+      change_.added.push_back({mesh.triangle(t), mesh.pair(t)});
+    }
+  change_.removed.insert(change_.removed.end(), shared.begin(), shared.end());
+  if (stratum == Stratum::kCurve) {
+    const std::uint32_t q = other_curve_end(b, a);
+    change_.curves_removed.push_back({b, q});
+    change_.curves_added.push_back({b, q});
+  }
+  // Many triangles change at once: none of them shall excuse another's angles.
+  if (demand == Demand::kAllowed)
+    for (const std::uint32_t t : change_.removed)
+      if (sharpest_cosine(mesh.corners(mesh.triangle(t))) > editor_.limits.angle_cosine) return false;
+  change_.moved = b;
+  change_.position = on;
+  if (!editor_.attempt(change_, demand, hint)) return false;
+  ++accepted[1];
+  touch();
+  return true;
+}
+
+void LocalOperations::describe_collapse(std::uint32_t a, std::uint32_t b) {
+  const ComplexMesh& mesh = editor_.mesh();
   change_.clear();
   for (const std::uint32_t t : mesh.star(a)) {
     Facet facet{mesh.triangle(t), mesh.pair(t)};
@@ -92,34 +150,31 @@ bool LocalOperations::collapse(std::uint32_t a, std::uint32_t b, double longest,
     change_.curves_removed = {{p, a}, {a, b}};
     change_.curves_added = {{p, b}};
   }
-  if (!editor_.attempt(change_, demand)) return false;
-  ++accepted[1];
-  return true;
 }
 
-bool LocalOperations::split(std::uint32_t a, std::uint32_t b) {
+bool LocalOperations::split(std::uint32_t a, std::uint32_t b, Demand demand) {
   const ComplexMesh& mesh = editor_.mesh();
   const bool curve = mesh.is_curve(a, b);
   const Eigen::Vector3d middle = 0.5 * (mesh.point(a) + mesh.point(b));
   const std::uint32_t from = mesh.stratum(a) <= mesh.stratum(b) ? a : b;
   std::uint32_t hint = editor_.hint(from);
+  if (curve && mesh.stratum(from) == Stratum::kCorner)
+    editor_.samples().for_curve_samples(a, b, [&](std::uint32_t s) { hint = s; });
   Eigen::Vector3d on = middle;
-  if (!curve) {
+  if (hint != kNone && curve) {
+    on = editor_.reference().walk_curve(middle, hint);
+  } else if (hint != kNone) {
     for (const std::uint32_t t : mesh.star(a)) {
       if (!has_corner(mesh.triangle(t), b)) continue;
       on = editor_.reference().walk(middle, mesh.pair(t), hint);
       break;
     }
-  } else {
-    if (mesh.stratum(from) == Stratum::kCorner)
-      editor_.samples().for_curve_samples(a, b, [&](std::uint32_t s) { hint = s; });
-    on = editor_.reference().walk_curve(middle, hint);
   }
-  return split_at(a, b, on, hint, curve) || split_at(a, b, middle, hint, curve);
+  return split_at(a, b, on, hint, curve, demand) || split_at(a, b, middle, hint, curve, demand);
 }
 
 bool LocalOperations::split_at(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& p, std::uint32_t hint,
-                               bool curve) {
+                               bool curve, Demand demand) {
   const ComplexMesh& mesh = editor_.mesh();
   const std::uint32_t middle = editor_.add_vertex(p, curve ? Stratum::kCurve : Stratum::kSurface, hint);
   change_.clear();
@@ -137,11 +192,12 @@ bool LocalOperations::split_at(std::uint32_t a, std::uint32_t b, const Eigen::Ve
     change_.curves_removed = {{a, b}};
     change_.curves_added = {{a, middle}, {middle, b}};
   }
-  if (!editor_.attempt(change_, Demand::kAllowed, hint)) {
+  if (!editor_.attempt(change_, demand, hint)) {
     editor_.drop_last_vertex();
     return false;
   }
   ++accepted[0];
+  touch();
   return true;
 }
 
@@ -183,7 +239,21 @@ bool LocalOperations::flip(std::uint32_t a, std::uint32_t b, Demand demand) {
   change_.added = {{{c, a, d}, mesh.pair(first)}, {{d, b, c}, mesh.pair(first)}};
   if (!editor_.attempt(change_, demand)) return false;
   ++accepted[2];
+  touch();
   return true;
+}
+
+void LocalOperations::touch() {
+  touched_.resize(editor_.mesh().vertex_count(), false);
+  for (const Facet& facet : change_.added)
+    for (const std::uint32_t v : facet.corners) touched_[v] = true;
+}
+
+std::vector<bool> LocalOperations::take_touched() {
+  std::vector<bool> taken(editor_.mesh().vertex_count(), false);
+  taken.swap(touched_);
+  taken.resize(editor_.mesh().vertex_count(), false);
+  return taken;
 }
 
 bool LocalOperations::relocate(std::uint32_t v) {
@@ -200,19 +270,35 @@ bool LocalOperations::open(std::uint32_t v, Demand demand) {
 /// `step`: share of the way to the target.
 bool LocalOperations::move(std::uint32_t v, Demand demand, double step) {
   const ComplexMesh& mesh = editor_.mesh();
-  if (mesh.stratum(v) == Stratum::kCorner) return false;
   std::uint32_t hint = editor_.hint(v);
+  if (mesh.stratum(v) == Stratum::kCorner || hint == kNone) return false;
   change_.clear();
-  change_.moved = v;
   if (mesh.stratum(v) == Stratum::kCurve) {
     const std::uint32_t p = other_curve_end(v, kNone), q = other_curve_end(v, p);
     change_.position = curve_target(v, p, q, step, hint);
-    change_.curves_removed = change_.curves_added = {{p, v}, {v, q}};
   } else {
     change_.position = surface_target(v, demand, step, hint);
   }
   const double least = kLeastMove * editor_.size(v);
   if ((change_.position - mesh.point(v)).squaredNorm() < least * least) return false;
+  return attempt_move(v, hint, demand);
+}
+
+bool LocalOperations::shift(std::uint32_t v, const Eigen::Vector3d& by, Demand demand) {
+  if (editor_.mesh().stratum(v) == Stratum::kCorner) return false;
+  change_.clear();
+  change_.position = editor_.mesh().point(v) + by;
+  return attempt_move(v, editor_.hint(v), demand);
+}
+
+/// To the position that the change holds already.
+bool LocalOperations::attempt_move(std::uint32_t v, std::uint32_t hint, Demand demand) {
+  const ComplexMesh& mesh = editor_.mesh();
+  change_.moved = v;
+  if (mesh.stratum(v) == Stratum::kCurve) {
+    const std::uint32_t p = other_curve_end(v, kNone), q = other_curve_end(v, p);
+    change_.curves_removed = change_.curves_added = {{p, v}, {v, q}};
+  }
   for (const std::uint32_t t : mesh.star(v)) {
     change_.removed.push_back(t);
     change_.added.push_back({mesh.triangle(t), mesh.pair(t)});

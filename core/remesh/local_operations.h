@@ -19,13 +19,19 @@ class LocalOperations {
   std::array<std::uint64_t, 4> accepted{};  ///< splits, collapses, flips, relocations
 
   /// A new vertex in the middle, on the reference.
-  bool split(std::uint32_t a, std::uint32_t b);
-  /// a goes to b. No edge becomes longer than `longest` wished lengths, or than it was before.
+  bool split(std::uint32_t a, std::uint32_t b, Demand demand = Demand::kAllowed);
+  /// a goes to b, or both to their middle where a may do so. No edge becomes longer than `longest` wished
+  /// lengths, or than it was before.
   bool collapse(std::uint32_t a, std::uint32_t b, double longest, Demand demand = Demand::kAllowed);
   bool flip(std::uint32_t a, std::uint32_t b, Demand demand);
   bool relocate(std::uint32_t v);
+  /// To another place; not on the reference by itself.
+  bool shift(std::uint32_t v, const Eigen::Vector3d& by, Demand demand);
   /// The same with the poorest triangles first, in smaller and smaller steps until the demand is met.
   bool open(std::uint32_t v, Demand demand);
+
+  /// By vertex: whether a split, collapse or flip changed its triangles since this was last asked.
+  std::vector<bool> take_touched();
 
   /// How much a flip of the edge would bring the valences nearer to six; vertices on curves do not count.
   int valence_gain(std::uint32_t a, std::uint32_t b) const;
@@ -33,9 +39,15 @@ class LocalOperations {
   const std::vector<std::uint32_t>& neighbours(std::uint32_t v);
 
  private:
+  bool collapse_onto(std::uint32_t a, std::uint32_t b, double longest, Demand demand);
+  void touch();
+  bool merge(std::uint32_t a, std::uint32_t b, double longest, Demand demand);
+  void describe_collapse(std::uint32_t a, std::uint32_t b);
   bool link_allows(std::uint32_t a, std::uint32_t b);
   bool link_edges_apart(std::uint32_t a, std::uint32_t b) const;
-  bool split_at(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& p, std::uint32_t hint, bool curve);
+  bool split_at(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& p, std::uint32_t hint, bool curve,
+                Demand demand);
+  bool attempt_move(std::uint32_t v, std::uint32_t hint, Demand demand);
   std::uint32_t other_curve_end(std::uint32_t v, std::uint32_t not_this) const;
   bool move(std::uint32_t v, Demand demand, double step);
   Eigen::Vector3d surface_target(std::uint32_t v, Demand demand, double step, std::uint32_t& hint) const;
@@ -49,6 +61,7 @@ class LocalOperations {
 
   ComplexEditor& editor_;
   Change change_;
+  std::vector<bool> touched_;
   std::vector<std::uint32_t> marks_;
   std::uint32_t round_ = 0;
   std::vector<std::uint32_t> around_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -22,6 +23,9 @@ class ReferenceComplex {
   const Eigen::Vector3d& normal(std::uint32_t r) const { return normals_[r]; }
   double area(std::uint32_t r) const { return areas_[r]; }
   Stratum stratum(std::uint32_t r) const { return strata_[r]; }
+  bool beside(std::uint32_t r, PairId pair) const {
+    return std::any_of(star(r).begin(), star(r).end(), [&](std::uint32_t t) { return pairs_[t] == pair; });
+  }
   /// The two neighbours along the curve of a vertex on one.
   const std::array<std::uint32_t, 2>& along_curve(std::uint32_t r) const { return curve_[r]; }
 

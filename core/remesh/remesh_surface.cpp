@@ -12,6 +12,7 @@
 #include "geometry/label_topology.h"
 #include "remesh/adapt_complex.h"
 #include "remesh/delaunay_surface.h"
+#include "remesh/improve_surface.h"
 #include "remesh/label_field.h"
 
 namespace voxtet {
@@ -134,27 +135,48 @@ std::string broken_topology(const TopologyLedger& wanted, const TopologyLedger& 
   return keep == KeepTopology::kAll ? "changed pieces, holes or contacts of labels" : "";
 }
 
-Result<SurfaceMesh> adapt(const LabelVolume& volume, const SurfaceMesh& reference, const SizingField& sizing,
-                          const RemeshParams& params, RunContext& ctx) {
+AdaptParams adapt_params(const LabelVolume& volume, const RemeshParams& params) {
   AdaptParams adapt;
   adapt.schedule = params.schedule;
   adapt.voxel_mm = volume.spacing_mm().minCoeff();
   adapt.shape_weight = params.shape_weight;
   adapt.verify = params.verify;
+  return adapt;
+}
+
+void report_verified(const AdaptRecord& record, RunContext& ctx) {
+  const std::string found =
+      "intersections found after " +
+      std::to_string(std::accumulate(record.accepted.begin(), record.accepted.end(), std::uint64_t{0})) +
+      " verified operations: " + std::to_string(record.violations);
+  if (record.violations > 0)
+    ctx.warn(kStage, found);
+  else
+    ctx.note(kStage, found);
+}
+
+Result<SurfaceMesh> adapt(const LabelVolume& volume, const SurfaceMesh& reference, const SizingField& sizing,
+                          const RemeshParams& params, RunContext& ctx) {
   ctx.note(kStage, "method remesh");
   AdaptRecord record;
-  Result<SurfaceMesh> surface = adapt_complex(reference, sizing, adapt, ctx, &record);
-  if (surface && params.verify) {
-    const std::string found =
-        "intersections found after " +
-        std::to_string(std::accumulate(record.accepted.begin(), record.accepted.end(), std::uint64_t{0})) +
-        " verified operations: " + std::to_string(record.violations);
-    if (record.violations > 0)
-      ctx.warn(kStage, found);
-    else
-      ctx.note(kStage, found);
-  }
+  Result<SurfaceMesh> surface = adapt_complex(reference, sizing, adapt_params(volume, params), ctx, &record);
+  if (surface && params.verify) report_verified(record, ctx);
   return surface;
+}
+
+/// The refined surface with its poor places mended.
+Result<SurfaceMesh> improve(const SurfaceMesh& surface, const LabelVolume& volume,
+                            const SurfaceMesh& reference, const SizingField& sizing,
+                            const RemeshParams& params, RunContext& ctx) {
+  constexpr double kAngleShare = 0.975, kDistanceShare = 0.9;  // of what refinement aims at
+  AdaptParams adapt = adapt_params(volume, params);
+  adapt.min_angle_deg = kAngleShare * params.facet_angle_deg;
+  adapt.min_dihedral_deg = 30;
+  adapt.envelope_voxels = kDistanceShare * params.max_distance_voxels;
+  AdaptRecord record;
+  Result<SurfaceMesh> improved = improve_surface(surface, reference, sizing, adapt, ctx, &record);
+  if (improved && params.verify) report_verified(record, ctx);
+  return improved;
 }
 
 Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,
@@ -174,7 +196,7 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
     ctx.note(kStage, "method delaunay");
     for (const TopologyDifference& difference : compare_topology(wanted, found))
       ctx.warn(kStage, in_words(difference));
-    return surface;
+    return improve(*surface, volume, reference, sizing, params, ctx);
   }
   ctx.warn(kStage, "the method delaunay " + broken + ": the method remesh was taken instead");
   return adapt(volume, reference, sizing, params, ctx);

@@ -29,8 +29,8 @@ struct RemeshParams {
   double max_distance_voxels =
       0.5;  ///< delaunay: facet to label field, in units of the smallest spacing; at least 0.01
   remesh::AdaptSchedule schedule = remesh::AdaptSchedule::kAdaptive;  ///< remesh: order of operations
-  double shape_weight = 0.7;  ///< remesh: relocation, from sizes alone (0) to shapes alone (1)
-  bool verify = false;        ///< remesh: look for intersections after every operation (slow)
+  double shape_weight = 0.7;  ///< relocation, from sizes alone (0) to shapes alone (1)
+  bool verify = false;        ///< look for intersections after every local operation (slow)
 };
 
 /// The interfaces between all labels (background included) triangulated to the sizing field (median edge =

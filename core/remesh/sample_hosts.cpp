@@ -16,9 +16,14 @@ bool holds(const CurveEdge& e, std::uint32_t a, std::uint32_t b) {
   return (e[0] == a && e[1] == b) || (e[0] == b && e[1] == a);
 }
 
+double distance2_to(const Corners& c, const Eigen::Vector3d& p) {
+  return (closest_on_triangle(p, c[0], c[1], c[2]) - p).squaredNorm();
+}
+
 }  // namespace
 
-SampleHosts::SampleHosts(const ComplexMesh& mesh, const ReferenceComplex& reference)
+SampleHosts::SampleHosts(const ComplexMesh& mesh, const ReferenceComplex& reference,
+                         const Correspondence& correspondence)
     : reference_(reference),
       heads_(mesh.slot_count(), kNone),
       next_(reference.size(), kNone),
@@ -26,17 +31,16 @@ SampleHosts::SampleHosts(const ComplexMesh& mesh, const ReferenceComplex& refere
       curve_other_(reference.size(), kNone) {
   double area = 0;
   std::size_t count = 0;
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (mesh.star(v).empty()) continue;
-    if (mesh.stratum(v) == Stratum::kSurface) {
-      const std::uint32_t host = mesh.star(v).front();
-      next_[v] = heads_[host];
-      heads_[host] = v;
-      area += reference.area(v);
+  for (std::uint32_t r = 0; r < reference.size(); ++r) {
+    if (const std::uint32_t host = correspondence.hosts[r]; host != kNone) {
+      next_[r] = heads_[host];
+      heads_[host] = r;
+      area += reference.area(r);
       ++count;
-    } else if (mesh.stratum(v) == Stratum::kCurve) {
-      curve_heads_[v] = v;
-      curve_other_[v] = reference.along_curve(v)[0];
+    } else if (const auto& [a, b] = correspondence.curve_hosts[r]; a != kNone) {
+      next_[r] = curve_heads_[a];
+      curve_heads_[a] = r;
+      curve_other_[r] = b;
     }
   }
   if (count > 0) near_mm_ = kNearSpacing * std::sqrt(area / static_cast<double>(count));
@@ -72,7 +76,7 @@ SampleHosts::Found SampleHosts::best_beside(const ComplexMesh& mesh, const Chang
 }
 
 Reason SampleHosts::try_surface(const ComplexMesh& mesh, const Change& change, double reach_mm,
-                                double least_cosine, const std::vector<Eigen::Vector3d>& old_normals,
+                                double least_cosine, const RemovedFacets& old,
                                 const std::vector<Eigen::Vector3d>& new_normals) {
   moves_.clear();
   const double reach2 = reach_mm * reach_mm;
@@ -97,10 +101,11 @@ Reason SampleHosts::try_surface(const ComplexMesh& mesh, const Change& change, d
         if (found.host == kNone) return Reason::kReverse;
         if (found.distance2 > near_mm_ * near_mm_) found = best_beside(mesh, change, pair, p, found);
       }
-      if (found.distance2 > reach2) return Reason::kReverse;
+      if (found.distance2 > reach2 && found.distance2 > distance2_to(old.corners[i], p))
+        return Reason::kReverse;
       if (found.host < kBeside) {
         const double cosine = new_normals[found.host].dot(reference_.normal(s));
-        if (cosine < least_cosine && cosine < old_normals[i].dot(reference_.normal(s)))
+        if (cosine < least_cosine && cosine < old.normals[i].dot(reference_.normal(s)))
           return Reason::kNormal;
       }
       moves_.push_back({s, found.host});
@@ -109,7 +114,8 @@ Reason SampleHosts::try_surface(const ComplexMesh& mesh, const Change& change, d
   return Reason::kNo;
 }
 
-Reason SampleHosts::try_curves(const ComplexMesh& mesh, const Change& change, double reach_mm) {
+Reason SampleHosts::try_curves(const ComplexMesh& mesh, const Change& change, double reach_mm,
+                               const Eigen::Vector3d& before) {
   curve_moves_.clear();
   const double reach2 = reach_mm * reach_mm;
   for (const CurveEdge& old : change.curves_removed)
@@ -124,7 +130,10 @@ Reason SampleHosts::try_curves(const ComplexMesh& mesh, const Change& change, do
           const double distance2 = (closest_on_segment(p, mesh.point(a), mesh.point(b)) - p).squaredNorm();
           if (distance2 < found.distance2) found = {distance2, i};
         }
-        if (found.distance2 > reach2) return Reason::kCurve;
+        const auto old_point = [&](std::uint32_t v) { return v == change.moved ? before : mesh.point(v); };
+        if (found.distance2 > reach2 &&
+            found.distance2 > (closest_on_segment(p, old_point(old[0]), old_point(old[1])) - p).squaredNorm())
+          return Reason::kCurve;
         curve_moves_.push_back({s, found.host});
       }
     }

@@ -7,25 +7,33 @@
 
 #include "remesh/change.h"
 #include "remesh/complex_mesh.h"
+#include "remesh/correspondence.h"
 #include "remesh/reference_complex.h"
 
 namespace voxtet::remesh {
+
+/// Of change.removed, as they were.
+struct RemovedFacets {
+  const std::vector<Corners>& corners;
+  const std::vector<Eigen::Vector3d>& normals;
+};
 
 /// Samples on surfaces are hosted by triangles, samples on curves by curve edges, corners by nothing (they
 /// stay). A change moves the samples of what it removes to what it adds, or to triangles beside it.
 class SampleHosts {
  public:
-  SampleHosts(const ComplexMesh& mesh, const ReferenceComplex& reference);
+  SampleHosts(const ComplexMesh& mesh, const ReferenceComplex& reference,
+              const Correspondence& correspondence);
 
-  /// Finds new hosts for the samples of the change's triangles, within `reach_mm`, and facets whose normals
-  /// have at least `least_cosine` with the samples', or more than before. kNo, kReverse or kNormal. `mesh`
-  /// has the new positions, `old_normals` belong to change.removed and `new_normals` to change.added; `gone`
-  /// tells the removed triangles.
+  /// Finds new hosts for the samples of the change's triangles, within `reach_mm` or no farther than before,
+  /// and facets whose normals have at least `least_cosine` with the samples', or more than before. kNo,
+  /// kReverse or kNormal. `mesh` has the new positions, `new_normals` belong to change.added.
   Reason try_surface(const ComplexMesh& mesh, const Change& change, double reach_mm, double least_cosine,
-                     const std::vector<Eigen::Vector3d>& old_normals,
-                     const std::vector<Eigen::Vector3d>& new_normals);
-  /// The same for the samples of the change's curve edges. kNo or kCurve.
-  Reason try_curves(const ComplexMesh& mesh, const Change& change, double reach_mm);
+                     const RemovedFacets& old, const std::vector<Eigen::Vector3d>& new_normals);
+  /// The same for the samples of the change's curve edges; `before`: where the moved vertex was. kNo or
+  /// kCurve.
+  Reason try_curves(const ComplexMesh& mesh, const Change& change, double reach_mm,
+                    const Eigen::Vector3d& before);
   /// Does what the last two tries found. `slots`: the triangle that each added facet became.
   void commit(const Change& change, const std::vector<std::uint32_t>& slots);
 

@@ -1,0 +1,136 @@
+// How far facets are from the reference, and the reference from them.
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closest_point.h"
+#include "geometry/surface_measures.h"
+#include "geometry/triangle_measures.h"
+#include "remesh/complex_editor.h"
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr double kCoveredShare = 0.75;
+constexpr std::uint32_t kEveryCorner = kNone - 1;
+
+/// Of a point of the triangle.
+Eigen::Vector3d barycentric(const Eigen::Vector3d& on, const Corners& p) {
+  const Eigen::Vector3d normal = triangle_cross(p[0], p[1], p[2]);
+  Eigen::Vector3d weights;
+  for (int i = 0; i < 3; ++i) weights[i] = triangle_cross(on, p[(i + 1) % 3], p[(i + 2) % 3]).dot(normal);
+  return weights / normal.squaredNorm();
+}
+
+}  // namespace
+
+Reason ComplexEditor::check_envelope(const Change& change) const {
+  PairId met = kNone;
+  double limit2 = reach_mm_ * reach_mm_;
+  bool looked_back = !limits.breaches || demand_ == Demand::kNearer;
+  for (std::size_t i = 0; i < change.added.size(); ++i) {
+    // The moved vertex itself needs to be looked at once for a pair.
+    const std::uint32_t moved = change.added[i].pair == met ? kNone : change.moved;
+    met = change.added[i].pair;
+    for (;;) {
+      const double distance2 = farthest_point(change.added[i], new_corners_[i], moved, limit2,
+                                              nearest_hint(change.added[i], new_corners_[i]))
+                                   .distance2;
+      if (distance2 <= limit2) break;
+      if (looked_back || distance2 == kNowhere) return Reason::kEnvelope;
+      looked_back = true;
+      for (std::size_t k = 0; k < change.removed.size(); ++k)
+        limit2 = std::max(limit2, farthest_point_of(change.removed[k], old_corners_[k]).distance2);
+    }
+  }
+  return Reason::kNo;
+}
+
+/// Of the corners' hints that are on a sheet of the facet's labels.
+std::uint32_t ComplexEditor::nearest_hint(const Facet& facet, const Corners& p) const {
+  std::uint32_t nearest = kNone;
+  double least = kNowhere;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::uint32_t hint = hints_[facet.corners[i]];
+    if (hint == kNone || !reference_.beside(hint, facet.pair)) continue;
+    const double distance2 = (reference_.point(hint) - p[i]).squaredNorm();
+    if (distance2 < least) {
+      least = distance2;
+      nearest = hint;
+    }
+  }
+  return nearest;
+}
+
+/// Of the facet's lattice points; the first one above `content2`. Its corners were looked at when they came
+/// to their places, and each edge inside the change is left to one of its two facets.
+ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved,
+                                                    double content2, std::uint32_t hint) const {
+  const double longest2 =
+      std::max({(p[0] - p[1]).squaredNorm(), (p[1] - p[2]).squaredNorm(), (p[2] - p[0]).squaredNorm()});
+  const int n = static_cast<int>(std::ceil(std::sqrt(longest2) / limits.lattice_mm));
+  Breach worst;
+  if (hint == kNone) {
+    worst.distance2 = kNowhere;
+    return worst;
+  }
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n - i; ++j) {
+      const std::array<int, 3> w{n - i - j, j, i};
+      const int zeros = (w[0] == 0) + (w[1] == 0) + (w[2] == 0);
+      if (zeros == 2) {
+        const std::uint32_t corner = facet.corners[w[0] ? 0 : w[1] ? 1 : 2];
+        if (corner != moved && moved != kEveryCorner) continue;
+      } else if (zeros == 1) {
+        const int from = w[0] == 0 ? 1 : w[1] == 0 ? 2 : 0;
+        const std::uint32_t u = facet.corners[from], w2 = facet.corners[(from + 1) % 3];
+        if (u > w2 && !on_curves(u, w2)) continue;
+      }
+      const Eigen::Vector3d at = (w[0] * p[0] + w[1] * p[1] + w[2] * p[2]) / n;
+      const Eigen::Vector3d toward = reference_.walk(at, facet.pair, hint) - at;
+      const double distance2 = toward.squaredNorm();
+      if (distance2 <= worst.distance2) continue;
+      worst = {distance2, toward, Eigen::Vector3d(w[0], w[1], w[2]) / n};
+      if (distance2 > content2) return worst;
+    }
+  return worst;
+}
+
+/// Walks may end on the way: what seems to be beyond the envelope is looked at from more places.
+ComplexEditor::Breach ComplexEditor::farthest_point_of(std::uint32_t t, const Corners& p) const {
+  const Facet facet{mesh_.triangle(t), mesh_.pair(t)};
+  Breach worst = farthest_point(facet, p, kEveryCorner, kNowhere, nearest_hint(facet, p));
+  samples_.for_samples(t, [&](std::uint32_t s) {
+    if (worst.distance2 <= limits.reach_mm * limits.reach_mm) return;
+    const Breach other = farthest_point(facet, p, kEveryCorner, worst.distance2, s);
+    if (other.distance2 < worst.distance2) worst = other;
+  });
+  return worst;
+}
+
+ComplexEditor::Breach ComplexEditor::farthest(std::uint32_t t) const {
+  const Corners p = mesh_.corners(mesh_.triangle(t));
+  Breach worst = farthest_point_of(t, p);
+  samples_.for_samples(t, [&](std::uint32_t s) {
+    const Eigen::Vector3d& at = reference_.point(s);
+    const Eigen::Vector3d on = closest_on_triangle(at, p[0], p[1], p[2]);
+    const double distance2 = (at - on).squaredNorm();
+    if (distance2 > worst.distance2) worst = {distance2, at - on, barycentric(on, p)};
+  });
+  return worst;
+}
+
+bool ComplexEditor::well_sampled(std::uint32_t t, double reach_mm) const {
+  for (const std::uint32_t v : mesh_.triangle(t))
+    if (mesh_.stratum(v) != Stratum::kSurface) return false;
+  const Corners p = mesh_.corners(mesh_.triangle(t));
+  double covered = 0, farthest2 = 0;
+  samples_.for_samples(t, [&](std::uint32_t s) {
+    const Eigen::Vector3d& at = reference_.point(s);
+    farthest2 = std::max(farthest2, (closest_on_triangle(at, p[0], p[1], p[2]) - at).squaredNorm());
+    covered += reference_.area(s);
+  });
+  return farthest2 <= reach_mm * reach_mm &&
+         covered >= kCoveredShare * 0.5 * triangle_cross(p[0], p[1], p[2]).norm();
+}
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,90 @@
+// Accepted changes, and the way back.
+#include <algorithm>
+
+#include "geometry/surface_measures.h"
+#include "geometry/triangle_measures.h"
+#include "remesh/complex_editor.h"
+
+namespace voxtet::remesh {
+
+void ComplexEditor::begin_trial() {
+  trying_ = true;
+  trial_.clear();
+  ++trial_number_;
+  trial_cosine_ = -1;
+}
+
+void ComplexEditor::remember(const Change& change, const Eigen::Vector3d& before) {
+  Accepted& step = trial_.emplace_back();
+  for (std::size_t i = 0; i < change.removed.size(); ++i) {
+    const std::uint32_t t = change.removed[i];
+    step.back.added.push_back({mesh_.triangle(t), mesh_.pair(t)});
+    const bool own = t < placed_in_.size() && placed_in_[t] == trial_number_;
+    if (!own) trial_cosine_ = std::max(trial_cosine_, sharpest_cosine(old_corners_[i]));
+  }
+  step.back.curves_removed = change.curves_added;
+  step.back.curves_added = change.curves_removed;
+  if (change.moved == kNone) return;
+  step.back.moved = change.moved;
+  step.back.position = before;
+  step.size = sizes_[change.moved];
+  step.hint = hints_[change.moved];
+}
+
+void ComplexEditor::undo_trial() {
+  trying_ = false;
+  for (auto step = trial_.rbegin(); step != trial_.rend(); ++step) {
+    const Change& back = step->back;
+    old_corners_.clear();
+    old_normals_.clear();
+    for (const std::uint32_t t : back.removed) {
+      old_corners_.push_back(mesh_.corners(mesh_.triangle(t)));
+      old_normals_.push_back(normals_[t]);
+    }
+    const Eigen::Vector3d before = back.moved == kNone ? Eigen::Vector3d::Zero() : mesh_.point(back.moved);
+    if (back.moved != kNone) {
+      mesh_.set_point(back.moved, back.position);
+      sizes_[back.moved] = step->size;
+      hints_[back.moved] = step->hint;
+    }
+    new_corners_.clear();
+    new_normals_.clear();
+    for (const Facet& facet : back.added) {
+      new_corners_.push_back(mesh_.corners(facet.corners));
+      const Corners& p = new_corners_.back();
+      new_normals_.push_back(triangle_cross(p[0], p[1], p[2]).normalized());
+    }
+    constexpr double kAnywhere = 1e100, kAnyhow = -2;
+    samples_.try_curves(mesh_, back, kAnywhere, before);
+    samples_.try_surface(mesh_, back, kAnywhere, kAnyhow, {old_corners_, old_normals_}, new_normals_);
+    commit(back, true);
+  }
+}
+
+/// Backwards, so that facets return to the slots where they were.
+void ComplexEditor::commit(const Change& change, bool backwards) {
+  const std::size_t count = std::max(change.added.size(), change.removed.size());
+  slots_.assign(change.added.size(), kNone);
+  for (std::size_t i = 0; i < count; ++i) place(change, backwards ? count - 1 - i : i);
+  samples_.commit(change, slots_);
+}
+
+void ComplexEditor::place(const Change& change, std::size_t i) {
+  if (i >= change.added.size()) {
+    hash_->erase(change.removed[i]);
+    mesh_.remove(change.removed[i]);
+    return;
+  }
+  if (i < change.removed.size()) {
+    slots_[i] = change.removed[i];
+    mesh_.replace(slots_[i], change.added[i]);
+    hash_->move(slots_[i], new_corners_[i]);
+  } else {
+    slots_[i] = mesh_.add(change.added[i]);
+    hash_->insert(slots_[i], new_corners_[i]);
+  }
+  if (slots_[i] >= normals_.size()) normals_.resize(slots_[i] + 1);
+  normals_[slots_[i]] = new_normals_[i];
+}
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,131 @@
+// Local operations over surfaces that are adapted already.
+#include "remesh/improve_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "geometry/digest.h"
+#include "geometry/label_topology.h"
+#include "geometry/self_intersections.h"
+#include "geometry/surface_measures.h"
+#include "remesh/complex_editor.h"
+#include "remesh/local_operations.h"
+#include "support/check_surface.h"
+#include "support/label_bodies.h"
+#include "support/test_surfaces.h"
+#include "surface/extract_surface.h"
+#include "surface/smooth_surface.h"
+#include "surface_report.h"
+
+namespace voxtet::remesh {
+namespace {
+
+AdaptParams strict_params() {
+  AdaptParams params;
+  params.min_angle_deg = 29.25;
+  params.min_dihedral_deg = 30;
+  params.envelope_voxels = 0.45;
+  params.verify = true;
+  return params;
+}
+
+SurfaceMesh label_surface(const LabelVolume& volume) {
+  RunContext ctx;
+  return smooth_surface(extract_surface(volume, {}, ctx).value(), volume, {}, ctx).value();
+}
+
+/// Improves what was adapted to smaller edges than are wished now; returns both.
+std::array<SurfaceMesh, 2> expect_coarser_and_as_good(const SurfaceMesh& reference, double edge_before_mm,
+                                                      double edge_mm) {
+  RunContext ctx;
+  const SurfaceMesh fine = adapt_complex(reference, test::uniform_sizing(edge_before_mm), {}, ctx).value();
+  const SizingField sizing = test::uniform_sizing(edge_mm);
+  AdaptRecord record;
+  const SurfaceMesh surface = improve_surface(fine, reference, sizing, strict_params(), ctx, &record).value();
+  EXPECT_LT(surface.triangles.size(), fine.triangles.size());
+  EXPECT_GT(record.accepted[1], 0U);
+  EXPECT_EQ(record.violations, 0U);
+  EXPECT_TRUE(test::is_valid_surface(surface));
+  EXPECT_EQ(label_topology(surface), label_topology(reference));
+  EXPECT_TRUE(find_self_intersections(surface, 1).empty());
+  const test::SurfaceReport before = test::report_on(fine, sizing), after = test::report_on(surface, sizing);
+  EXPECT_GE(after.least_planar_deg, std::min(before.least_planar_deg, 29.25) - 1e-9);
+  EXPECT_GT(after.size_median, before.size_median + 0.2);
+  const std::vector<double> wished = enclosed_volumes_mm3(reference), found = enclosed_volumes_mm3(surface);
+  EXPECT_EQ(found.size(), wished.size());
+  for (std::size_t l = 1; l < wished.size(); ++l) EXPECT_NEAR(found[l], wished[l], 0.01 * wished[l]);
+  EXPECT_EQ(digest_of(improve_surface(fine, reference, sizing, strict_params(), ctx).value()),
+            digest_of(surface));
+  return {fine, surface};
+}
+
+TEST(ImproveSurface, CoarsensASphereThatIsTooFine) {
+  const auto [fine, surface] = expect_coarser_and_as_good(test::sphere({1, 2, 3}, 12, 5, 1, 0), 1.2, 2);
+  const SizingField sizing = test::uniform_sizing(2);
+  EXPECT_GT(test::report_on(surface, sizing).size_p5, test::report_on(fine, sizing).size_p5 + 0.1);
+}
+
+TEST(ImproveSurface, CoarsensAConformingHeart) {
+  expect_coarser_and_as_good(label_surface(test::heart_volume(30, 26, 26)), 1.2, 2);
+}
+
+TEST(ImproveSurface, BringsBackWhatIsBeyondTheEnvelope) {
+  const SurfaceMesh reference = test::sphere({0, 0, 0}, 12, 5, 1, 0);
+  RunContext ctx;
+  SurfaceMesh dented = adapt_complex(reference, test::uniform_sizing(2), {}, ctx).value();
+  dented.points[7] *= 11.3 / 12;
+  const SurfaceMesh surface =
+      improve_surface(dented, reference, test::uniform_sizing(2), strict_params(), ctx).value();
+  double deepest = 0;
+  for (const Eigen::Vector3d& p : surface.points) deepest = std::max(deepest, std::abs(p.norm() - 12));
+  EXPECT_LE(deepest, 0.45 + 1e-9);
+}
+
+TEST(ImproveSurface, StopsWhenCancelled) {
+  const SurfaceMesh sphere = test::sphere({0, 0, 0}, 12, 4, 1, 0);
+  RunContext ctx;
+  ctx.on_cancelled = [] { return true; };
+  const Result<SurfaceMesh> out =
+      improve_surface(sphere, sphere, test::uniform_sizing(2), strict_params(), ctx);
+  ASSERT_FALSE(out.ok());
+  EXPECT_EQ(out.error().code, ErrorCode::kCancelled);
+}
+
+TEST(EditTrials, PutBackEveryTriangleWhereItWas) {
+  const SurfaceMesh heart = label_surface(test::heart_volume(20, 18, 18));
+  const SizingField sizing = test::uniform_sizing(3);
+  const ComplexMesh mesh(heart);
+  ComplexEditor editor(mesh, mesh, same_complex(mesh), sizing);
+  editor.set_cell(1);
+  LocalOperations operations(editor);
+  editor.begin_trial();
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (editor.mesh().star(v).empty()) continue;
+    operations.relocate(v);
+    const std::vector<std::uint32_t> around = operations.neighbours(v);
+    for (std::size_t i = 0; i < around.size(); ++i)
+      if (i % 3 == 0   ? operations.collapse(v, around[i], 2)
+          : i % 3 == 1 ? operations.split(v, around[i])
+                       : operations.flip(v, around[i], Demand::kAllowed))
+        break;
+  }
+  for (const std::uint64_t count : operations.accepted) EXPECT_GT(count, 20U);
+  ASSERT_NE(digest_of(editor.mesh().to_surface()), digest_of(heart));
+  editor.undo_trial();
+  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
+    ASSERT_TRUE(editor.mesh().alive(t));
+    ASSERT_EQ(editor.mesh().triangle(t), mesh.triangle(t)) << t;
+    ASSERT_EQ(editor.mesh().pair(t), mesh.pair(t));
+  }
+  for (std::uint32_t t = static_cast<std::uint32_t>(mesh.slot_count()); t < editor.mesh().slot_count(); ++t)
+    ASSERT_FALSE(editor.mesh().alive(t));
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) ASSERT_EQ(editor.mesh().point(v), mesh.point(v));
+}
+
+}  // namespace
+}  // namespace voxtet::remesh
