@@ -159,12 +159,16 @@ void print_lookup(const nlohmann::json& report, std::FILE* out) {
 void print_layers(const nlohmann::json& report, std::FILE* out) {
   if (!report.contains("layers")) return;
   std::fprintf(out, "\nlayers between the surfaces, by area of the outer one\n");
-  for (const auto& l : report["layers"])
+  for (const auto& l : report["layers"]) {
     for (const char* way : {"by_edges", "by_lines"}) {
       std::fprintf(out, "wall %s, %u wished, %s: %.1f %% exact, %.1f %% no fewer\n", l["wall"].dump().c_str(),
                    l["wished"].get<unsigned>(), way, 100 * l[way]["exact"].get<double>(),
                    100 * l[way]["at_least"].get<double>());
     }
+    for (const auto& place : l["places"])
+      std::fprintf(out, "  %s layers by edges on %.1f mm2 around %s\n", place["layers"].dump().c_str(),
+                   place["area_mm2"].get<double>(), place["centre_mm"].dump().c_str());
+  }
 }
 
 }  // namespace
