@@ -1,5 +1,6 @@
 #include "pipeline/session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <new>
 #include <stdexcept>
@@ -241,7 +242,12 @@ Status Session::run_remesh(RunContext& ctx) {
                        "expected one for its exact layers",
                    {}};
   Result<SurfaceMesh> surface = remesh_surface(*volume(), *smooth_, *sizing_, recipe_.remesh, ctx, layers_);
-  if (!surface || layers_.empty()) return keep(std::move(surface), remeshed_);
+  if (!surface) return surface.error();
+  // The method remesh may have had to help out, without sheets.
+  if (std::none_of(surface->sides.begin(), surface->sides.end(),
+                   [this](const Sides& sides) { return layers_.is_layer(sides[0]); }))
+    layers_ = {};
+  if (layers_.empty()) return keep(std::move(surface), remeshed_);
   remeshed_ = merge_layers(*surface, layers_);
   layered_surface_ = std::move(surface).value();
   return std::monostate{};
