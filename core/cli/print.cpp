@@ -165,9 +165,12 @@ void print_layers(const nlohmann::json& report, std::FILE* out) {
                    l["wished"].get<unsigned>(), way, 100 * l[way]["exact"].get<double>(),
                    100 * l[way]["at_least"].get<double>());
     }
-    for (const auto& place : l["places"])
-      std::fprintf(out, "  %s layers by edges on %.1f mm2 around %s\n", place["layers"].dump().c_str(),
-                   place["area_mm2"].get<double>(), place["centre_mm"].dump().c_str());
+    for (const auto& place : l["places"]) {
+      const auto& centre = place["centre_mm"];
+      std::fprintf(out, "  %s layers by edges on %.1f mm2 around (%.1f, %.1f, %.1f)\n",
+                   place["layers"].dump().c_str(), place["area_mm2"].get<double>(), centre[0].get<double>(),
+                   centre[1].get<double>(), centre[2].get<double>());
+    }
   }
 }
 
