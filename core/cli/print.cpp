@@ -159,12 +159,19 @@ void print_lookup(const nlohmann::json& report, std::FILE* out) {
 void print_layers(const nlohmann::json& report, std::FILE* out) {
   if (!report.contains("layers")) return;
   std::fprintf(out, "\nlayers between the surfaces, by area of the outer one\n");
-  for (const auto& l : report["layers"])
+  for (const auto& l : report["layers"]) {
     for (const char* way : {"by_edges", "by_lines"}) {
       std::fprintf(out, "wall %s, %u wished, %s: %.1f %% exact, %.1f %% no fewer\n", l["wall"].dump().c_str(),
                    l["wished"].get<unsigned>(), way, 100 * l[way]["exact"].get<double>(),
                    100 * l[way]["at_least"].get<double>());
     }
+    for (const auto& place : l["places"]) {
+      const auto& centre = place["centre_mm"];
+      std::fprintf(out, "  %s layers by edges on %.1f mm2 around (%.1f, %.1f, %.1f)\n",
+                   place["layers"].dump().c_str(), place["area_mm2"].get<double>(), centre[0].get<double>(),
+                   centre[1].get<double>(), centre[2].get<double>());
+    }
+  }
 }
 
 }  // namespace

@@ -99,11 +99,18 @@ json layers_json(const std::vector<LayerCount>& counts) {
     return json{{"area_mm2", shares.area_mm2}, {"exact", shares.exact}, {"at_least", shares.at_least}};
   };
   json out = json::array();
-  for (const LayerCount& count : counts)
+  for (const LayerCount& count : counts) {
+    json places = json::array();
+    for (const LayerPlace& place : count.places)
+      places.push_back({{"area_mm2", place.area_mm2},
+                        {"centre_mm", {place.centre_mm.x(), place.centre_mm.y(), place.centre_mm.z()}},
+                        {"layers", {place.fewest, place.most}}});
     out.push_back({{"wall", count.wall},
                    {"wished", count.wished},
                    {"by_edges", shares_json(count.by_edges)},
-                   {"by_lines", shares_json(count.by_lines)}});
+                   {"by_lines", shares_json(count.by_lines)},
+                   {"places", places}});
+  }
   return out;
 }
 

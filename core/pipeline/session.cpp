@@ -1,5 +1,6 @@
 #include "pipeline/session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <new>
 #include <stdexcept>
@@ -160,8 +161,8 @@ void Session::forget(Stage stage) {
     case Stage::kSurface: surface_.reset(); break;
     case Stage::kSmooth: smooth_.reset(), walls_.clear(), walls_key_.clear(); break;
     case Stage::kSizing: sizing_.reset(); break;
-    case Stage::kRemesh: remeshed_.reset(); break;
-    case Stage::kTetra: filled_.reset(); break;
+    case Stage::kRemesh: remeshed_.reset(), layered_surface_.reset(), layers_ = {}; break;
+    case Stage::kTetra: filled_.reset(), layered_tets_.reset(); break;
     case Stage::kOptimise: optimised_.reset(); break;
     case Stage::kLookup: lookup_.reset(); break;
     case Stage::kQuality: quality_.reset(); break;
@@ -195,7 +196,7 @@ Status Session::measure_walls(RunContext& ctx) {
   Sha256 sha;
   sha.update(key_of(Stage::kSmooth));
   for (const ThicknessSize& wish : recipe_.sizing.thickness)
-    sha.update(nlohmann::json{wish.wall, wish.inner}.dump());
+    sha.update(nlohmann::json{wish.wall, wish.inner, wish.layering}.dump());
   const std::string key = sha.hex();
   if (key == walls_key_) return std::monostate{};
   walls_.clear();
@@ -203,7 +204,8 @@ Status Session::measure_walls(RunContext& ctx) {
   for (const ThicknessSize& wish : recipe_.sizing.thickness) {
     const std::string name = "sizing.thickness[" + std::to_string(walls_.size()) + "]";
     Result<WallField> wall =
-        measure_wall({*anatomy(), *volume(), *smooth_}, {wish.wall, wish.inner}, name, ctx);
+        measure_wall({*anatomy(), *volume(), *smooth_},
+                     {wish.wall, wish.inner, wish.layering == Layering::kExact}, name, ctx);
     if (!wall) return wall.error();
     walls_.push_back(std::move(wall).value());
   }
@@ -220,6 +222,53 @@ Status Session::run_sizing(RunContext& ctx) {
   if (Status found = find_side_volumes(recipe_.sizing.images, images_, "sizing.images", images); !found)
     return found;
   return keep(build_sizing_field(*volume(), recipe_.sizing, ctx, {walls_, masks, images}), sizing_);
+}
+
+Status Session::run_remesh(RunContext& ctx) {
+  std::vector<LayeredWall> exact;
+  std::vector<std::string> names;
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    if (const ThicknessSize& wish = recipe_.sizing.thickness[w]; wish.layering == Layering::kExact) {
+      exact.push_back({walls_[w], wish.layers});
+      names.push_back("sizing.thickness[" + std::to_string(w) + "]");
+    }
+  layers_ = WallLayers(*volume(), exact);
+  for (std::size_t e = 0; e < exact.size(); ++e)
+    if (!layers_.has_wall(e))
+      return Error{ErrorCode::kUsage,
+                   "remesh",
+                   names[e] +
+                       ".wall: found no meshed label of which most lies in this wall and in none before it, "
+                       "expected one for its exact layers",
+                   {}};
+  Result<SurfaceMesh> surface = remesh_surface(*volume(), *smooth_, *sizing_, recipe_.remesh, ctx, layers_);
+  if (!surface) return surface.error();
+  // The method remesh may have had to help out, without sheets.
+  if (std::none_of(surface->sides.begin(), surface->sides.end(),
+                   [this](const Sides& sides) { return layers_.is_layer(sides[0]); }))
+    layers_ = {};
+  if (layers_.empty()) return keep(std::move(surface), remeshed_);
+  remeshed_ = merge_layers(*surface, layers_);
+  layered_surface_ = std::move(surface).value();
+  return std::monostate{};
+}
+
+Status Session::run_tetra(RunContext& ctx) {
+  if (layers_.empty()) return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), filled_);
+  Status filled = keep(fill_tets(*layered_surface_, *sizing_, recipe_.tetra, ctx, layers_), layered_tets_);
+  if (filled) filled_ = merge_layers(*layered_tets_, layers_);
+  return filled;
+}
+
+Status Session::run_optimise(RunContext& ctx) {
+  if (layers_.empty())
+    return keep(optimise_tets(*filled_, *smooth_, *sizing_, recipe_.optimise, ctx), optimised_);
+  const SurfaceMesh reference = with_layers(*smooth_, *layered_surface_, layers_);
+  Result<TetMesh> optimised =
+      optimise_tets(*layered_tets_, reference, *sizing_, recipe_.optimise, ctx, layers_);
+  if (!optimised) return optimised.error();
+  optimised_ = merge_layers(std::move(optimised).value(), layers_);
+  return std::monostate{};
 }
 
 Status Session::run_quality(RunContext& ctx) {
@@ -239,11 +288,9 @@ Status Session::run_stage(Stage stage, RunContext& ctx) {
     case Stage::kSurface: return keep(extract_surface(*volume(), recipe_.surface, ctx), surface_);
     case Stage::kSmooth: return keep(smooth_surface(*surface_, *volume(), recipe_.smooth, ctx), smooth_);
     case Stage::kSizing: return run_sizing(ctx);
-    case Stage::kRemesh:
-      return keep(remesh_surface(*volume(), *smooth_, *sizing_, recipe_.remesh, ctx), remeshed_);
-    case Stage::kTetra: return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), filled_);
-    case Stage::kOptimise:
-      return keep(optimise_tets(*filled_, *smooth_, *sizing_, recipe_.optimise, ctx), optimised_);
+    case Stage::kRemesh: return run_remesh(ctx);
+    case Stage::kTetra: return run_tetra(ctx);
+    case Stage::kOptimise: return run_optimise(ctx);
     case Stage::kLookup: return keep(look_up_labels(*mesh(), *source_, recipe_.lookup, ctx), lookup_);
     case Stage::kQuality: return run_quality(ctx);
   }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/wall_layers.h"
 #include "io/read_volume.h"
 #include "recipe/recipe.h"
 #include "types/label_lookup.h"
@@ -93,6 +94,9 @@ class Session {
   /// Measures the walls of the recipe, which takes seconds: only where those that stand are not the same.
   Status measure_walls(RunContext& ctx);
   Status run_sizing(RunContext& ctx);
+  Status run_remesh(RunContext& ctx);
+  Status run_tetra(RunContext& ctx);
+  Status run_optimise(RunContext& ctx);
   Status run_quality(RunContext& ctx);
   void forget(Stage stage);
 
@@ -113,6 +117,10 @@ class Session {
   std::vector<WallField> walls_;
   std::string walls_key_;  ///< of what walls_ were measured on; empty: not measured
   std::optional<SizingField> sizing_;
+  WallLayers layers_;  ///< of walls whose layers are to be exact
+  /// With a label for each layer; only where there are layers.
+  std::optional<SurfaceMesh> layered_surface_;
+  std::optional<TetMesh> layered_tets_;
   std::optional<TetMesh> filled_, optimised_;
   std::optional<LabelLookUp> lookup_;
   std::optional<QualityReport> quality_;

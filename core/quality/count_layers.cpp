@@ -5,8 +5,10 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <map>
 
 #include "geometry/adjacency.h"
+#include "geometry/union_find.h"
 
 namespace voxtet {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 constexpr std::uint32_t kNone = 0xffffffffU;
 constexpr std::uint32_t kNearSide = 2;  ///< edges
 constexpr std::size_t kMostSteps = 1000;
+constexpr std::size_t kMostPlaces = 10;
 constexpr double kCosine = 0.5;  ///< of 60 degrees
 constexpr double kFlat = 0.05;   ///< a potential that rises less over the wall's thickness has no direction
 
@@ -37,21 +40,47 @@ class WallMesh {
         step_(field.index_to_mm.topLeftCorner<3, 3>().colwise().norm().minCoeff()) {
     find_tets();
     find_faces();
+    find_edges();
   }
 
-  LayerShares by_edges() const {
-    const std::vector<std::uint32_t> from_inner = edges_from(Part::kInner),
-                                     from_side = edges_from(Part::kSide);
-    LayerShares shares;
+  /// Both by_edges and places.
+  void count_edges(LayerCount& count) const {
+    const std::vector<std::uint32_t> from_inner = edges_from(Part::kInner, inner_edges_),
+                                     from_side = edges_from(Part::kSide, edges_);
+    const auto counts = [&](const WallFace& face, std::uint32_t v) {
+      return face.part == Part::kOuter && from_inner[v] != kNone && from_side[v] > kNearSide;
+    };
+    UnionFind joined(mesh_.points.size());
     for (const WallFace& face : faces_)
-      for (const std::uint32_t v : face.corners)
-        if (face.part == Part::kOuter && from_inner[v] != kNone && from_side[v] > kNearSide)
-          add(shares, from_inner[v], face.area / 3);
-    return shares;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t v = face.corners[i], w = face.corners[(i + 1) % 3];
+        if (!counts(face, v)) continue;
+        add(count.by_edges, from_inner[v], face.area / 3);
+        if (counts(face, w) && from_inner[v] != count.wished && from_inner[w] != count.wished)
+          joined.join(v, w);
+      }
+    std::map<std::uint32_t, LayerPlace> places;
+    for (const WallFace& face : faces_)
+      for (const std::uint32_t v : face.corners) {
+        if (!counts(face, v) || from_inner[v] == count.wished) continue;
+        LayerPlace& place =
+            places.try_emplace(joined.find(v), LayerPlace{0, {0, 0, 0}, kNone, 0}).first->second;
+        place.area_mm2 += face.area / 3;
+        place.centre_mm += face.area / 3 * mesh_.points[v];
+        place.fewest = std::min(place.fewest, from_inner[v]);
+        place.most = std::max(place.most, from_inner[v]);
+      }
+    for (auto& [vertex, place] : places) {
+      place.centre_mm /= place.area_mm2;
+      count.places.push_back(place);
+    }
+    std::stable_sort(count.places.begin(), count.places.end(),
+                     [](const LayerPlace& a, const LayerPlace& b) { return a.area_mm2 > b.area_mm2; });
+    count.places.resize(std::min(count.places.size(), kMostPlaces));
   }
 
   LayerShares by_lines(std::uint32_t layers) const {
-    const std::vector<std::uint32_t> from_side = edges_from(Part::kSide);
+    const std::vector<std::uint32_t> from_side = edges_from(Part::kSide, edges_);
     LayerShares shares;
     for (const WallFace& face : faces_) {
       const auto near_side = [&](std::uint32_t v) { return from_side[v] <= kNearSide; };
@@ -137,16 +166,29 @@ class WallMesh {
     return slope;
   }
 
-  /// Per point the fewest edges of the wall's tetrahedra to a part of its surface.
-  std::vector<std::uint32_t> edges_from(Part part) const {
+  /// All edges of the wall's tetrahedra, and those of them that are no edges of its surface.
+  void find_edges() {
     std::vector<Tet> tets;
     for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
       if (in_wall_[t]) tets.push_back(mesh_.tets[t]);
+    edges_ = tet_edges(tets, mesh_.points.size());
+    std::vector<Edge> on_surface;
+    for (const WallFace& face : faces_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(face.corners[i], face.corners[(i + 1) % 3]);
+        on_surface.push_back({a, b});
+      }
+    std::sort(on_surface.begin(), on_surface.end());
+    for (const Edge& edge : edges_)
+      if (!std::binary_search(on_surface.begin(), on_surface.end(), edge)) inner_edges_.push_back(edge);
+  }
+
+  /// Per point the fewest edges to a part of the wall's surface.
+  std::vector<std::uint32_t> edges_from(Part part, const std::vector<Edge>& edges) const {
     std::vector<std::uint32_t> hops(mesh_.points.size(), kNone);
     for (const WallFace& face : faces_)
       if (face.part == part)
         for (const std::uint32_t v : face.corners) hops[v] = 0;
-    const std::vector<Edge> edges = tet_edges(tets, mesh_.points.size());
     bool changed = true;
     for (std::uint32_t hop = 0; changed; ++hop) {
       changed = false;
@@ -216,6 +258,7 @@ class WallMesh {
   std::vector<std::uint8_t> in_wall_;
   std::vector<std::array<std::uint32_t, 4>> neighbours_;  ///< across the face opposite to each corner
   std::vector<WallFace> faces_;
+  std::vector<Edge> edges_, inner_edges_;
   std::vector<std::array<std::uint32_t, 2>> surface_of_tet_;  ///< tet and face, ascending
 };
 
@@ -236,7 +279,8 @@ std::vector<LayerCount> count_layers(const TetMesh& mesh, std::span<const Layere
   std::vector<LayerCount> counts;
   for (const LayeredWall& wall : walls) {
     const WallMesh in_mesh(mesh, wall.field);
-    LayerCount count{wall.field.wall, wall.layers, in_mesh.by_edges(), in_mesh.by_lines(wall.layers)};
+    LayerCount count{wall.field.wall, wall.layers, {}, in_mesh.by_lines(wall.layers), {}};
+    in_mesh.count_edges(count);
     finish(count.by_edges, wall.layers);
     finish(count.by_lines, wall.layers);
     counts.push_back(std::move(count));

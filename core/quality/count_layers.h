@@ -10,17 +10,13 @@
 
 namespace voxtet {
 
-/// A wall with the number of layers that was wished.
-struct LayeredWall {
-  const WallField& field;
-  std::uint32_t layers = 1;
-};
-
 /// Counts layers over the outer surface of each wall, in two ways that share nothing but the surface.
-/// by_edges: the fewest edges from a vertex of the outer surface to the inner one, weighted by its share of
-/// the area. by_lines: from each outer face down the gradient of the potential, tetrahedron by tetrahedron,
-/// how many of the sheets floor(layers * potential at the centroid) are met; lines that end elsewhere than on
-/// the inner surface are not counted.
+/// by_edges: the fewest edges from a vertex of the outer surface to the inner one, none of them on the wall's
+/// surface (where a ventricle's free wall meets the septum, the way along it is short), weighted by its share
+/// of the area. by_lines: from each outer face down the gradient of the potential, tetrahedron by
+/// tetrahedron, how many of the sheets floor(layers * potential at the centroid) are met; lines that end
+/// elsewhere than on the inner surface are not counted. Places are the parts of the outer surface, joined by
+/// its edges, whose vertices have another number by edges than wished.
 ///
 /// The wall's tetrahedra are those of the labels of which most of the volume lies in the wall. Its surface is
 /// inner or outer where the potential falls or rises across it (within 60 degrees), else it is a side, such

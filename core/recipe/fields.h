@@ -140,6 +140,11 @@ void visit_fields(V& v, ThicknessSize& p) {
            "Labels on its inner side (blood pools); none: the cavities of the background."},
           p.inner);
   v.field({"layers", "", 0, 20, "Elements wished across the wall; 0: the ranges below instead."}, p.layers);
+  v.choice(
+      {"layering", "", 0, 0,
+       "How the layers are had: size: by the size of elements alone; exact: by sheets across the wall, with "
+       "one element between two of them."},
+      p.layering, Choices<Layering>{{"size", Layering::kSize}, {"exact", Layering::kExact}});
   v.field({"edge_thin_mm", "mm", 0.01, 1000, "Edge length where the wall is thin."}, p.edge_thin_mm);
   v.field({"edge_thick_mm", "mm", 0.01, 1000, "Edge length where the wall is thick."}, p.edge_thick_mm);
   v.field({"thin_mm", "mm", 0, 1000, "Thickness that is thin; 0 with thick_mm 0: the first percentile."},

@@ -25,9 +25,7 @@ namespace {
 /// Measured on hearts, aorta and spheres: the median edge of a refined surface is 1.30 times the largest
 /// radius allowed for the surface Delaunay balls.
 constexpr double kEdgePerRadius = 1.30;
-// In units of the smallest spacing:
-constexpr double kMissed = 0.5;           ///< a reference farther than this from the surface was missed
-constexpr double kSeedSeparation = 0.25;  ///< between first points
+constexpr double kSeedSeparation = 0.25;  ///< between first points, in units of the smallest spacing
 
 /// How a surface is refined where it does not follow the reference; lengths in units of the smallest spacing.
 struct Repair {
@@ -91,6 +89,20 @@ std::vector<Label> differing_labels(const TopologyLedger& wanted, const Topology
   return labels;
 }
 
+/// The volumes that labels and their layers are to have: a layer keeps its part of its parent's.
+std::vector<double> with_layers_mm3(std::vector<double> volumes, const SurfaceMesh& surface,
+                                    const WallLayers& layers) {
+  const std::vector<double> now = enclosed_volumes_mm3(surface);
+  std::vector<double> parents(volumes.size(), 0);
+  for (std::size_t l = 1; l < now.size(); ++l) parents[layers.parent(static_cast<Label>(l))] += now[l];
+  volumes.resize(std::max(volumes.size(), now.size()), 0);
+  for (std::size_t l = 1; l < now.size(); ++l) {
+    const Label parent = layers.parent(static_cast<Label>(l));
+    if (parent != l && parents[parent] > 0) volumes[l] = now[l] * volumes[parent] / parents[parent];
+  }
+  return volumes;
+}
+
 }  // namespace
 
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
@@ -117,14 +129,16 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     drop_fragments(cells, field, pieces);
     SurfaceMesh surface = extract_interface(cells);
     if (ctx.cancelled()) return cancelled_error("remesh");
+    const SurfaceMesh merged = merge_layers(surface, field.layers());
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {
       const std::vector<Label> broken =
-          repair->thorough ? differing_labels(wanted, label_topology(surface)) : std::vector<Label>{};
-      std::vector<Eigen::Vector3d> missed = missed_junctions(reference, junctions, surface, kMissed * voxel);
-      const std::vector<Eigen::Vector3d> elsewhere =
-          missed_places(reference, surface, field,
-                        {kMissed * voxel, repair->separation * voxel, broken, repair->turned_cosine});
+          repair->thorough ? differing_labels(wanted, label_topology(merged)) : std::vector<Label>{};
+      std::vector<Eigen::Vector3d> missed =
+          missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
+      const std::vector<Eigen::Vector3d> elsewhere = missed_places(
+          reference, merged, field,
+          {params.missed_voxels * voxel, repair->separation * voxel, broken, repair->turned_cosine});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
       if (repair->thorough && broken.empty() && missed.empty()) break;
       // Pinches first, because new points do away with cells.
@@ -134,7 +148,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     }
     if (added > 0) continue;
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
-    fit_surface(surface, field, volumes);
+    fit_surface(surface, field, with_layers_mm3(volumes, surface, field.layers()));
     if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error("remesh");
     return surface;
   }

@@ -13,6 +13,7 @@ namespace voxtet::remesh {
 struct DelaunayParams {
   double facet_angle_deg = 30;
   double max_distance_voxels = 0.5;
+  double missed_voxels = 0.5;  ///< a reference farther than this from the surface was missed
 };
 
 /// Seeds every interface, refines, then mends what a triangulation of finite size gets wrong at junctions

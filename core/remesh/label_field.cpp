@@ -108,7 +108,10 @@ struct CellTable {
 
 }  // namespace
 
-LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface) {
+const WallLayers LabelField::kNoLayers;
+
+LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface, const WallLayers& layers)
+    : layers_(layers) {
   smallest_spacing_mm_ = volume.spacing_mm().minCoeff();
   connectivity_ = connectivity_of(surface);
   index_to_mm_ = volume.linear();
@@ -121,6 +124,11 @@ LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface) {
   size_ = grid.size;
   centre_labels_ = std::move(grid.labels);
   build_cells(distances);
+  if (!layers_.empty())
+    for (std::size_t v = 0, k = 0; k < static_cast<std::size_t>(size_[2]); ++k)
+      for (std::size_t j = 0; j < static_cast<std::size_t>(size_[1]); ++j)
+        for (std::size_t i = 0; i < static_cast<std::size_t>(size_[0]); ++i, ++v)
+          centre_labels_[v] = layers_.at(centre_labels_[v], to_mm(Eigen::Vector3d(i, j, k)));
 }
 
 void LabelField::build_cells(const LabelDistances& distances) {
@@ -244,6 +252,8 @@ bool LabelField::corner_differences(const Eigen::Vector3d& mm, Label a, Label b,
 }
 
 Eigen::Vector3d LabelField::gradient(const Eigen::Vector3d& mm, Label a, Label b) const {
+  if (share_parent(a, b)) return layers_.lead_gradient(mm, a, b);
+  a = layers_.parent(a), b = layers_.parent(b);
   std::array<double, 3> t{};
   std::array<double, 8> difference{};
   if (!corner_differences(mm, a, b, difference, t)) return Eigen::Vector3d::Zero();
@@ -251,6 +261,11 @@ Eigen::Vector3d LabelField::gradient(const Eigen::Vector3d& mm, Label a, Label b
 }
 
 std::optional<double> LabelField::distance(const Eigen::Vector3d& mm, Label a, Label b) const {
+  if (share_parent(a, b)) {
+    const double slope = layers_.lead_gradient(mm, a, b).norm();
+    return slope > 0 ? std::optional<double>(layers_.lead(mm, a, b) / slope) : std::nullopt;
+  }
+  a = layers_.parent(a), b = layers_.parent(b);
   std::array<double, 3> t{};
   std::array<double, 8> difference{};
   if (!corner_differences(mm, a, b, difference, t)) return std::nullopt;
@@ -260,6 +275,7 @@ std::optional<double> LabelField::distance(const Eigen::Vector3d& mm, Label a, L
 }
 
 double LabelField::depth(const Eigen::Vector3d& mm, Label a) const {
+  if (layers_.is_layer(a)) return std::min(depth(mm, layers_.parent(a)), layers_.depth_mm(mm, a));
   Sample sample{};
   const double lead = margin(to_index(mm), a, sample);
   if (!sample.mixed) return lead * smallest_spacing_mm_;
@@ -269,6 +285,33 @@ double LabelField::depth(const Eigen::Vector3d& mm, Label a) const {
 
 Eigen::Vector3d LabelField::crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b,
                                      Label label_b, Label& other) const {
+  Eigen::Vector3d inside = a, outside = b;
+  other = label_b;
+  if (!share_parent(label_a, label_b)) {
+    outside = parent_crossing(a, layers_.parent(label_a), b, layers_.parent(label_b), other);
+    const Label before = layers_.at(layers_.parent(label_a), outside);
+    if (before == label_a) {
+      other = layers_.at(other, outside);
+      return outside;
+    }
+    other = before;
+  }
+  const double tolerance = kTolerance * smallest_spacing_mm_;
+  while ((outside - inside).squaredNorm() > tolerance * tolerance) {
+    const Eigen::Vector3d middle = 0.5 * (inside + outside);
+    const Label label = at(middle);
+    if (label == label_a) {
+      inside = middle;
+    } else {
+      outside = middle;
+      other = label;
+    }
+  }
+  return inside;
+}
+
+Eigen::Vector3d LabelField::parent_crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b,
+                                            Label label_b, Label& other) const {
   const Eigen::Vector3d origin = to_index(a);
   const Eigen::Vector3d step = to_index(b) - origin;
   // The surface stays inside the padded grid; what sticks out of it is background.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "geometry/label_components.h"
+#include "geometry/wall_layers.h"
 #include "remesh/label_distances.h"
 #include "types/label_volume.h"
 #include "types/surface_mesh.h"
@@ -28,12 +29,13 @@ class LabelField {
   static constexpr int kPad = 2;
 
   /// `surface`: the smoothed boundary complex of the labels of `volume` (mm), each vertex within half a voxel
-  /// or so of where it was extracted. The labels at voxel centres are those of the volume.
-  LabelField(const LabelVolume& volume, const SurfaceMesh& surface);
+  /// or so of where it was extracted. The labels at voxel centres are those of the volume. Labels that have
+  /// `layers`, which must outlive this, give way to them: with these the field goes on inside of walls.
+  LabelField(const LabelVolume& volume, const SurfaceMesh& surface, const WallLayers& layers = kNoLayers);
 
   /// Label at a patient-space point (mm).
-  Label at(const Eigen::Vector3d& mm) const { return at_index(to_index(mm)); }
-  /// Label at a continuous index of the padded grid.
+  Label at(const Eigen::Vector3d& mm) const { return layers_.at(at_index(to_index(mm)), mm); }
+  /// Label of the volume, without layers, at a continuous index of the padded grid.
   Label at_index(const Eigen::Vector3d& index) const;
 
   /// A point where the label changes on the segment from `a` to `b` (mm), nearest to `a` as far as bisection
@@ -55,6 +57,7 @@ class LabelField {
   double depth(const Eigen::Vector3d& mm, Label a) const;
 
   const std::array<int, 3>& size() const { return size_; }
+  const WallLayers& layers() const { return layers_; }
   /// Label at a voxel centre of the padded grid, offset x fastest.
   const std::vector<Label>& centre_labels() const { return centre_labels_; }
   double smallest_spacing_mm() const { return smallest_spacing_mm_; }
@@ -65,6 +68,8 @@ class LabelField {
   Eigen::Vector3d to_mm(const Eigen::Vector3d& index) const { return index_to_mm_ * index + mm_origin_; }
 
  private:
+  static const WallLayers kNoLayers;
+
   /// A cell in which exactly two labels can win: difference at the corners, positive where `a` wins.
   struct Pair {
     std::array<float, 8> difference;
@@ -74,6 +79,12 @@ class LabelField {
     Label label;
     bool mixed;
   };
+
+  /// crossing() of labels of the volume.
+  Eigen::Vector3d parent_crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b,
+                                  Label label_b, Label& other) const;
+  /// Whether two labels are layers of one label.
+  bool share_parent(Label a, Label b) const { return layers_.parent(a) == layers_.parent(b); }
 
   void build_cells(const LabelDistances& distances);
   /// The code of a cell in which more than one label can win.
@@ -99,6 +110,7 @@ class LabelField {
   Eigen::Vector3d mm_origin_, index_origin_;
   double smallest_spacing_mm_ = 1;
   Connectivity connectivity_ = Connectivity::kFaces;
+  const WallLayers& layers_;
 };
 
 }  // namespace voxtet::remesh

@@ -60,9 +60,10 @@ std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint3
   const auto [behind, front] = surface.sides[t];
   for (const double reach : {0.2 * reach_mm, 0.5 * reach_mm, reach_mm}) {
     const Eigen::Vector3d from = middle - reach * normal, to = middle + reach * normal;
-    if (field.at(from) != behind || field.at(to) != front) continue;
+    const Label at_from = field.at(from), at_to = field.at(to);
+    if (field.layers().parent(at_from) != behind || field.layers().parent(at_to) != front) continue;
     Label other = kBackground;
-    return field.crossing(from, behind, to, front, other);
+    return field.crossing(from, at_from, to, at_to, other);
   }
   return std::nullopt;
 }

@@ -103,9 +103,9 @@ struct DelaunayRefiner::Impl {
     info.label = field.at(info.centre);
   }
 
-  /// Centre of the surface Delaunay ball of the facet opposite corner i; false where the facet is on no
-  /// interface.
-  bool surface_centre(Cell cell, int i, Vector3d& centre, Vector3d& normal) const {
+  /// Centre of the surface Delaunay ball of the facet opposite corner i, and whether its dual segment passes
+  /// through a layer that it does not bound; false where the facet is on no interface.
+  bool surface_centre(Cell cell, int i, Vector3d& centre, Vector3d& normal, bool& skips) const {
     const Cell other = cell->neighbor(i);
     const CellInfo& mine = cell->info();
     const CellInfo& theirs = other->info();
@@ -117,20 +117,22 @@ struct DelaunayRefiner::Impl {
     Label behind = kBackground;
     centre = field.crossing(from.centre, from.label, to.centre, to.label, behind);
     normal = field.gradient(centre, from.label, behind);
+    skips = behind != to.label && (field.layers().is_layer(behind) || field.layers().is_layer(from.label));
     return true;
   }
 
   /// Queues the facet opposite corner i of the cell if it lies on an interface and fails a criterion.
   void examine(Cell cell, int i) {
     Vector3d centre, normal;
-    if (!surface_centre(cell, i, centre, normal)) return;
-    const double urgency = badness(cell, i, centre, normal);
+    bool skips = false;
+    if (!surface_centre(cell, i, centre, normal, skips)) return;
+    const double urgency = badness(cell, i, centre, normal, skips);
     if (urgency > 0)
       bad.push({urgency, cell->info().serial, cell->neighbor(i)->info().serial, cell, i, centre});
   }
 
   /// 0 for a good facet; facets that are too large come before those that are too far off or too thin.
-  double badness(Cell cell, int i, const Vector3d& centre, const Vector3d& normal) const {
+  double badness(Cell cell, int i, const Vector3d& centre, const Vector3d& normal, bool skips) const {
     const auto& corners = kFacetCorners[static_cast<std::size_t>(i)];
     const Vector3d p = to_vector(cell->vertex(corners[0])->point());
     const Vector3d q = to_vector(cell->vertex(corners[1])->point());
@@ -147,9 +149,9 @@ struct DelaunayRefiner::Impl {
     const bool thin = !(circle <= ratio_limit * std::min({a, b, c}));
     // A facet across the surface spans a wall or a hole that is narrower than itself.
     const double along = across.dot(normal);
-    const bool astray =
-        ball > least_astray * least_astray &&
-        along * along < kAstrayCosine * kAstrayCosine * across.squaredNorm() * normal.squaredNorm();
+    const bool astray = ball > least_astray * least_astray &&
+                        (skips || along * along < kAstrayCosine * kAstrayCosine * across.squaredNorm() *
+                                                      normal.squaredNorm());
     return far || thin || astray ? relative : 0;
   }
 
@@ -234,7 +236,8 @@ bool DelaunayRefiner::request(std::uint32_t cell, std::uint32_t corner, double l
   const Cell handle = impl_->exported[cell];
   const int i = static_cast<int>(corner);
   Vector3d centre, normal;
-  if (!impl_->surface_centre(handle, i, centre, normal)) return false;
+  bool skips = false;
+  if (!impl_->surface_centre(handle, i, centre, normal, skips)) return false;
   const double radius = (centre - to_vector(handle->vertex((i + 1) % 4)->point())).norm();
   if (radius < least_radius_mm) return false;
   impl_->bad.push({1, handle->info().serial, handle->neighbor(i)->info().serial, handle, i, centre});

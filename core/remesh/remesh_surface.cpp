@@ -21,6 +21,11 @@ namespace {
 using namespace remesh;
 
 const char* const kStage = "remesh";
+/// Of max_distance_voxels, the distance to which facets are refined around layers. Where facets are as far
+/// off as what counts as missed, points are added regardless of sizes: triangles much finer than a layer is
+/// thick leave no room for good tetrahedra across it. Measured on shells: 0.8 gives 33 degrees where 1
+/// gave 16.
+constexpr double kLayerDistance = 0.8;
 
 Error bad_input(const std::string& message) {
   return {ErrorCode::kBadInput, kStage, message, {}};
@@ -180,17 +185,22 @@ Result<SurfaceMesh> improve(const SurfaceMesh& surface, const LabelVolume& volum
 }
 
 Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,
-                              const SizingField& sizing, const RemeshParams& params, RunContext& ctx) {
+                              const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
+                              const WallLayers& layers) {
   ctx.progress(kStage, 0);
   if (params.method == RemeshMethod::kRemesh) return adapt(volume, reference, sizing, params, ctx);
-  const LabelField field(volume, reference);
+  const LabelField field(volume, reference, layers);
   if (ctx.cancelled()) return cancelled_error(kStage);
   ctx.progress(kStage, 0.08);
   const TopologyLedger wanted = label_topology(reference);
-  Result<SurfaceMesh> surface = delaunay_surface(field, reference, wanted, sizing,
-                                                 {params.facet_angle_deg, params.max_distance_voxels}, ctx);
+  DelaunayParams refine{params.facet_angle_deg, params.max_distance_voxels};
+  if (!layers.empty()) {
+    refine.missed_voxels = refine.max_distance_voxels;
+    refine.max_distance_voxels *= kLayerDistance;
+  }
+  Result<SurfaceMesh> surface = delaunay_surface(field, reference, wanted, sizing, refine, ctx);
   if (!surface) return surface;
-  const TopologyLedger found = label_topology(*surface);
+  const TopologyLedger found = label_topology(merge_layers(*surface, layers));
   const std::string broken = broken_topology(wanted, found, params.keep_topology);
   if (broken.empty()) {
     ctx.note(kStage, "method delaunay");
@@ -198,20 +208,28 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
       ctx.warn(kStage, in_words(difference));
     return improve(*surface, volume, reference, sizing, params, ctx);
   }
-  ctx.warn(kStage, "the method delaunay " + broken + ": the method remesh was taken instead");
+  ctx.warn(kStage, "the method delaunay " + broken + ": the method remesh was taken instead" +
+                       (layers.empty() ? "" : ", which lays no sheets between layers"));
   return adapt(volume, reference, sizing, params, ctx);
 }
 
 }  // namespace
 
 Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& reference,
-                                   const SizingField& sizing, const RemeshParams& params, RunContext& ctx) {
+                                   const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
+                                   const WallLayers& layers) {
   if (Status status = check_volume(volume); !status) return status.error();
   if (Status status = check_label_surface(reference); !status) return status.error();
   if (Status status = check_parameters(sizing, params); !status) return status.error();
+  if (!layers.empty() && params.method != RemeshMethod::kDelaunay)
+    return Error{ErrorCode::kUsage,
+                 kStage,
+                 "remesh.method: found remesh, expected delaunay, which alone lays the sheets between exact "
+                 "layers",
+                 {}};
   try {
     RunContext rising = with_rising_progress(ctx);
-    Result<SurfaceMesh> surface = by_method(volume, reference, sizing, params, rising);
+    Result<SurfaceMesh> surface = by_method(volume, reference, sizing, params, rising, layers);
     if (surface) {
       warn_about_sizes(*surface, sizing, ctx);
       ctx.progress(kStage, 1);

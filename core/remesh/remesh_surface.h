@@ -1,6 +1,7 @@
 // The adapted surface: the label boundaries triangulated to the sizing field.
 #pragma once
 
+#include "geometry/wall_layers.h"
 #include "remesh/adapt_complex.h"
 #include "types/label_volume.h"
 #include "types/result.h"
@@ -41,8 +42,12 @@ struct RemeshParams {
 /// place demands it, triangles are smaller than wished: a warning tells the share. A note tells the method
 /// taken, a warning that and why the other one had to help out.
 ///
-/// Errors: kBadInput for malformed values; kCancelled; kOutOfMemory.
+/// With `layers` the sheets between them are interfaces too (delaunay alone; a warning tells when the other
+/// method had to be taken, without sheets): merge_layers() takes them out.
+///
+/// Errors: kBadInput for malformed values; kUsage for layers with method remesh; kCancelled; kOutOfMemory.
 Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& label_surface,
-                                   const SizingField& sizing, const RemeshParams& params, RunContext& ctx);
+                                   const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
+                                   const WallLayers& layers = {});
 
 }  // namespace voxtet

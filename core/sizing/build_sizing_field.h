@@ -46,14 +46,21 @@ struct DistanceSize {
   double slope = 0.2;
 };
 
-/// Size by the thickness t of a wall. `layers` > 0: t / layers. Elements of that size are not laid in sheets:
-/// of a shell's area 99 % has exactly two layers where two are wished, 94 % exactly three or four, and most
-/// of it two where one is wished (core/README.md). Else linear, from edge_thin_mm where t <= thin_mm to
-/// edge_thick_mm where t >= thick_mm; with both of these 0 they are the first and the last percentile of t.
+/// How a number of layers is had.
+enum class Layering {
+  kSize,   ///< by the size of elements alone, which are not laid in sheets
+  kExact,  ///< by sheets across the wall (geometry/wall_layers.h), between which lies one element
+};
+
+/// Size by the thickness t of a wall. `layers` > 0: t / layers. By size alone, of a shell's area 99 % has
+/// exactly two layers where two are wished, 94 % exactly three or four, and most of it two where one is
+/// wished (core/README.md). Else linear, from edge_thin_mm where t <= thin_mm to edge_thick_mm where
+/// t >= thick_mm; with both of these 0 they are the first and the last percentile of t.
 struct ThicknessSize {
   std::vector<Label> wall;   ///< labels of the image that form the wall
   std::vector<Label> inner;  ///< labels on its inner side; none: the cavities of the background
   std::uint32_t layers = 0;
+  Layering layering = Layering::kSize;
   double edge_thin_mm = 1, edge_thick_mm = 3;
   double thin_mm = 0, thick_mm = 0;
 };

@@ -86,6 +86,8 @@ void check_region(Checker& check, const SizeRegion& region, const std::string& f
 }
 
 void check_thickness(Checker& check, const ThicknessSize& wish, const std::string& field) {
+  check.require(wish.layers > 0 || wish.layering == Layering::kSize, field + ".layers", wish.layers,
+                "at least 1 where layering is exact");
   if (wish.layers > 0) return;
   check.positive(field + ".edge_thin_mm", wish.edge_thin_mm);
   check.positive(field + ".edge_thick_mm", wish.edge_thick_mm);

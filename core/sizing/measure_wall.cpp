@@ -97,10 +97,19 @@ std::size_t reach(const WallGrid& grid, Starts&& starts, std::size_t most, std::
 /// Thickness and potential of the wall voxels of a grid; 0 where no line reaches both surfaces.
 struct Measured {
   std::vector<float> thickness_mm, potential;
+  std::vector<std::vector<float>> shares;  ///< by inner space, its harmonic measure; empty if not wanted
+
+  /// All of them, the thickness first.
+  std::vector<std::vector<float>*> all() {
+    std::vector<std::vector<float>*> out{&thickness_mm, &potential};
+    for (std::vector<float>& share : shares) out.push_back(&share);
+    return out;
+  }
 };
 
-Measured measure(const WallGrid& grid, std::size_t inner_count, RunContext& ctx) {
+Measured measure(const WallGrid& grid, std::size_t inner_count, bool shares, RunContext& ctx) {
   Measured out;
+  if (shares) out.shares.assign(inner_count, std::vector<float>(grid.kind.size(), 0));
   out.thickness_mm.assign(grid.kind.size(), kFar);
   out.potential.assign(grid.kind.size(), 0);
   std::vector<float> chosen(grid.kind.size(), kFar);  // length of the line that gives the potential
@@ -117,8 +126,9 @@ Measured measure(const WallGrid& grid, std::size_t inner_count, RunContext& ctx)
     const wall::WallLengths lengths = wall::wall_lengths(grid, graph, potential, ctx.threads);
     for (std::size_t n = 0; n < graph.voxel.size(); ++n) {
       const float length = lengths.to_inner[n] + lengths.to_outer[n];
-      if (!(length < kFar)) continue;
       const std::size_t at = graph.voxel[n];
+      if (shares) out.shares[space][at] = 1 - potential[n];
+      if (!(length < kFar)) continue;
       out.thickness_mm[at] = std::min(out.thickness_mm[at], length);
       if (!(length * kLonger < chosen[at])) continue;
       chosen[at] = length;
@@ -129,53 +139,64 @@ Measured measure(const WallGrid& grid, std::size_t inner_count, RunContext& ctx)
   return out;
 }
 
-/// The mean of what the face neighbours of a voxel have; no thickness where none has any.
-std::array<float, 2> mean_around(const WallGrid& grid, const Measured& values, std::size_t at) {
-  float thickness = 0, potential = 0, count = 0;
-  for_face_neighbours(grid.size, at, [&](std::size_t other, std::size_t) {
-    if (!(values.thickness_mm[other] > 0)) return;
-    thickness += values.thickness_mm[other];
-    potential += values.potential[other];
-    count += 1;
-  });
-  return count > 0 ? std::array{thickness / count, potential / count} : std::array{0.F, 0.F};
-}
-
-/// Gives values to voxels of which `wants` approves and that have none, from their face neighbours, ring by
-/// ring.
+/// Gives values to voxels of which `wants` approves and that have none, the means of what their face
+/// neighbours have, ring by ring.
 template <class Wants>
 void spread(const WallGrid& grid, std::size_t rings, Wants&& wants, Measured& values) {
+  const std::vector<std::vector<float>*> all = values.all();
+  const auto known = [&](std::size_t at) { return values.thickness_mm[at] > 0; };
   std::vector<std::size_t> front, next;
+  const auto add_beside = [&](std::size_t at) {
+    for_face_neighbours(grid.size, at, [&](std::size_t other, std::size_t) {
+      if (wants(other) && !known(other)) next.push_back(other);
+    });
+  };
   for (std::size_t at = 0; at < grid.kind.size(); ++at)
-    if (wants(at) && values.thickness_mm[at] == 0 && mean_around(grid, values, at)[0] > 0)
-      front.push_back(at);
-  for (std::size_t ring = 0; !front.empty() && ring < rings; ++ring) {
-    std::vector<std::array<float, 2>> found;
-    for (const std::size_t at : front) found.push_back(mean_around(grid, values, at));
-    for (std::size_t f = 0; f < front.size(); ++f) {
-      values.thickness_mm[front[f]] = found[f][0];
-      values.potential[front[f]] = found[f][1];
-    }
-    next.clear();
-    for (const std::size_t at : front)
-      for_face_neighbours(grid.size, at, [&](std::size_t other, std::size_t) {
-        if (wants(other) && values.thickness_mm[other] == 0) next.push_back(other);
-      });
+    if (known(at)) add_beside(at);
+  for (std::size_t ring = 0; !next.empty() && ring < rings; ++ring) {
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());
     front.swap(next);
+    next.clear();
+    std::vector<float> found(front.size() * all.size(), 0);
+    for (std::size_t f = 0; f < front.size(); ++f) {
+      float count = 0;
+      for_face_neighbours(grid.size, front[f], [&](std::size_t other, std::size_t) {
+        if (!known(other)) return;
+        for (std::size_t v = 0; v < all.size(); ++v) found[f * all.size() + v] += (*all[v])[other];
+        count += 1;
+      });
+      for (std::size_t v = 0; v < all.size(); ++v) found[f * all.size() + v] /= count;
+    }
+    for (std::size_t f = 0; f < front.size(); ++f)
+      for (std::size_t v = 0; v < all.size(); ++v) (*all[v])[front[f]] = found[f * all.size() + v];
+    for (const std::size_t at : front) add_beside(at);
   }
 }
 
-/// Values beyond the wall: thickness as in the wall nearby, and the potential as it would go on, so that it
-/// is 0 and 1 at the surfaces.
+/// The largest of the inner spaces' shares of a voxel.
+float& largest_share(Measured& values, std::size_t at) {
+  std::size_t best = 0;
+  for (std::size_t s = 1; s < values.shares.size(); ++s)
+    if (values.shares[s][at] > values.shares[best][at]) best = s;
+  return values.shares[best][at];
+}
+
+/// Values beyond the wall: thickness as in the wall nearby, and the potential and the shares as they would go
+/// on, so that they are 0 and 1 at the surfaces.
 void continue_outside(const WallGrid& grid, std::size_t rings, Measured& values) {
   const auto outside = [&](std::size_t at) { return grid.kind[at] != wall::kWall; };
   spread(grid, rings, outside, values);
   for (std::size_t at = 0; at < grid.kind.size(); ++at) {
-    if (!outside(at) || grid.kind[at] == wall::kSide || !(values.thickness_mm[at] > 0)) continue;
+    const std::uint8_t kind = grid.kind[at];
+    if (!outside(at) || kind == wall::kSide || !(values.thickness_mm[at] > 0)) continue;
     const float beyond = grid.distance_mm[at] / values.thickness_mm[at];
     values.potential[at] = values.potential[at] < 0.5F ? -beyond : 1 + beyond;
+    if (values.shares.empty()) continue;
+    if (kind == wall::kOuter)
+      largest_share(values, at) = -beyond;
+    else
+      values.shares[kind - wall::kInner][at] = 1 + beyond;
   }
 }
 
@@ -201,6 +222,7 @@ WallField field_of(const WallGrid& grid, Measured values, const std::vector<Labe
   field.mm_to_index = grid.index_to_mm.inverse();
   field.thickness_mm = std::move(values.thickness_mm);
   field.potential = std::move(values.potential);
+  field.inner_shares = std::move(values.shares);
   field.in_wall.resize(grid.kind.size());
   for (std::size_t at = 0; at < grid.kind.size(); ++at) field.in_wall[at] = grid.kind[at] == wall::kWall;
   return field;
@@ -233,14 +255,14 @@ Result<WallField> measure_wall(const WallInput& input, const WallLabels& labels,
 
   WallGrid grid = coarse;
   wall::measure_distances(input.surface.points, triangles, 1, ctx.threads, grid);
-  Measured values = measure(grid, inner_count, ctx);
+  Measured values = measure(grid, inner_count, labels.shares, ctx);
   int factor = 1;
   if (is_thin(grid, values, input.anatomy.voxel_mm3()) && !ctx.cancelled() &&
       8 * grid.kind.size() <= kMostFineVoxels) {
     factor = 2;
     grid = wall::refined(coarse, factor);
     wall::measure_distances(input.surface.points, triangles, factor, ctx.threads, grid);
-    values = measure(grid, inner_count, ctx);
+    values = measure(grid, inner_count, labels.shares, ctx);
   }
   if (ctx.cancelled()) return cancelled_error(kStage);
   if (std::none_of(values.thickness_mm.begin(), values.thickness_mm.end(), [](float t) { return t > 0; }))

@@ -15,6 +15,7 @@ namespace voxtet {
 /// spaces are the cavities of the background: see sizing/find_cavities.h.
 struct WallLabels {
   std::vector<Label> wall, inner;
+  bool shares = false;  ///< WallField::inner_shares are wanted
 };
 
 /// `anatomy` holds all labels of the image, `meshed` those that are meshed, on the same grid; `surface` is

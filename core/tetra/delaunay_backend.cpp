@@ -35,7 +35,8 @@ Status check_volumes(const std::vector<double>& before, const std::vector<double
 }  // namespace
 
 Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing,
-                                 const DelaunayOptions& options, const RunContext& ctx) {
+                                 const DelaunayOptions& options, const WallLayers& layers,
+                                 const RunContext& ctx) {
   DelaunayCells cells;
   for (const Eigen::Vector3d& p : surface.points) {
     if (cells.size() % kPointsPerQuestion == 0 && ctx.cancelled()) return cancelled_error("tetra");
@@ -51,7 +52,7 @@ Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing
                           std::to_string(recovered->flipped) + " edges were flipped and " +
                           std::to_string(recovered->split) + " halved");
   if (!cells.label(surface)) return meshing_error("a cell lies on two sides of the surface");
-  switch (cells.refine(sizing, options.radius_edge, options.max_points, ctx)) {
+  switch (cells.refine(sizing, options.radius_edge, options.max_points, layers, ctx)) {
     case DelaunayCells::Refined::kCancelled: return cancelled_error("tetra");
     case DelaunayCells::Refined::kTooMany: return meshing_error("refinement did not come to an end");
     case DelaunayCells::Refined::kDone: break;

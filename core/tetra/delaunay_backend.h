@@ -7,6 +7,7 @@
 // flat cells above all, is for optimise_tets.
 #pragma once
 
+#include "geometry/wall_layers.h"
 #include "tetra/filled_parts.h"
 #include "types/result.h"
 #include "types/run_context.h"
@@ -22,9 +23,10 @@ struct DelaunayOptions {
 
 /// Fills everything inside the surface. Where that is not Delaunay, flat pairs of its triangles are flipped,
 /// or edges are halved by points that come after the others; ctx.note says how many. No other point is added
-/// on it, and no label's volume changes by more than 0.5 %. Edge lengths follow `sizing`. Errors: kCancelled;
-/// kMeshing where the surface is too far from Delaunay, or for max_points.
+/// on it, and no label's volume changes by more than 0.5 %. Edge lengths follow `sizing`; layers get no
+/// points. Errors: kCancelled; kMeshing where the surface is too far from Delaunay, or for max_points.
 Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing,
-                                 const DelaunayOptions& options, const RunContext& ctx);
+                                 const DelaunayOptions& options, const WallLayers& layers,
+                                 const RunContext& ctx);
 
 }  // namespace voxtet

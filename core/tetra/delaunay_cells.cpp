@@ -219,9 +219,11 @@ bool DelaunayCells::label(const SurfaceMesh& surface) {
 }
 
 DelaunayCells::Refined DelaunayCells::refine(const SizingField& sizing, double radius_edge,
-                                             std::size_t max_points, const RunContext& ctx) {
+                                             std::size_t max_points, const WallLayers& layers,
+                                             const RunContext& ctx) {
   Impl& m = *impl_;
-  for (const Cell c : m.triangulation.finite_cell_handles()) m.examine(c, sizing, radius_edge);
+  for (const Cell c : m.triangulation.finite_cell_handles())
+    if (!layers.is_layer(c->info().label)) m.examine(c, sizing, radius_edge);
   const double first_points = size();
   for (std::size_t k = 1; !m.bad.empty(); ++k) {
     if (k % kTriesPerQuestion == 0) {

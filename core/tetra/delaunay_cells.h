@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "geometry/wall_layers.h"
 #include "tetra/filled_parts.h"
 #include "types/run_context.h"
 #include "types/sizing_field.h"
@@ -35,9 +36,10 @@ class DelaunayCells {
   /// After label(): adds points at the circumcentres of cells that are larger than `sizing` wishes, the
   /// largest first, then of those with a higher ratio of circumradius to shortest edge, except where these
   /// are too close to the surface or behind it. A point only changes cells of one label: the triangulation
-  /// stays Delaunay as seen from inside each label. Polls ctx.cancelled(). Stops at `max_points`.
+  /// stays Delaunay as seen from inside each label. No point is added in a layer. Polls ctx.cancelled().
+  /// Stops at `max_points`.
   Refined refine(const SizingField& sizing, double radius_edge, std::size_t max_points,
-                 const RunContext& ctx);
+                 const WallLayers& layers, const RunContext& ctx);
 
   /// After label(): the points, and the tets of every label except background, their labels as regions.
   FilledParts take() const;

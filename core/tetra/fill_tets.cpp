@@ -122,11 +122,11 @@ SurfaceMesh displaced(const SurfaceMesh& surface) {
 
 Result<TetMesh> fill_by(const Rung& rung, const SurfaceMesh& surface,
                         const std::vector<Eigen::Vector3d>& holes, const SizingField& sizing,
-                        const RunContext& ctx) {
+                        const WallLayers& layers, const RunContext& ctx) {
   if (rung.backend == TetBackend::kDelaunay) {
     SurfaceMesh recovered = surface;
     Result<FilledParts> filled =
-        run_delaunay(recovered, sizing, {rung.options.radius_edge, rung.options.max_points}, ctx);
+        run_delaunay(recovered, sizing, {rung.options.radius_edge, rung.options.max_points}, layers, ctx);
     if (!filled) return filled.error();
     return label_tets(recovered, *std::move(filled));
   }
@@ -140,7 +140,7 @@ Result<TetMesh> fill_by(const Rung& rung, const SurfaceMesh& surface,
 }
 
 Result<TetMesh> climb(const SurfaceMesh& surface, const EdgeGroups& edges, const SizingField& sizing,
-                      const FillParams& params, const RunContext& ctx) {
+                      const FillParams& params, const WallLayers& layers, const RunContext& ctx) {
   const std::vector<Eigen::Vector3d> holes = find_hole_seeds(surface, edges);
   const double most = std::min(kRunaway * forecast_points(surface, sizing), 2e9);
   const std::vector<Rung> rungs = ladder(params, static_cast<std::size_t>(most));
@@ -157,11 +157,15 @@ Result<TetMesh> climb(const SurfaceMesh& surface, const EdgeGroups& edges, const
     // Where points were without end, another rounding of the same wishes does not help.
     if (runaway && !rung.laxer) continue;
     if (ctx.cancelled()) return cancelled_error("tetra");
-    Result<TetMesh> mesh = fill_by(rung, surface, holes, sizing, rising);
+    Result<TetMesh> mesh = fill_by(rung, surface, holes, sizing, layers, rising);
     if (mesh) {
       const std::string filled = std::string("filled ") + rung.name;
       ctx.note("tetra",
                filled + " (way " + std::to_string(r + 1) + " of " + std::to_string(rungs.size()) + ")");
+      if (!layers.empty() && rung.backend == TetBackend::kTetgen)
+        ctx.warn("tetra",
+                 "TetGen, which filled the surface, adds points inside of layers: some have more than one "
+                 "element");
       // TetGen in the first way of its own is no worse than the Delaunay refinement that it follows.
       if (r > 0 && rungs[r - 1].backend == rung.backend)
         ctx.warn("tetra", filled + ", after: " + first_failure->message);
@@ -179,23 +183,23 @@ Result<TetMesh> climb(const SurfaceMesh& surface, const EdgeGroups& edges, const
 }
 
 Result<TetMesh> check_and_fill(const SurfaceMesh& surface, const SizingField& sizing,
-                               const FillParams& params, const RunContext& ctx) {
+                               const FillParams& params, const WallLayers& layers, const RunContext& ctx) {
   if (const Status sizes = check_sizing(sizing); !sizes) return sizes.error();
   if (const Status triangles = check_triangles(surface); !triangles) return triangles.error();
   const EdgeGroups edges(surface);
   if (const Status closed = check_closed(surface, edges); !closed) return closed.error();
   if (const Status clean = check_intersections(surface); !clean) return clean.error();
   tell_sharp_angles(surface, edges, ctx);
-  return climb(surface, edges, sizing, params, ctx);
+  return climb(surface, edges, sizing, params, layers, ctx);
 }
 
 }  // namespace
 
 Result<TetMesh> fill_tets(const SurfaceMesh& surface, const SizingField& sizing, const FillParams& params,
-                          RunContext& ctx) {
+                          RunContext& ctx, const WallLayers& layers) {
   ctx.progress("tetra", 0);
   try {
-    Result<TetMesh> mesh = check_and_fill(surface, sizing, params, ctx);
+    Result<TetMesh> mesh = check_and_fill(surface, sizing, params, layers, ctx);
     if (mesh) ctx.progress("tetra", 1);
     return mesh;
   } catch (const std::bad_alloc&) {

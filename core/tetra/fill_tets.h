@@ -1,6 +1,7 @@
 // Adapted surface -> tetrahedra inside it.
 #pragma once
 
+#include "geometry/wall_layers.h"
 #include "types/result.h"
 #include "types/run_context.h"
 #include "types/sizing_field.h"
@@ -31,13 +32,14 @@ struct FillParams {
 /// unmoved. Should the mesher fail, or ask for 20 times the points that forecast_points gives, others take
 /// its place: TetGen with a finer tolerance, displaced points, no bounds on dihedral angles, bounds on sizes
 /// alone. ctx.note always says which way succeeded and how sharp the surface is, ctx.warn where it was
-/// none of the backend's own and TetGen's first, and where angles are sharp. Polls ctx.cancelled() every few milliseconds while points are
-/// inserted or moved. Verified before returning: all volumes positive, boundary triangles those of the
-/// surface (flipped or halved), each label's volume equal to that enclosed by its boundary to 1e-9 relative
-/// and rounding. Errors: kMeshing with the offending triangles: open or self-intersecting surface, leak,
-/// internal failure, flat tetrahedra that no way avoids; kOutOfMemory; kCancelled; kInternal for an invalid
-/// sizing field.
+/// none of the backend's own and TetGen's first, and where angles are sharp. Polls ctx.cancelled() every few
+/// milliseconds while points are inserted or moved. Verified before returning: all volumes positive, boundary
+/// triangles those of the surface (flipped or halved), each label's volume equal to that enclosed by its
+/// boundary to 1e-9 relative and rounding. Layers get no points inside, except by TetGen, which ctx.warn
+/// tells. Errors: kMeshing with the offending triangles: open or self-intersecting surface, leak, internal
+/// failure, flat tetrahedra that no way avoids; kOutOfMemory; kCancelled; kInternal for an invalid sizing
+/// field.
 Result<TetMesh> fill_tets(const SurfaceMesh& surface, const SizingField& sizing, const FillParams& params,
-                          RunContext& ctx);
+                          RunContext& ctx, const WallLayers& layers = {});
 
 }  // namespace voxtet

@@ -28,6 +28,8 @@ constexpr int kSmoothingSteps = 5;
 constexpr std::size_t kPointsForOne = 10;
 /// As many may be inserted into the smallest mesh.
 constexpr std::size_t kAlwaysAllowed = 200;
+/// A vertex inside of a layer makes two of it: only where nothing else helps.
+constexpr double kLayerInsertionDeg = 25;
 constexpr std::size_t kTetsPerQuestion = 256;
 
 struct Counts {
@@ -38,14 +40,15 @@ struct Counts {
 class Optimiser {
  public:
   Optimiser(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
-            const OptimiseParams& params, const RunContext& ctx)
+            const OptimiseParams& params, const WallLayers& layers, const RunContext& ctx)
       : complex_(std::move(mesh)),
         guard_(sizing),
         smoother_(complex_, guard_),
         inserter_(complex_, guard_),
-        slider_(complex_, smoother_, reference, sizing, params.slide),
+        slider_(complex_, smoother_, reference, sizing, params.slide, layers),
         flipper_(complex_, reference, sizing, guard_, params.slide),
         params_(params),
+        layers_(layers),
         ctx_(ctx),
         most_inserted_(std::max(kAlwaysAllowed, complex_.point_count() / kPointsForOne)) {}
 
@@ -59,14 +62,15 @@ class Optimiser {
       if (ctx_.cancelled() || !swap(goal) || !smooth(goal)) return false;
       // Most of what is bad at first only needs another neighbour or place.
       if (round > 0) {
-        if (!insert(last_goal)) return false;
-        if (params_.slide > 0) {
-          counts_.slid += slider_.slide(vertices_of(bad_tets(last_goal), true), last_goal);
-          counts_.flipped += flipper_.flip(tets_of(bad_tets(last_goal)));
-        }
+        if (!insert(last_goal, false)) return false;
+        slide(last_goal);
       }
       ctx_.progress("optimise", static_cast<double>(round + 1) / params_.rounds);
       if (round > 0 && counts_ == before) break;
+    }
+    if (!layers_.empty()) {
+      if (!insert(quality_of_angle(kLayerInsertionDeg), true)) return false;
+      slide(last_goal);
     }
     tell(bad_before, bad_tets(goal).size());
     return true;
@@ -137,10 +141,18 @@ class Optimiser {
     return true;
   }
 
-  bool insert(double goal) {
-    return for_bad_tets(goal, [this](std::uint32_t t) {
-      return counts_.inserted < most_inserted_ && inserter_.insert(t) && ++counts_.inserted > 0;
+  /// Inserts vertices into layers, or everywhere else.
+  bool insert(double goal, bool layers) {
+    return for_bad_tets(goal, [this, layers](std::uint32_t t) {
+      return layers_.is_layer(complex_.label(t)) == layers && counts_.inserted < most_inserted_ &&
+             inserter_.insert(t) && ++counts_.inserted > 0;
     });
+  }
+
+  void slide(double goal) {
+    if (!(params_.slide > 0)) return;
+    counts_.slid += slider_.slide(vertices_of(bad_tets(goal), true), goal);
+    counts_.flipped += flipper_.flip(tets_of(bad_tets(goal)));
   }
 
   void tell(std::size_t bad_before, std::size_t bad_after) const {
@@ -164,6 +176,7 @@ class Optimiser {
   WallSlider slider_;
   WallFlipper flipper_;
   OptimiseParams params_;
+  const WallLayers& layers_;
   const RunContext& ctx_;
   Counts counts_;
   std::size_t most_inserted_, questions_ = 0;
@@ -172,10 +185,10 @@ class Optimiser {
 }  // namespace
 
 Result<TetMesh> optimise_tets(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
-                              const OptimiseParams& params, RunContext& ctx) {
+                              const OptimiseParams& params, RunContext& ctx, const WallLayers& layers) {
   if (params.rounds < 1 || mesh.tets.empty()) return mesh;
   try {
-    Optimiser optimiser(std::move(mesh), reference, sizing, params, ctx);
+    Optimiser optimiser(std::move(mesh), reference, sizing, params, layers, ctx);
     if (!optimiser.run()) return cancelled_error("optimise");
     return optimiser.release();
   } catch (const std::bad_alloc&) {

@@ -3,6 +3,7 @@
 // Roundtable (2007).
 #pragma once
 
+#include "geometry/wall_layers.h"
 #include "types/result.h"
 #include "types/run_context.h"
 #include "types/sizing_field.h"
@@ -27,9 +28,10 @@ struct OptimiseParams {
 /// some inside of a label go, new ones come last. New edges are between 0.4 and 1.9 times the wish of
 /// `sizing`, or nearer to that than those they replace; those of an inserted vertex may be 1.5 times farther.
 /// No more than one vertex for every ten, or 200, is inserted. All volumes stay positive, by exact
-/// predicates. `reference` is the label surface, with the sides of the mesh's faces. ctx.note says what was
-/// done. Errors: kCancelled; kOutOfMemory.
+/// predicates. In layers, vertices are inserted only where tets stay below 25 degrees after all else.
+/// `reference` is the label surface, with the sides of the mesh's faces. ctx.note says what was done. Errors:
+/// kCancelled; kOutOfMemory.
 Result<TetMesh> optimise_tets(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
-                              const OptimiseParams& params, RunContext& ctx);
+                              const OptimiseParams& params, RunContext& ctx, const WallLayers& layers = {});
 
 }  // namespace voxtet

@@ -35,6 +35,22 @@ class Envelope : public Track {
   double farthest_, reach_;
 };
 
+/// As far from the label surface as at first, on the same side, and within reach of the start.
+class Offset : public Track {
+ public:
+  Offset(const ClosestPointTree& surface, const Point& at, const Point& start, double reach)
+      : surface_(surface), at_(at), start_(start), offset_(at - surface.closest(at).point), reach_(reach) {}
+  Point pull(const Point& to) const override {
+    const Point place = surface_.closest(to).point + offset_;
+    return (place - start_).norm() <= reach_ ? place : at_;
+  }
+
+ private:
+  const ClosestPointTree& surface_;
+  Point at_, start_, offset_;
+  double reach_;
+};
+
 /// The edges opposite to a vertex, of the triangles around it, make one closed line.
 bool is_ring(std::span<const std::array<std::uint32_t, 2>> edges) {
   std::uint32_t at = edges[0][1];
@@ -49,8 +65,13 @@ bool is_ring(std::span<const std::array<std::uint32_t, 2>> edges) {
 }  // namespace
 
 WallSlider::WallSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
-                       const SizingField& sizing, double envelope)
-    : complex_(complex), smoother_(smoother), reference_(reference), sizing_(sizing), envelope_(envelope) {
+                       const SizingField& sizing, double envelope, const WallLayers& layers)
+    : complex_(complex),
+      smoother_(smoother),
+      reference_(reference),
+      sizing_(sizing),
+      envelope_(envelope),
+      layers_(layers) {
   for (std::uint32_t v = 0; v < complex.point_count(); ++v) start_.push_back(complex.point(v));
 }
 
@@ -84,6 +105,11 @@ std::optional<WallSlider::Patch> WallSlider::patch_at(std::uint32_t vertex) {
   return patch;
 }
 
+bool WallSlider::keeps_offset(const Sides& sides) const {
+  const bool of_layers = layers_.is_layer(sides[0]) || layers_.is_layer(sides[1]);
+  return of_layers && layers_.parent(sides[0]) != layers_.parent(sides[1]);
+}
+
 std::size_t WallSlider::slide_patches(std::span<const Patch> patches, double enough,
                                       std::span<std::uint8_t> moved) {
   std::vector<BoundaryPlace> places;
@@ -101,8 +127,11 @@ std::size_t WallSlider::slide_patches(std::span<const Patch> patches, double eno
     const Point& at = complex_.point(patch.vertex);
     const double distance = surface->closest(at).distance_mm;
     if (distance > kFarthest * patch.shortest_edge) continue;
-    const Envelope track(*surface, at, start_[patch.vertex], std::max(distance, envelope_ * sizing_.at(at)),
-                         kReach * patch.shortest_edge);
+    const double reach = kReach * patch.shortest_edge;
+    const Envelope envelope(*surface, at, start_[patch.vertex],
+                            std::max(distance, envelope_ * sizing_.at(at)), reach);
+    const Offset offset(*surface, at, start_[patch.vertex], reach);
+    const Track& track = keeps_offset(patch.sides) ? static_cast<const Track&>(offset) : envelope;
     moved[p] = smoother_.smooth(patch.vertex, enough, kSteps, &track);
     count += moved[p];
   }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/wall_layers.h"
 #include "tetra/nearby_surface.h"
 #include "tetra/tet_complex.h"
 #include "tetra/vertex_smoothing.h"
@@ -18,9 +19,10 @@ namespace voxtet::tetra {
 class WallSlider {
  public:
   /// `reference` is the label surface; its sides are those of the walls. `envelope`: how far from it vertices
-  /// may go, as a part of the wished edge length.
+  /// may go, as a part of the wished edge length. Around `layers`, but not on the sheets between them, so
+  /// many slide that a label would lose volume: there each stays as far from the label surface as it was.
   WallSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
-             const SizingField& sizing, double envelope);
+             const SizingField& sizing, double envelope, const WallLayers& layers);
 
   /// Slides the vertices one after the other where the lowest quality of their tets is not enough and rises,
   /// and returns how many moved. Each goes no farther from its first place than a fifth of its shortest edge
@@ -36,6 +38,7 @@ class WallSlider {
     double shortest_edge, longest_edge;
   };
   std::optional<Patch> patch_at(std::uint32_t vertex);
+  bool keeps_offset(const Sides& sides) const;
   std::size_t slide_patches(std::span<const Patch> patches, double enough, std::span<std::uint8_t> moved);
   bool walls_meet(std::span<const Patch> patches, std::span<const std::uint8_t> moved) const;
 
@@ -44,6 +47,7 @@ class WallSlider {
   const SurfaceMesh& reference_;
   const SizingField& sizing_;
   double envelope_;
+  const WallLayers& layers_;
   std::vector<Point> start_;               ///< of each vertex there was at first
   std::vector<std::uint32_t> wall_count_;  ///< walls at each of them now
   std::vector<std::uint32_t> star_;

@@ -1,6 +1,7 @@
 // The evidence: distributions of element measures, fidelity to the labels, and a pass/fail checklist.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -63,11 +64,19 @@ struct LayerShares {
   double exact = 0, at_least = 0;  ///< parts of the area with as many layers as wished, and with no fewer
 };
 
+/// A connected part of a wall's outer surface with another number of layers than wished.
+struct LayerPlace {
+  double area_mm2 = 0;
+  Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
+  std::uint32_t fewest = 0, most = 0;  ///< layers found there
+};
+
 /// The layers of one wall, counted in two ways (quality/count_layers.h).
 struct LayerCount {
   std::vector<Label> wall;
   std::uint32_t wished = 0;
   LayerShares by_edges, by_lines;
+  std::vector<LayerPlace> places;  ///< by edges; the ten largest, the largest first
 };
 
 struct ChecklistItem {

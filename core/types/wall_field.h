@@ -23,6 +23,9 @@ struct WallField {
   std::vector<float> thickness_mm;                            ///< 0: nothing known, as away from the wall
   std::vector<float> potential;       ///< 0 at the inner surface, 1 at the outer one, a little beyond outside
   std::vector<std::uint8_t> in_wall;  ///< 1 inside the wall's surface
+  /// By inner space: the harmonic measure of its surface, 1 there and 0 on all others; the outer surface has
+  /// what is missing to 1. Empty where nobody asked for it.
+  std::vector<std::vector<float>> inner_shares;
 
   Eigen::Vector3d to_index(const Eigen::Vector3d& point_mm) const {
     return mm_to_index.topLeftCorner<3, 3>() * point_mm + mm_to_index.topRightCorner<3, 1>();
@@ -41,6 +44,24 @@ struct WallField {
     return sample(thickness_mm, to_index(point_mm));
   }
   double potential_at(const Eigen::Vector3d& point_mm) const { return sample(potential, to_index(point_mm)); }
+  /// The shares of the outer surface and of each inner one, in this order; none where nothing is known.
+  using Shares = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 256, 1>;
+  Shares shares_at(const Eigen::Vector3d& point_mm) const {
+    const Eigen::Vector3d index = to_index(point_mm);
+    if (!covers(index)) return Shares();
+    Shares shares = Shares::Zero(static_cast<Eigen::Index>(1 + inner_shares.size()));
+    double weights = 0;
+    for_grid_corners(size, index, [&](std::size_t at, double weight) {
+      if (thickness_mm[at] <= 0) return;
+      weights += weight;
+      for (std::size_t s = 0; s < inner_shares.size(); ++s)
+        shares[static_cast<Eigen::Index>(1 + s)] += weight * inner_shares[s][at];
+    });
+    if (!(weights > 0)) return Shares();
+    shares /= weights;
+    shares[0] = 1 - shares.sum();
+    return shares;
+  }
 
  private:
   bool covers(const Eigen::Vector3d& index) const {
@@ -60,6 +81,12 @@ struct WallField {
     });
     return weights > 0 ? sum / weights : 0;
   }
+};
+
+/// A wall with the number of layers that was wished.
+struct LayeredWall {
+  const WallField& field;
+  std::uint32_t layers = 1;
 };
 
 }  // namespace voxtet

@@ -99,6 +99,16 @@ TEST(CountLayers, TooFewAndTooManyAreNotExact) {
   EXPECT_DOUBLE_EQ(many.by_edges.at_least, 1);
 }
 
+TEST(CountLayers, SaysWhereTheNumberIsAnother) {
+  EXPECT_TRUE(count(slab(12, 2), 2).places.empty());
+  const LayerCount few = count(slab(12, 2), 3);
+  ASSERT_EQ(few.places.size(), 1U);
+  EXPECT_NEAR(few.places[0].area_mm2, area(few.by_edges), 1e-9);
+  EXPECT_EQ(few.places[0].fewest, 2U);
+  EXPECT_EQ(few.places[0].most, 2U);
+  EXPECT_LT((few.places[0].centre_mm - Eigen::Vector3d(10, 10, kThickness)).norm(), 1);
+}
+
 TEST(CountLayers, CountsNothingWhereTheMeshHasNoSuchWall) {
   TetMesh mesh = slab(4, 1);
   for (Eigen::Vector3d& p : mesh.points) p.x() += 500;

@@ -115,7 +115,7 @@ TEST(RecipeSchema, DescribesEveryFieldOfTheRecipe) {
 
 TEST(Recipe, SizesByThicknessMaskAndImageComeBackFromJsonAsTheyWere) {
   const nlohmann::json json = nlohmann::json::parse(R"({"sizing": {
-    "thickness": [{"wall": [1, 5, 6], "inner": [3], "layers": 2}, {"wall": [2], "edge_thin_mm": 0.7}],
+    "thickness": [{"wall": [1, 5, 6], "inner": [3], "layers": 2, "layering": "exact"}, {"wall": [2], "edge_thin_mm": 0.7}],
     "masks": [{"name": "paint.nii", "sha256": "ab", "edges": [{"label": 1, "edge_mm": 0.8}]}],
     "images": [{"name": "sizes.nii.gz"}]}})");
   const Result<Recipe> recipe = parse_recipe(json);
@@ -123,6 +123,8 @@ TEST(Recipe, SizesByThicknessMaskAndImageComeBackFromJsonAsTheyWere) {
   ASSERT_EQ(recipe->sizing.thickness.size(), 2U);
   EXPECT_EQ(recipe->sizing.thickness[0].wall, (std::vector<Label>{1, 5, 6}));
   EXPECT_EQ(recipe->sizing.thickness[0].layers, 2U);
+  EXPECT_EQ(recipe->sizing.thickness[0].layering, Layering::kExact);
+  EXPECT_EQ(recipe->sizing.thickness[1].layering, Layering::kSize);
   EXPECT_EQ(recipe->sizing.masks.at(0).edges.at(0).edge_mm, 0.8);
   const Result<Recipe> back = parse_recipe(recipe_to_json(*recipe, true));
   ASSERT_TRUE(back.ok());

@@ -1,0 +1,199 @@
+// Exact layers from a volume to the finished mesh.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "geometry/digest.h"
+#include "io/files.h"
+#include "io/write_volume.h"
+#include "pipeline/report.h"
+#include "pipeline/session.h"
+#include "support/check_tets.h"
+#include "support/data.h"
+#include "support/wall_bodies.h"
+
+namespace voxtet {
+namespace {
+
+Recipe exact_recipe(std::uint32_t layers) {
+  Recipe recipe;
+  recipe.labels = {1};
+  recipe.sizing.edge_mm = 10;
+  recipe.sizing.thickness.resize(1);
+  recipe.sizing.thickness[0] = {{1}, {2}, layers, Layering::kExact};
+  return recipe;
+}
+
+Status mesh_volume(const LabelVolume& volume, Recipe recipe, Session& session) {
+  const Bytes bytes = write_nifti(volume, true).value();
+  EXPECT_TRUE(session.load_volume({"body.nii.gz", bytes, {}}).ok());
+  recipe.source = session.recipe().source;
+  EXPECT_TRUE(session.set_recipe(recipe).ok());
+  RunContext ctx;
+  return session.run(Stage::kQuality, ctx);
+}
+
+double smallest_dihedral(const Session& session) {
+  return session.quality()->metrics.at(0).min;
+}
+
+void expect_exact_layers(const LabelVolume& volume, std::uint32_t layers) {
+  Session session;
+  const Status done = mesh_volume(volume, exact_recipe(layers), session);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  test::check_tets(*session.mesh());
+  const QualityReport& quality = *session.quality();
+  EXPECT_TRUE(quality.passed());
+  EXPECT_TRUE(quality.topology.differences.empty());
+  EXPECT_TRUE(std::all_of(session.mesh()->labels.begin(), session.mesh()->labels.end(),
+                          [](Label label) { return label == 1; }));
+  const LayerCount& found = quality.layers.at(0);
+  EXPECT_EQ(found.wished, layers);
+  EXPECT_EQ(found.by_edges.exact, 1);
+  EXPECT_EQ(found.by_lines.exact, 1);
+  EXPECT_TRUE(found.places.empty());
+  ASSERT_EQ(quality.metrics.at(0).name, "min_dihedral_deg");
+  EXPECT_GE(smallest_dihedral(session), 25);
+}
+
+TEST(Layers, AreExactAllOverASphericalShell) {
+  const LabelVolume volume = test::sample(test::shell(16, 20), Eigen::Vector3d::Ones(), {10, 20, 30});
+  for (const std::uint32_t layers : {1U, 2U, 3U, 4U}) {
+    SCOPED_TRACE(layers);
+    expect_exact_layers(volume, layers);
+  }
+}
+
+TEST(Layers, AreExactAllOverAnEllipsoidalShell) {
+  const LabelVolume volume =
+      test::sample(test::ellipsoidal_shell(15, 14, 18), Eigen::Vector3d::Ones(), {37, 0, 20});
+  for (const std::uint32_t layers : {1U, 2U, 3U, 4U}) {
+    SCOPED_TRACE(layers);
+    expect_exact_layers(volume, layers);
+  }
+}
+
+/// Two inner spaces in one body, with a septum between them, from end to end.
+TEST(Layers, MeetWithoutAJumpWhereWallsMeet) {
+  const test::Body body{[](const Eigen::Vector3d& p) -> Label {
+                          const Eigen::Vector3d left = p + Eigen::Vector3d(9, 0, 0);
+                          const Eigen::Vector3d right = p - Eigen::Vector3d(9, 0, 0);
+                          if (left.norm() < 6.5) return 2;
+                          if (right.norm() < 6.5) return 3;
+                          return left.norm() < 11.5 || right.norm() < 11.5 ? 1 : 0;
+                        },
+                        {},
+                        24};
+  const LabelVolume volume = test::sample(body, Eigen::Vector3d::Ones(), {0, 0, 0});
+  for (const std::uint32_t layers : {2U, 3U}) {
+    SCOPED_TRACE(layers);
+    Recipe recipe = exact_recipe(layers);
+    recipe.sizing.thickness[0].inner = {2, 3};
+    Session session;
+    const Status done = mesh_volume(volume, recipe, session);
+    ASSERT_TRUE(done.ok()) << done.error().message;
+    test::check_tets(*session.mesh());
+    EXPECT_TRUE(session.quality()->passed());
+    const LayerShares& found = session.quality()->layers.at(0).by_edges;
+    EXPECT_EQ(found.at_least, 1);
+    EXPECT_GE(found.exact, 0.97);
+  }
+}
+
+TEST(Layers, EndAtTheRimOfASlab) {
+  const LabelVolume volume = test::sample(test::slab(6), Eigen::Vector3d::Ones(), {0, 0, 0});
+  Session session;
+  const Status done = mesh_volume(volume, exact_recipe(2), session);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  test::check_tets(*session.mesh());
+  EXPECT_TRUE(session.quality()->passed());
+  EXPECT_EQ(session.quality()->layers.at(0).by_edges.exact, 1);
+}
+
+TEST(Layers, PassThroughTheInterfacesOfAWallOfTwoLabels) {
+  LabelVolume volume = test::sample(test::shell(14, 20), Eigen::Vector3d::Ones(), {0, 0, 0});
+  for (int k = 0; k < volume.size[2] / 2; ++k)
+    for (int j = 0; j < volume.size[1]; ++j)
+      for (int i = 0; i < volume.size[0]; ++i)
+        if (Label& label = volume.labels[volume.offset(i, j, k)]; label == 1) label = 5;
+  Recipe recipe = exact_recipe(2);
+  recipe.labels = recipe.sizing.thickness[0].wall = {1, 5};
+  Session session;
+  const Status done = mesh_volume(volume, recipe, session);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  test::check_tets(*session.mesh());
+  EXPECT_TRUE(session.quality()->passed());
+  EXPECT_TRUE(session.quality()->topology.differences.empty());
+  const LayerShares& found = session.quality()->layers.at(0).by_edges;
+  EXPECT_EQ(found.at_least, 1);
+  EXPECT_GE(found.exact, 0.9);
+}
+
+TEST(Layers, LeaveNothingOfThemselvesInLaterStages) {
+  const LabelVolume volume = test::sample(test::shell(10, 16), Eigen::Vector3d::Ones(), {0, 0, 0});
+  Recipe recipe = exact_recipe(3);
+  Session session;
+  ASSERT_TRUE(mesh_volume(volume, recipe, session).ok());
+  const std::string digest = digest_of(*session.mesh());
+  for (const Sides& sides : session.remeshed()->sides) EXPECT_EQ(sides, (Sides{1, 0}));
+  for (const Sides& sides : session.mesh()->face_sides) EXPECT_EQ(sides, (Sides{1, 0}));
+  EXPECT_EQ(session.filled()->labels.size(), session.filled()->tets.size());
+  for (const Label label : session.filled()->labels) EXPECT_EQ(label, 1);
+
+  recipe.source = session.recipe().source;
+  recipe.sizing.thickness[0].layering = Layering::kSize;
+  RunContext ctx;
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
+  EXPECT_NE(digest_of(*session.mesh()), digest);
+  recipe.sizing.thickness[0].layering = Layering::kExact;
+  ctx.threads = 2;
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
+  EXPECT_EQ(digest_of(*session.mesh()), digest);
+}
+
+TEST(Layers, AreRefusedWhereTheyCannotBe) {
+  const LabelVolume volume = test::sample(test::shell(10, 16), Eigen::Vector3d::Ones(), {0, 0, 0});
+  const auto message = [&](const Recipe& recipe) {
+    Session session;
+    const Status done = mesh_volume(volume, recipe, session);
+    return done.ok() ? std::string() : done.error().message;
+  };
+  EXPECT_EQ(message(exact_recipe(0)),
+            "sizing.thickness[0].layers: found 0, expected at least 1 where layering is exact");
+  Recipe recipe = exact_recipe(2);
+  recipe.remesh.method = RemeshMethod::kRemesh;
+  EXPECT_NE(message(recipe).find("remesh.method: found remesh, expected delaunay"), std::string::npos);
+  recipe = exact_recipe(2);
+  recipe.sizing.thickness.push_back(recipe.sizing.thickness[0]);
+  EXPECT_NE(message(recipe).find("sizing.thickness[1].wall: found no meshed label"), std::string::npos);
+}
+
+/// The walls of a mean heart, 2.5 to 11 mm thick.
+TEST(Layers, AreExactNearlyAllOverAHeart) {
+  const std::string path = test::shared_data("biv_mean_1mm.nii.gz");
+  if (path.empty()) GTEST_SKIP() << "no shared data";
+  Session session;
+  const Bytes bytes = read_file(path).value();
+  ASSERT_TRUE(session.load_volume({"biv_mean_1mm.nii.gz", bytes, {}}).ok());
+  Recipe recipe = exact_recipe(2);
+  recipe.source = session.recipe().source;
+  recipe.labels = recipe.sizing.thickness[0].wall = {1, 2};
+  recipe.merge = {{1, 2}};
+  recipe.sizing.thickness[0].inner = {3, 4};
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  RunContext ctx;
+  const Status done = session.run(Stage::kQuality, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  test::check_tets(*session.mesh());
+  EXPECT_TRUE(session.quality()->passed());
+  EXPECT_TRUE(session.quality()->topology.differences.empty());
+  const LayerCount& found = session.quality()->layers.at(0);
+  EXPECT_GE(found.by_edges.exact, 0.95);
+  EXPECT_GE(found.by_edges.at_least, 0.99);
+  EXPECT_GE(found.by_lines.exact, 0.95);
+}
+
+}  // namespace
+}  // namespace voxtet
