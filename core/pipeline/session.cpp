@@ -219,7 +219,7 @@ Status Session::run_sizing(RunContext& ctx) {
     return found;
   if (Status found = find_side_volumes(recipe_.sizing.images, images_, "sizing.images", images); !found)
     return found;
-  return keep(build_sizing_field(*volume(), recipe_.sizing, ctx, {walls_, masks, images}), sizing_);
+  return keep(build_sizing_field(*volume(), recipe_.sizing, ctx, {walls_, masks, images, &*smooth_}), sizing_);
 }
 
 Status Session::run_quality(RunContext& ctx) {

@@ -162,6 +162,15 @@ void visit_fields(V& v, ImageSize& p) {
 }
 
 template <class V>
+void visit_fields(V& v, CurvatureSize& p) {
+  v.field({"labels", "", 1, 65535, "Labels whose surfaces count; none: all."}, p.labels);
+  v.field({"edges_per_turn", "", 3, 1000, "Edges to a full turn of the surface's circle of curvature."},
+          p.edges_per_turn);
+  v.field({"edge_min_mm", "mm", 0.01, 1000, "No edge length below this is asked, however sharp the bend."},
+          p.edge_min_mm);
+}
+
+template <class V>
 void visit_fields(V& v, SizingParams& p) {
   v.field({"edge_mm", "mm", 0.01, 1000, "Edge length wherever nothing smaller is asked."}, p.edge_mm);
   v.list({"labels", "", 0, 0, "Edge length inside single labels, instead of edge_mm."}, p.labels);
@@ -171,6 +180,7 @@ void visit_fields(V& v, SizingParams& p) {
          p.thickness);
   v.list({"masks", "", 0, 0, "Edge lengths painted over the volume."}, p.masks);
   v.list({"images", "", 0, 0, "Images of edge lengths, instead of edge_mm where they have one."}, p.images);
+  v.list({"curvature", "", 0, 0, "Edge length by the curvature of the label surface."}, p.curvature);
   v.field({"edge_min_mm", "mm", 0.01, 1000, "No edge length below this is asked."}, p.edge_min_mm);
   v.field({"edge_max_mm", "mm", 0.01, 1000, "No edge length above this is asked."}, p.edge_max_mm);
   v.field({"gradation", "mm/mm", 0.01, 1, "Bound on how fast the edge length may change per mm."},

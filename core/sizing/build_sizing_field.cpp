@@ -9,6 +9,7 @@
 
 #include "geometry/distance_transform.h"
 #include "sizing/check_sizing_params.h"
+#include "sizing/curvature_size.h"
 #include "sizing/limit_gradation.h"
 #include "sizing/side_volumes.h"
 #include "sizing/size_region.h"
@@ -167,6 +168,7 @@ Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingPa
                                     "sizing.masks[" + std::to_string(m) + "]", field);
         !done)
       return done.error();
+  if (sources.surface) lower_by_curvature(*sources.surface, params.curvature, volume.smallest_spacing_mm(), field);
   ctx.progress(kStage, 0.3);
   if (!params.regions.empty()) {
     const std::vector<float> around = field.h_mm;

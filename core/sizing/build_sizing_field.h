@@ -12,6 +12,7 @@
 #include "types/run_context.h"
 #include "types/scalar_volume.h"
 #include "types/sizing_field.h"
+#include "types/surface_mesh.h"
 #include "types/wall_field.h"
 
 namespace voxtet {
@@ -73,6 +74,14 @@ struct ImageSize {
   std::string sha256;  ///< digest_of(ScalarVolume); empty accepts any
 };
 
+/// Size by the curvature of the label surface: so many edges to a full turn of its circle of curvature, h = 2 pi
+/// / (edges_per_turn * k) with k the larger absolute principal curvature, averaged over some two voxels.
+struct CurvatureSize {
+  std::vector<Label> labels;  ///< whose surfaces count, against whatever they border on; none: all
+  double edges_per_turn = 20;
+  double edge_min_mm = 0.5;  ///< no edge below this is asked, however sharp the bend
+};
+
 struct SizingParams {
   double edge_mm = 2;                    ///< wherever nothing smaller is asked
   std::vector<LabelSize> labels;         ///< replaces edge_mm inside these labels (smaller or larger)
@@ -81,6 +90,7 @@ struct SizingParams {
   std::vector<ThicknessSize> thickness;  ///< in its wall in place of edge_mm, minimum with everything else
   std::vector<MaskSize> masks;           ///< minimum with everything else
   std::vector<ImageSize> images;  ///< where it wishes in place of edge_mm, minimum with everything else
+  std::vector<CurvatureSize> curvature;  ///< minimum with everything else
   double edge_min_mm = 0.1;
   double edge_max_mm = 50;
   double gradation = 0.3;  ///< bound on |grad h|; 0 < g <= 1
@@ -92,6 +102,8 @@ struct SizingSources {
   std::span<const WallField> walls = {};
   std::span<const LabelVolume* const> masks = {};    ///< one for each of SizingParams::masks
   std::span<const ScalarVolume* const> images = {};  ///< one for each of SizingParams::images
+  /// The smoothed label surface, where SizingParams::curvature asks for it.
+  const SurfaceMesh* surface = nullptr;
 };
 
 /// The minimum of all sources at the volume's voxels, clamped to [edge_min_mm, edge_max_mm], then
