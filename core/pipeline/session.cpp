@@ -7,6 +7,7 @@
 #include "geometry/digest.h"
 #include "lookup/look_up_labels.h"
 #include "phantom/make_phantom.h"
+#include "pipeline/forecast.h"
 #include "pipeline/memory.h"
 #include "quality/measure_quality.h"
 #include "remesh/remesh_surface.h"
@@ -211,15 +212,19 @@ Status Session::measure_walls(RunContext& ctx) {
   return std::monostate{};
 }
 
-Status Session::run_sizing(RunContext& ctx) {
-  if (Status measured = measure_walls(ctx); !measured) return measured;
+Result<SizingField> Session::size_by(const SizingParams& sizing, RunContext& ctx) const {
   std::vector<const LabelVolume*> masks;
   std::vector<const ScalarVolume*> images;
-  if (Status found = find_side_volumes(recipe_.sizing.masks, masks_, "sizing.masks", masks); !found)
-    return found;
-  if (Status found = find_side_volumes(recipe_.sizing.images, images_, "sizing.images", images); !found)
-    return found;
-  return keep(build_sizing_field(*volume(), recipe_.sizing, ctx, {walls_, masks, images, &*smooth_}), sizing_);
+  if (Status found = find_side_volumes(sizing.masks, masks_, "sizing.masks", masks); !found)
+    return found.error();
+  if (Status found = find_side_volumes(sizing.images, images_, "sizing.images", images); !found)
+    return found.error();
+  return build_sizing_field(*volume(), sizing, ctx, {walls_, masks, images, &*smooth_});
+}
+
+Status Session::run_sizing(RunContext& ctx) {
+  if (Status measured = measure_walls(ctx); !measured) return measured;
+  return keep(size_by(recipe_.sizing, ctx), sizing_);
 }
 
 Status Session::run_quality(RunContext& ctx) {
@@ -240,6 +245,7 @@ Status Session::run_stage(Stage stage, RunContext& ctx) {
     case Stage::kSmooth: return keep(smooth_surface(*surface_, *volume(), recipe_.smooth, ctx), smooth_);
     case Stage::kSizing: return run_sizing(ctx);
     case Stage::kRemesh:
+      if (Status within = check_limits(*this, ctx); !within) return within;
       return keep(remesh_surface(*volume(), *smooth_, *sizing_, recipe_.remesh, ctx), remeshed_);
     case Stage::kTetra: return keep(fill_tets(*remeshed_, *sizing_, recipe_.tetra, ctx), filled_);
     case Stage::kOptimise:

@@ -253,6 +253,13 @@ void visit_fields(V& v, QualityParams& p) {
 }
 
 template <class V>
+void visit_fields(V& v, Limits& p) {
+  v.field({"tets", "", 0, 1e9, "Most tetrahedra; a case forecast to have more is refused. 0: no limit."}, p.tets);
+  v.field({"memory_mb", "MB", 0, 1e9, "Most memory, by forecast; 0: no limit."}, p.memory_mb);
+  v.field({"seconds", "s", 0, 1e9, "Most time, by forecast; 0: no limit."}, p.seconds);
+}
+
+template <class V>
 void visit_fields(V& v, Recipe& r) {
   v.group({"source", "", 0, 0, "Where the labels come from."}, r.source);
   v.field({"labels", "", 1, 65535, "Labels to mesh; none: all."}, r.labels);
@@ -266,6 +273,7 @@ void visit_fields(V& v, Recipe& r) {
   v.group({"optimise", "", 0, 0, "Better shapes for the tetrahedra."}, r.optimise);
   v.group({"lookup", "", 0, 0, "Labels looked up instead of meshed."}, r.lookup);
   v.group({"quality", "", 0, 0, "The evidence."}, r.quality);
+  v.group({"limits", "", 0, 0, "What meshing may take."}, r.limits);
   v.group({"expected", "", 0, 0, "What a shared case promises."}, r.expected);
 }
 
