@@ -9,6 +9,7 @@
 
 #include "io/write_mesh.h"
 #include "lookup/look_up_labels.h"
+#include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
 #include "quality/measure_quality.h"
@@ -96,6 +97,22 @@ class SessionBinding {
       if (!session_.record(static_cast<Stage>(i)).key.empty())
         stages.push_back(stage_json(session_, static_cast<Stage>(i)));
     return reply(stages);
+  }
+
+  /// What meshing will take, after the stages up to sizing; with `elements` > 0 also the edge lengths that give so
+  /// many tetrahedra, as "fitting".
+  std::string forecast(double elements) {
+    RunContext ctx;
+    if (Status done = session_.run(Stage::kSizing, ctx); !done) return reply(done.error());
+    const Result<Forecast> found = forecast_case(session_, ctx);
+    if (!found) return reply(found.error());
+    json value = forecast_json(*found);
+    if (elements > 0) {
+      const Result<FittingSizes> fitting = fit_sizes(session_, {elements, 0, 0}, ctx);
+      if (!fitting) return reply(fitting.error());
+      value["fitting"] = fitting_json(*fitting, session_.recipe());
+    }
+    return reply(value);
   }
 
   val view(const std::string& stage, const std::string& array) {
@@ -214,6 +231,7 @@ EMSCRIPTEN_BINDINGS(voxtet) {
       .function("loadVolume", &SessionBinding::load_volume)
       .function("setRecipe", &SessionBinding::set_recipe)
       .function("run", &SessionBinding::run)
+      .function("forecast", &SessionBinding::forecast)
       .function("view", &SessionBinding::view)
       .function("exportMesh", &SessionBinding::export_mesh)
       .function("exportBytes", &SessionBinding::export_bytes)

@@ -111,7 +111,7 @@ int run_forecast(const CaseOptions& options, double elements, const Output& outp
   if (!forecast) return fail(forecast.error());
   json value = forecast_json(*forecast);
   if (elements > 0) {
-    const Result<FittingSizes> fitting = fit_sizes(session, {.tets = elements}, ctx);
+    const Result<FittingSizes> fitting = fit_sizes(session, {elements, 0, 0}, ctx);
     if (!fitting) return fail(fitting.error());
     value["fitting"] = fitting_json(*fitting, session.recipe());
   }

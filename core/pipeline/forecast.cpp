@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "geometry/label_topology.h"
+#include "sizing/edge_lengths.h"
 
 namespace voxtet {
 namespace {
@@ -27,28 +28,54 @@ bool expects_refinement(const RemeshParams& params, const SurfaceMesh& surface) 
                       [](const LabelTopology& label) { return label.handles > kManyHandles; });
 }
 
-/// What the case has before sizes come in.
+/// What is known of a case before it is meshed.
 struct Load {
-  double source_voxels, voxels, label_triangles;
+  double voxels, label_triangles;  ///< millions
   bool refined;
+  double peak_mb;  ///< of the stages that have run
 };
 
+/// A linear model of memory (MB) or time (s), by millions of voxels, triangles of the label surface, and tets.
+struct Cost {
+  double constant, voxels, label_triangles, tets;
+  double of(const Load& load, const MeshForecast& mesh) const {
+    return constant + voxels * load.voxels + label_triangles * load.label_triangles + tets * 1e-6 * mesh.tets;
+  }
+};
+
+// Measured natively, one thread, on the hearts biv_mean_1mm and biv_es, aorta, ct_heart and mickey.nrrd.
+constexpr Cost kRefineMb{8, 27, 115, 0}, kRemeshMb{8, 27, 305, 0}, kOptimiseMb{5, 11, 85, 250},
+    kQualityMb{6, 12, 165, 220};
+constexpr Cost kRefineSeconds{0.2, 0.15, 5, 5.5}, kRemeshSeconds{0.2, 0.15, 17, 5.5};
+#ifdef __EMSCRIPTEN__
+constexpr double kSlower = 1.6;
+#else
+constexpr double kSlower = 1;
+#endif
+
 double peak_mb(const Load& load, const MeshForecast& mesh) {
-  return 10 + 1e-6 * (10 * load.voxels + 100 * load.label_triangles + 400 * mesh.tets);
+  return std::max({load.peak_mb, (load.refined ? kRefineMb : kRemeshMb).of(load, mesh), kOptimiseMb.of(load, mesh),
+                   kQualityMb.of(load, mesh)});
 }
 
 double seconds(const Load& load, const MeshForecast& mesh) {
-  return 1e-6 * (0.2 * load.voxels + load.label_triangles + 10 * mesh.tets);
+  return kSlower * (load.refined ? kRefineSeconds : kRemeshSeconds).of(load, mesh);
+}
+
+Load load_of(const Session& session) {
+  Load load{1e-6 * static_cast<double>(session.volume()->voxel_count()),
+            1e-6 * static_cast<double>(session.smooth()->triangles.size()),
+            expects_refinement(session.recipe().remesh, *session.smooth()), 0};
+  for (const Stage stage : {Stage::kVolume, Stage::kSurface, Stage::kSmooth, Stage::kSizing})
+    load.peak_mb = std::max(load.peak_mb, session.record(stage).peak_mb);
+  return load;
 }
 
 /// Forecasts for many sizes of one case.
 class CaseForecaster {
  public:
   explicit CaseForecaster(const Session& session)
-      : load_{static_cast<double>(session.source_volume()->voxel_count()),
-              static_cast<double>(session.volume()->voxel_count()),
-              static_cast<double>(session.smooth()->triangles.size()),
-              expects_refinement(session.recipe().remesh, *session.smooth())},
+      : load_(load_of(session)),
         mesh_(*session.volume(), *session.smooth(),
               {session.recipe().remesh.max_distance_voxels, load_.refined}) {}
 
@@ -64,14 +91,9 @@ class CaseForecaster {
 };
 
 SizingParams multiplied(SizingParams sizing, double factor) {
-  const auto multiply = [factor](double& edge_mm) { edge_mm = std::clamp(edge_mm * factor, 0.01, 1000.0); };
-  multiply(sizing.edge_mm);
-  for (LabelSize& wish : sizing.labels) multiply(wish.edge_mm);
-  for (SizeRegion& wish : sizing.regions) multiply(wish.edge_mm);
-  for (DistanceSize& wish : sizing.distances) multiply(wish.edge_mm);
-  for (ThicknessSize& wish : sizing.thickness) multiply(wish.edge_thin_mm), multiply(wish.edge_thick_mm);
-  for (MaskSize& mask : sizing.masks)
-    for (LabelSize& wish : mask.edges) multiply(wish.edge_mm);
+  for_each_edge_length(sizing, [factor](const std::string&, double& edge_mm) {
+    edge_mm = std::clamp(edge_mm * factor, 0.01, 1000.0);
+  });
   for (CurvatureSize& wish : sizing.curvature)
     wish.edges_per_turn = std::clamp(wish.edges_per_turn / factor, 3.0, 1000.0);
   return sizing;

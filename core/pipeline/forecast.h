@@ -8,9 +8,9 @@
 
 namespace voxtet {
 
-/// `peak_mb` as StageRecord::peak_mb of the stage with the most, `seconds` the sum of all stages: by a linear model of
-/// voxels, triangles and tetrahedra, measured with one thread on an AMD EPYC (tests/sweep/sweep_forecast); in
-/// wasm 1.6 times the seconds.
+/// `peak_mb` as StageRecord::peak_mb of the stage with the most: measured for those that have run, for the others by
+/// a linear model of voxels, label triangles and tetrahedra. `seconds` are those of all stages by such a model, one
+/// thread of an AMD EPYC; in wasm 1.6 times as many. Accuracy: tests/sweep/sweep_forecast.
 struct Forecast {
   MeshForecast mesh;
   double peak_mb = 0, seconds = 0;

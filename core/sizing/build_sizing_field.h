@@ -114,7 +114,7 @@ struct SizingSources {
 /// Voxels of other labels within two voxels of a wall take its size too; the gradation would have them near
 /// it anyway.
 ///
-/// Warned of: regions that do not reach into the volume, and images that leave some labelled voxels without a
+/// Warned of: edge lengths beyond edge_min_mm and edge_max_mm, regions that do not reach into the volume, and images that leave some labelled voxels without a
 /// size, where edge_mm stands. Errors: kUsage naming the field ("sizing.labels[1].edge_mm") for sizes that
 /// are not finite and positive, labels that the volume or mask does not hold or that are listed twice, empty
 /// regions, masks that do not reach into the volume; kBadInput for a volume that makes no sense and for
