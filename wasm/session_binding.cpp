@@ -99,8 +99,8 @@ class SessionBinding {
     return reply(stages);
   }
 
-  /// What meshing will take, after the stages up to sizing; with `elements` > 0 also the edge lengths that give so
-  /// many tetrahedra, as "fitting".
+  /// What meshing will take, after the stages up to sizing; with `elements` > 0 also the edge lengths that
+  /// give so many tetrahedra, as "fitting".
   std::string forecast(double elements) {
     RunContext ctx;
     if (Status done = session_.run(Stage::kSizing, ctx); !done) return reply(done.error());

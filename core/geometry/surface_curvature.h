@@ -14,8 +14,9 @@ namespace voxtet {
 /// From the normal cycle: Cohen-Steiner and Morvan, "Restricted Delaunay triangulations and normal cycle",
 /// Symposium on Computational Geometry (2003). Each edge brings its length times its turning angle along its
 /// direction; the angle is taken as the length of the difference of the unit normals, 2 % less at 40 degrees.
-/// On smoothed label surfaces with a width of two voxels: median within 4 %; 95 % of the points within 7 % where
-/// the radius of curvature is 5 to 15 voxels, within 30 % where it is 30, by what is left of the staircase (tests).
+/// On smoothed label surfaces with a width of two voxels: median within 4 %; 95 % of the points within 7 %
+/// where the radius of curvature is 5 to 15 voxels, within 30 % where it is 30, by what is left of the
+/// staircase (tests).
 std::vector<float> surface_curvature(const SurfaceMesh& surface, double width_mm);
 
 }  // namespace voxtet

@@ -11,8 +11,8 @@
 namespace voxtet {
 namespace {
 
-/// With more handles than that in a label, restricted Delaunay refinement was seen to lose some and to give way to
-/// local operations: with 62, 95 and 367, and not with 33 (tests/sweep/sweep_forecast).
+/// With more handles than that in a label, restricted Delaunay refinement was seen to lose some and to give
+/// way to local operations: with 62, 95 and 367, and not with 33 (tests/sweep/sweep_forecast).
 constexpr std::int64_t kManyHandles = 45;
 constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
 
@@ -35,7 +35,8 @@ struct Load {
   double peak_mb;  ///< of the stages that have run
 };
 
-/// A linear model of memory (MB) or time (s), by millions of voxels, triangles of the label surface, and tets.
+/// A linear model of memory (MB) or time (s), by millions of voxels, triangles of the label surface, and
+/// tets.
 struct Cost {
   double constant, voxels, label_triangles, tets;
   double of(const Load& load, const MeshForecast& mesh) const {
@@ -54,8 +55,8 @@ constexpr double kSlower = 1;
 #endif
 
 double peak_mb(const Load& load, const MeshForecast& mesh) {
-  return std::max({load.peak_mb, (load.refined ? kRefineMb : kRemeshMb).of(load, mesh), kOptimiseMb.of(load, mesh),
-                   kQualityMb.of(load, mesh)});
+  return std::max({load.peak_mb, (load.refined ? kRefineMb : kRemeshMb).of(load, mesh),
+                   kOptimiseMb.of(load, mesh), kQualityMb.of(load, mesh)});
 }
 
 double seconds(const Load& load, const MeshForecast& mesh) {
@@ -162,10 +163,11 @@ Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, Run
     const double guess = factor * std::pow(part / (0.5 * (kLeastPart + kMostPart)), 0.38);
     factor = guess > low && guess < high ? guess : std::sqrt(low * high);
   }
-  const std::string what = low > kMostFactor / 2 ? "even 64 times the edge lengths are beyond the limits"
-                           : high < 2 * kLeastFactor
-                               ? "even a 64th of the edge lengths does not come near the limits"
-                               : "near " + shown(factor) + " times the edge lengths the forecast leaps over the limits";
+  const std::string what =
+      low > kMostFactor / 2 ? "even 64 times the edge lengths are beyond the limits"
+      : high < 2 * kLeastFactor
+          ? "even a 64th of the edge lengths does not come near the limits"
+          : "near " + shown(factor) + " times the edge lengths the forecast leaps over the limits";
   return usage(what + ": the labels themselves, layers, images, edge_min_mm or edge_max_mm decide");
 }
 
@@ -177,8 +179,8 @@ Status check_limits(const Session& session, RunContext& ctx) {
   std::string beyond;
   for (const Limited& number : limited(*forecast, limits))
     if (number.limit > 0 && number.found > number.limit)
-      beyond += (beyond.empty() ? "" : "; ") + std::string(number.field) + ": the forecast is " + shown(number.found) +
-                number.unit + ", the limit " + shown(number.limit);
+      beyond += (beyond.empty() ? "" : "; ") + std::string(number.field) + ": the forecast is " +
+                shown(number.found) + number.unit + ", the limit " + shown(number.limit);
   if (beyond.empty()) return std::monostate{};
   const Result<FittingSizes> fitting = fit_sizes(session, limits, ctx);
   if (fitting)

@@ -8,9 +8,9 @@
 
 namespace voxtet {
 
-/// `peak_mb` as StageRecord::peak_mb of the stage with the most: measured for those that have run, for the others by
-/// a linear model of voxels, label triangles and tetrahedra. `seconds` are those of all stages by such a model, one
-/// thread of an AMD EPYC; in wasm 1.6 times as many. Accuracy: tests/sweep/sweep_forecast.
+/// `peak_mb` as StageRecord::peak_mb of the stage with the most: measured for those that have run, for the
+/// others by a linear model of voxels, label triangles and tetrahedra. `seconds` are those of all stages by
+/// such a model, one thread of an AMD EPYC; in wasm 1.6 times as many. Accuracy: tests/sweep/sweep_forecast.
 struct Forecast {
   MeshForecast mesh;
   double peak_mb = 0, seconds = 0;
@@ -26,10 +26,10 @@ struct FittingSizes {
 /// Needs a session whose stage sizing has run. Errors: kUsage without; kCancelled.
 Result<Forecast> forecast_case(const Session& session, RunContext& ctx);
 
-/// The smallest common factor on the recipe's edge lengths with which the forecast is within the limits: within 1 %
-/// below the one that binds. Numbers of layers, images of sizes and the bounds edge_min_mm and edge_max_mm stay. Needs
-/// a session whose stage sizing has run. Errors: kUsage without, and where no limit is set or none of the factors from
-/// 1/64 to 64 will do; kCancelled.
+/// The smallest common factor on the recipe's edge lengths with which the forecast is within the limits:
+/// within 1 % below the one that binds. Numbers of layers, images of sizes and the bounds edge_min_mm and
+/// edge_max_mm stay. Needs a session whose stage sizing has run. Errors: kUsage without, and where no limit
+/// is set or none of the factors from 1/64 to 64 will do; kCancelled.
 Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, RunContext& ctx);
 
 /// kOutOfMemory with the forecast, the recipe's limit that it is beyond, and the edge length that would fit.

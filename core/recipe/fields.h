@@ -254,7 +254,8 @@ void visit_fields(V& v, QualityParams& p) {
 
 template <class V>
 void visit_fields(V& v, Limits& p) {
-  v.field({"tets", "", 0, 1e9, "Most tetrahedra; a case forecast to have more is refused. 0: no limit."}, p.tets);
+  v.field({"tets", "", 0, 1e9, "Most tetrahedra; a case forecast to have more is refused. 0: no limit."},
+          p.tets);
   v.field({"memory_mb", "MB", 0, 1e9, "Most memory, by forecast; 0: no limit."}, p.memory_mb);
   v.field({"seconds", "s", 0, 1e9, "Most time, by forecast; 0: no limit."}, p.seconds);
 }

@@ -183,7 +183,8 @@ Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingPa
                                     "sizing.masks[" + std::to_string(m) + "]", field);
         !done)
       return done.error();
-  if (sources.surface) lower_by_curvature(*sources.surface, params.curvature, volume.smallest_spacing_mm(), field);
+  if (sources.surface)
+    lower_by_curvature(*sources.surface, params.curvature, volume.smallest_spacing_mm(), field);
   ctx.progress(kStage, 0.3);
   if (!params.regions.empty()) {
     const std::vector<float> around = field.h_mm;

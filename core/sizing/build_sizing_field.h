@@ -74,8 +74,8 @@ struct ImageSize {
   std::string sha256;  ///< digest_of(ScalarVolume); empty accepts any
 };
 
-/// Size by the curvature of the label surface: so many edges to a full turn of its circle of curvature, h = 2 pi
-/// / (edges_per_turn * k) with k the larger absolute principal curvature, averaged over some two voxels.
+/// Size by the curvature of the label surface: so many edges to a full turn of its circle of curvature, h = 2
+/// pi / (edges_per_turn * k) with k the larger absolute principal curvature, averaged over some two voxels.
 struct CurvatureSize {
   std::vector<Label> labels;  ///< whose surfaces count, against whatever they border on; none: all
   double edges_per_turn = 20;
@@ -114,11 +114,12 @@ struct SizingSources {
 /// Voxels of other labels within two voxels of a wall take its size too; the gradation would have them near
 /// it anyway.
 ///
-/// Warned of: edge lengths beyond edge_min_mm and edge_max_mm, regions that do not reach into the volume, and images that leave some labelled voxels without a
-/// size, where edge_mm stands. Errors: kUsage naming the field ("sizing.labels[1].edge_mm") for sizes that
-/// are not finite and positive, labels that the volume or mask does not hold or that are listed twice, empty
-/// regions, masks that do not reach into the volume; kBadInput for a volume that makes no sense and for
-/// images with negative or infinite sizes or without a size in any labelled voxel; kCancelled.
+/// Warned of: edge lengths beyond edge_min_mm and edge_max_mm, regions that do not reach into the volume, and
+/// images that leave some labelled voxels without a size, where edge_mm stands. Errors: kUsage naming the
+/// field ("sizing.labels[1].edge_mm") for sizes that are not finite and positive, labels that the volume or
+/// mask does not hold or that are listed twice, empty regions, masks that do not reach into the volume;
+/// kBadInput for a volume that makes no sense and for images with negative or infinite sizes or without a
+/// size in any labelled voxel; kCancelled.
 Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params, RunContext& ctx,
                                        const SizingSources& sources = {});
 

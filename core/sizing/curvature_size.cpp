@@ -17,7 +17,9 @@ constexpr double kTurn = 2 * EIGEN_PI;
 /// Whether a point is on the surface of one of the labels; of any label where none are named.
 std::vector<bool> points_of(const SurfaceMesh& surface, const std::vector<Label>& labels) {
   std::vector<bool> on(surface.points.size(), labels.empty());
-  const auto named = [&](Label label) { return std::find(labels.begin(), labels.end(), label) != labels.end(); };
+  const auto named = [&](Label label) {
+    return std::find(labels.begin(), labels.end(), label) != labels.end();
+  };
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     if (named(surface.sides[t][0]) || named(surface.sides[t][1]))
       for (const std::uint32_t p : surface.triangles[t]) on[p] = true;
@@ -26,8 +28,8 @@ std::vector<bool> points_of(const SurfaceMesh& surface, const std::vector<Label>
 
 }  // namespace
 
-void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureSize>& wishes,
-                        double voxel_mm, SizingField& field) {
+void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureSize>& wishes, double voxel_mm,
+                        SizingField& field) {
   if (wishes.empty()) return;
   const std::vector<float> curvature = surface_curvature(surface, kWidthVoxels * voxel_mm);
   for (const CurvatureSize& wish : wishes) {

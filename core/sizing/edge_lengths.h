@@ -7,11 +7,14 @@
 
 namespace voxtet {
 
-/// Calls visit(field, edge_mm) for every edge length of SizingParams (const or not), the field as the recipe names it
-/// below "sizing.". Neither the bounds edge_min_mm and edge_max_mm nor what follows from layers, images and curvature.
+/// Calls visit(field, edge_mm) for every edge length of SizingParams (const or not), the field as the recipe
+/// names it below "sizing.". Neither the bounds edge_min_mm and edge_max_mm nor what follows from layers,
+/// images and curvature.
 template <class Params, class Visit>
 void for_each_edge_length(Params& params, Visit&& visit) {
-  const auto item = [](const std::string& list, std::size_t i) { return list + "[" + std::to_string(i) + "]"; };
+  const auto item = [](const std::string& list, std::size_t i) {
+    return list + "[" + std::to_string(i) + "]";
+  };
   const auto visit_list = [&](const std::string& list, auto& wishes) {
     for (std::size_t i = 0; i < wishes.size(); ++i) visit(item(list, i) + ".edge_mm", wishes[i].edge_mm);
   };

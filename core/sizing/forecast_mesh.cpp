@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 constexpr double kTrianglesPerArea = 2.15;  ///< in squared edges
 constexpr double kTetsPerVolume = 9.07;     ///< in cubed edges
-constexpr double kRise = 0.7;               ///< of edge lengths from a surface that is finer than wished, per mm
+constexpr double kRise = 0.7;  ///< of edge lengths from a surface that is finer than wished, per mm
 constexpr double kPointsPerTet = 0.17, kPointsPerTriangle = 0.25;
 
 // By how much a refined surface is denser than wished, measured on hearts, aorta, torso and mickey.nrrd:
@@ -25,7 +25,7 @@ constexpr double kRadiusPerEdge = 1 / 1.3;  ///< circumradius of its triangles
 constexpr double kByBend = 1.6;             ///< where the middle of a triangle is as far off as allowed
 constexpr double kByThinness = 0.4;         ///< where a layer is as thin as an edge
 constexpr double kMostOffset = 2, kMostThin = 2.5;  ///< beyond, the surface is as dense whatever is wished
-constexpr double kCoarsened = 0.25;         ///< part of the excess that local operations leave
+constexpr double kCoarsened = 0.25;                 ///< part of the excess that local operations leave
 
 constexpr double kCurvatureWidthVoxels = 2;
 constexpr std::size_t kMostSamples = 250000;
@@ -34,7 +34,9 @@ constexpr std::size_t kMostSamples = 250000;
 class GapFinder {
  public:
   explicit GapFinder(const LabelVolume& volume)
-      : volume_(volume), to_index_(volume.index_to_mm.inverse()), step_mm_(0.25 * volume.smallest_spacing_mm()) {}
+      : volume_(volume),
+        to_index_(volume.index_to_mm.inverse()),
+        step_mm_(0.25 * volume.smallest_spacing_mm()) {}
 
   /// How far one can go from a point along a unit direction inside a label, at most twelve voxels; that, too,
   /// where the label does not begin within a voxel, because the smoothed surface is off the voxels' faces.
@@ -61,9 +63,12 @@ class GapFinder {
 };
 
 /// The integral of e^-3 over the labelled voxels. The grid has the volume's points and some more around them.
-double tets_per_volume(const LabelVolume& volume, const SizingField& grid, const std::vector<float>& edge_mm) {
+double tets_per_volume(const LabelVolume& volume, const SizingField& grid,
+                       const std::vector<float>& edge_mm) {
   const auto offset = [&](int i, int j, int k) {
-    const auto pad = [&](int d) { return (grid.size[static_cast<std::size_t>(d)] - volume.size[static_cast<std::size_t>(d)]) / 2; };
+    const auto pad = [&](int d) {
+      return (grid.size[static_cast<std::size_t>(d)] - volume.size[static_cast<std::size_t>(d)]) / 2;
+    };
     return static_cast<std::size_t>(i + pad(0)) +
            static_cast<std::size_t>(grid.size[0]) *
                (static_cast<std::size_t>(j + pad(1)) +
@@ -98,8 +103,8 @@ MeshForecaster::MeshForecaster(const LabelVolume& volume, const SurfaceMesh& sur
     all += twice / 2;
     if (t % stride != 0 || !(twice > 0)) continue;
     const Vector3d at = (a + b + c) / 3, normal = cross / twice;
-    const double gap = std::min(gaps.gap_mm(at, -normal, surface.sides[t][0]),
-                                gaps.gap_mm(at, normal, surface.sides[t][1]));
+    const double gap =
+        std::min(gaps.gap_mm(at, -normal, surface.sides[t][0]), gaps.gap_mm(at, normal, surface.sides[t][1]));
     samples_.push_back(
         {at, twice / 2, (static_cast<double>(curvature[ia]) + curvature[ib] + curvature[ic]) / 3, gap});
     sampled += twice / 2;

@@ -20,19 +20,21 @@ struct MeshForecast {
 /// Which surface is to be expected.
 struct SurfaceExpectation {
   double max_distance_voxels = 0.5;  ///< from triangles to labels
-  /// Refined until bends and thin places are resolved, as restricted Delaunay refinement does. Else only as far
-  /// as local operations on the label surface cannot coarsen it, measured as a quarter of that.
+  /// Refined until bends and thin places are resolved, as restricted Delaunay refinement does. Else only as
+  /// far as local operations on the label surface cannot coarsen it, measured as a quarter of that.
   bool resolves_thin_places = true;
 };
 
 /// What a label surface asks of any mesh, measured once for many sizing fields. The triangles of the adapted
-/// surface are the integral over the label surface of 2.15 / e^2, the tets that over the labels of 9.07 / e^3.
-/// There e is the edge length that the mesh will have: the wished one or, where that is less, what the adapted
-/// surface takes to follow bends (geometry/surface_curvature.h) and to resolve layers and gaps thinner than an
-/// edge, from where lengths rise inwards by 0.7 a mm. Constants and accuracy: tests/sweep/sweep_forecast.
+/// surface are the integral over the label surface of 2.15 / e^2, the tets that over the labels of 9.07 /
+/// e^3. There e is the edge length that the mesh will have: the wished one or, where that is less, what the
+/// adapted surface takes to follow bends (geometry/surface_curvature.h) and to resolve layers and gaps
+/// thinner than an edge, from where lengths rise inwards by 0.7 a mm. Constants and accuracy:
+/// tests/sweep/sweep_forecast.
 class MeshForecaster {
  public:
-  /// `label_surface` is the smoothed surface of the labels of `volume`, which has to outlive this. Linear time.
+  /// `label_surface` is the smoothed surface of the labels of `volume`, which has to outlive this. Linear
+  /// time.
   MeshForecaster(const LabelVolume& volume, const SurfaceMesh& label_surface,
                  const SurfaceExpectation& expectation);
 

@@ -180,8 +180,8 @@ class Sweeper {
   }
 
   /// The solution u of sum_d (max(u - side_d, 0) / (g spacing_d))^2 = 1, relative to the lowest side so that
-  /// no digits are lost. A side counts where the sum at it, of those below, is less than 1. Where the lowest alone
-  /// counts, the straight paths have the solution.
+  /// no digits are lost. A side counts where the sum at it, of those below, is less than 1. Where the lowest
+  /// alone counts, the straight paths have the solution.
   float godunov(float x, float y, float z) const {
     float s0 = x, s1 = y, s2 = z, w0 = inverse_square_[0], w1 = inverse_square_[1], w2 = inverse_square_[2];
     const auto order = [](float& low, float& high, float& low_weight, float& high_weight) {

@@ -30,10 +30,11 @@ Bent ball(double radius) {
 Bent torus(double big, double small) {
   const int n = static_cast<int>(2 * (big + small)) + 9, height = static_cast<int>(2 * small) + 9;
   const double c = n / 2.0, middle = height / 2.0;
-  return {test::label_surface(test::make_volume(
-              n, n, height,
-              [=](int i, int j, int k) { return test::in_torus(i - c, j - c, k - middle, big, small) ? 1 : 0; })),
-          [=](const Vector3d&) { return 1 / small; }};
+  return {
+      test::label_surface(test::make_volume(
+          n, n, height,
+          [=](int i, int j, int k) { return test::in_torus(i - c, j - c, k - middle, big, small) ? 1 : 0; })),
+      [=](const Vector3d&) { return 1 / small; }};
 }
 
 /// An ellipsoid of revolution about z, half axes `across` and `along`, the longer one along.

@@ -106,7 +106,8 @@ TEST(FitSizes, SaysWhereEdgeLengthsDoNotDecide) {
   const Result<FittingSizes> few = fit_sizes(session, {1000, 0, 0}, ctx);
   ASSERT_FALSE(few.ok());
   EXPECT_EQ(few.error().code, ErrorCode::kUsage);
-  EXPECT_NE(few.error().message.find("even 64 times the edge lengths"), std::string::npos) << few.error().message;
+  EXPECT_NE(few.error().message.find("even 64 times the edge lengths"), std::string::npos)
+      << few.error().message;
   EXPECT_NE(few.error().message.find("edge_max_mm"), std::string::npos);
   EXPECT_FALSE(fit_sizes(session, {}, ctx).ok());
 }

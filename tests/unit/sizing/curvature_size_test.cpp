@@ -89,9 +89,12 @@ TEST(CurvatureSize, NamesTheFieldThatIsWrong) {
     const Result<SizingField> field = build(volume, params);
     return field ? std::string() : field.error().message;
   };
-  EXPECT_EQ(message_of({{3}, 20, 1}), "sizing.curvature[1].labels[0]: found 3, but the labels of the volume are 1, 2");
-  EXPECT_EQ(message_of({{}, 2, 1}), "sizing.curvature[1].edges_per_turn: found 2, expected a number of at least 3");
-  EXPECT_EQ(message_of({{}, 20, -1}), "sizing.curvature[1].edge_min_mm: found -1, expected a finite length > 0 mm");
+  EXPECT_EQ(message_of({{3}, 20, 1}),
+            "sizing.curvature[1].labels[0]: found 3, but the labels of the volume are 1, 2");
+  EXPECT_EQ(message_of({{}, 2, 1}),
+            "sizing.curvature[1].edges_per_turn: found 2, expected a number of at least 3");
+  EXPECT_EQ(message_of({{}, 20, -1}),
+            "sizing.curvature[1].edge_min_mm: found -1, expected a finite length > 0 mm");
 }
 
 }  // namespace

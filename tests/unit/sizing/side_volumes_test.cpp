@@ -167,9 +167,10 @@ TEST(BuildSizingField, SaysWhichWishesAreBeyondTheBounds) {
   params.regions[0].edge_mm = 0.5;
   const SizingField field = build(params, side).value();
   EXPECT_FLOAT_EQ(static_cast<float>(field.at({10, 10, 10})), 1);
-  EXPECT_EQ(side.warnings, (std::vector<std::string>{
-                               "sizing.edge_mm: 5 mm is above sizing.edge_max_mm, which holds: 4 mm",
-                               "sizing.regions[0].edge_mm: 0.5 mm is below sizing.edge_min_mm, which holds: 1 mm"}));
+  EXPECT_EQ(side.warnings,
+            (std::vector<std::string>{
+                "sizing.edge_mm: 5 mm is above sizing.edge_max_mm, which holds: 4 mm",
+                "sizing.regions[0].edge_mm: 0.5 mm is below sizing.edge_min_mm, which holds: 1 mm"}));
 }
 
 // Contradictory wishes are no error: the smallest wins, whatever the order.
