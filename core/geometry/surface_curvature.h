@@ -7,6 +7,10 @@
 
 namespace voxtet {
 
+/// A width for label surfaces, in their smallest spacing: with less the rest of the staircase counts as
+/// curvature, with more the bends of thin walls fade.
+inline constexpr double kCurvatureWidthVoxels = 2;
+
 /// The larger of the absolute principal curvatures (1/mm) at each point, averaged over a Gaussian of about
 /// `width_mm` standard deviation along the surface. Edges with other than two triangles, where more than two
 /// labels meet, do not bend by themselves. Linear time; no transcendental function.

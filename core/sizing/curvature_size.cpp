@@ -10,8 +10,6 @@
 namespace voxtet {
 namespace {
 
-/// Below this width the rest of the staircase counts as curvature, above it the bends of thin walls fade.
-constexpr double kWidthVoxels = 2;
 constexpr double kTurn = 2 * EIGEN_PI;
 
 /// Whether a point is on the surface of one of the labels; of any label where none are named.
@@ -31,7 +29,7 @@ std::vector<bool> points_of(const SurfaceMesh& surface, const std::vector<Label>
 void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureSize>& wishes, double voxel_mm,
                         SizingField& field) {
   if (wishes.empty()) return;
-  const std::vector<float> curvature = surface_curvature(surface, kWidthVoxels * voxel_mm);
+  const std::vector<float> curvature = surface_curvature(surface, kCurvatureWidthVoxels * voxel_mm);
   for (const CurvatureSize& wish : wishes) {
     // The mean around each grid point, since a minimum would pick out what is left of the staircase.
     std::vector<float> sum(field.h_mm.size(), 0.F), weights(field.h_mm.size(), 0.F);

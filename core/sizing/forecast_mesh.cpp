@@ -27,7 +27,6 @@ constexpr double kByThinness = 0.4;         ///< where a layer is as thin as an 
 constexpr double kMostOffset = 2, kMostThin = 2.5;  ///< beyond, the surface is as dense whatever is wished
 constexpr double kCoarsened = 0.25;                 ///< part of the excess that local operations leave
 
-constexpr double kCurvatureWidthVoxels = 2;
 constexpr std::size_t kMostSamples = 250000;
 
 /// Walks through the voxels of a volume.
