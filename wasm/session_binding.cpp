@@ -104,15 +104,8 @@ class SessionBinding {
   std::string forecast(double elements) {
     RunContext ctx;
     if (Status done = session_.run(Stage::kSizing, ctx); !done) return reply(done.error());
-    const Result<Forecast> found = forecast_case(session_, ctx);
-    if (!found) return reply(found.error());
-    json value = forecast_json(*found);
-    if (elements > 0) {
-      const Result<FittingSizes> fitting = fit_sizes(session_, {elements, 0, 0}, ctx);
-      if (!fitting) return reply(fitting.error());
-      value["fitting"] = fitting_json(*fitting, session_.recipe());
-    }
-    return reply(value);
+    const Result<json> found = forecast_json(session_, elements, ctx);
+    return found ? reply(*found) : reply(found.error());
   }
 
   val view(const std::string& stage, const std::string& array) {

@@ -107,18 +107,12 @@ int run_forecast(const CaseOptions& options, double elements, const Output& outp
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
   if (Status done = session.run(Stage::kSizing, ctx); !done) return fail(done.error());
-  const Result<Forecast> forecast = forecast_case(session, ctx);
+  const Result<json> forecast = forecast_json(session, elements, ctx);
   if (!forecast) return fail(forecast.error());
-  json value = forecast_json(*forecast);
-  if (elements > 0) {
-    const Result<FittingSizes> fitting = fit_sizes(session, {elements, 0, 0}, ctx);
-    if (!fitting) return fail(fitting.error());
-    value["fitting"] = fitting_json(*fitting, session.recipe());
-  }
   if (output.as_json)
-    print_json(value);
+    print_json(*forecast);
   else
-    print_forecast(value, stdout);
+    print_forecast(*forecast, stdout);
   return kExitOk;
 }
 

@@ -128,6 +128,15 @@ std::string shown(double value) {
   return text;
 }
 
+nlohmann::json numbers_json(const Forecast& forecast) {
+  const auto whole = [](double value) { return std::llround(value); };
+  return {{"tets", whole(forecast.mesh.tets)},
+          {"points", whole(forecast.mesh.points)},
+          {"triangles", whole(forecast.mesh.triangles)},
+          {"peak_mb", forecast.peak_mb},
+          {"seconds", forecast.seconds}};
+}
+
 bool is_sized(const Session& session) {
   return session.sizing() && session.smooth() && session.volume();
 }
@@ -191,22 +200,20 @@ Status check_limits(const Session& session, RunContext& ctx) {
   return Error{ErrorCode::kOutOfMemory, "forecast", beyond, {}};
 }
 
-nlohmann::json forecast_json(const Forecast& forecast) {
-  const auto whole = [](double value) { return std::llround(value); };
-  return {{"tets", whole(forecast.mesh.tets)},
-          {"points", whole(forecast.mesh.points)},
-          {"triangles", whole(forecast.mesh.triangles)},
-          {"peak_mb", forecast.peak_mb},
-          {"seconds", forecast.seconds}};
-}
-
-nlohmann::json fitting_json(const FittingSizes& fitting, const Recipe& recipe) {
-  Recipe fitted = recipe;
-  fitted.sizing = fitting.sizing;
-  return {{"factor", fitting.factor},
-          {"edge_mm", fitting.sizing.edge_mm},
-          {"sizing", recipe_to_json(fitted)["sizing"]},
-          {"forecast", forecast_json(fitting.forecast)}};
+Result<nlohmann::json> forecast_json(const Session& session, double elements, RunContext& ctx) {
+  const Result<Forecast> forecast = forecast_case(session, ctx);
+  if (!forecast) return forecast.error();
+  nlohmann::json out = numbers_json(*forecast);
+  if (!(elements > 0)) return out;
+  const Result<FittingSizes> fitting = fit_sizes(session, {elements, 0, 0}, ctx);
+  if (!fitting) return fitting.error();
+  Recipe fitted = session.recipe();
+  fitted.sizing = fitting->sizing;
+  out["fitting"] = {{"factor", fitting->factor},
+                    {"edge_mm", fitting->sizing.edge_mm},
+                    {"sizing", recipe_to_json(fitted)["sizing"]},
+                    {"forecast", numbers_json(fitting->forecast)}};
+  return out;
 }
 
 }  // namespace voxtet

@@ -35,9 +35,9 @@ Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, Run
 /// kOutOfMemory with the forecast, the recipe's limit that it is beyond, and the edge length that would fit.
 Status check_limits(const Session& session, RunContext& ctx);
 
-/// {tets, points, triangles, peak_mb, seconds}
-nlohmann::json forecast_json(const Forecast& forecast);
-/// {factor, edge_mm, sizing, forecast}; `sizing` is that part of the recipe.
-nlohmann::json fitting_json(const FittingSizes& fitting, const Recipe& recipe);
+/// {tets, points, triangles, peak_mb, seconds} of forecast_case; with `elements` > 0 also `fitting`, the
+/// sizes that give so many tetrahedra: {factor, edge_mm, sizing, forecast}, `sizing` as in the recipe.
+/// Errors: those of both.
+Result<nlohmann::json> forecast_json(const Session& session, double elements, RunContext& ctx);
 
 }  // namespace voxtet
