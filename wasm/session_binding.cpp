@@ -9,6 +9,7 @@
 
 #include "io/write_mesh.h"
 #include "lookup/look_up_labels.h"
+#include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
 #include "quality/measure_quality.h"
@@ -96,6 +97,15 @@ class SessionBinding {
       if (!session_.record(static_cast<Stage>(i)).key.empty())
         stages.push_back(stage_json(session_, static_cast<Stage>(i)));
     return reply(stages);
+  }
+
+  /// What meshing will take, after the stages up to sizing; with `elements` > 0 also the edge lengths that
+  /// give so many tetrahedra, as "fitting".
+  std::string forecast(double elements) {
+    RunContext ctx;
+    if (Status done = session_.run(Stage::kSizing, ctx); !done) return reply(done.error());
+    const Result<json> found = forecast_json(session_, elements, ctx);
+    return found ? reply(*found) : reply(found.error());
   }
 
   val view(const std::string& stage, const std::string& array) {
@@ -214,6 +224,7 @@ EMSCRIPTEN_BINDINGS(voxtet) {
       .function("loadVolume", &SessionBinding::load_volume)
       .function("setRecipe", &SessionBinding::set_recipe)
       .function("run", &SessionBinding::run)
+      .function("forecast", &SessionBinding::forecast)
       .function("view", &SessionBinding::view)
       .function("exportMesh", &SessionBinding::export_mesh)
       .function("exportBytes", &SessionBinding::export_bytes)

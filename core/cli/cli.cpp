@@ -16,6 +16,7 @@
 #include "io/write_vti.h"
 #include "lookup/look_up_labels.h"
 #include "pipeline/field_volume.h"
+#include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "recipe/link.h"
 
@@ -98,6 +99,20 @@ int run_field(const CaseOptions& options, const std::string& name, const std::st
   const Result<Bytes> bytes = vti ? write_vti(*field, name) : write_nifti(*field, out.ends_with(".gz"));
   if (!bytes) return fail(bytes.error());
   if (Status written = place_files({{out, *bytes}}); !written) return fail(written.error());
+  return kExitOk;
+}
+
+int run_forecast(const CaseOptions& options, double elements, const Output& output) {
+  Session session;
+  if (Status opened = open_case(options, session); !opened) return fail(opened.error());
+  RunContext ctx = printing_context(output.time_limit_s, output.threads);
+  if (Status done = session.run(Stage::kSizing, ctx); !done) return fail(done.error());
+  const Result<json> forecast = forecast_json(session, elements, ctx);
+  if (!forecast) return fail(forecast.error());
+  if (output.as_json)
+    print_json(*forecast);
+  else
+    print_forecast(*forecast, stdout);
   return kExitOk;
 }
 
@@ -272,6 +287,13 @@ int run_cli(int argc, const char* const* argv) {
       ->check(CLI::IsMember({"size", "thickness", "potential"}));
   field->add_option("-o,--output", out, ".nii, .nii.gz or .vti")->required();
   field->callback([&] { code = run_field(options, what, out, output); });
+
+  CLI::App* forecast = app.add_subcommand("forecast", "elements, memory and time of a case, before meshing");
+  add_case_options(*forecast, options, output, "VOLUME|CASE.json");
+  double elements = 0;
+  forecast->add_option("--elements", elements, "also the edge lengths that give so many tetrahedra")
+      ->check(CLI::PositiveNumber);
+  forecast->callback([&] { code = run_forecast(options, elements, output); });
 
   CLI::App* verify = app.add_subcommand("verify", "mesh a case and compare with the digest it promises");
   add_case_options(*verify, options, output, "CASE.json");

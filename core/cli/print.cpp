@@ -176,6 +176,20 @@ void print_layers(const nlohmann::json& report, std::FILE* out) {
 
 }  // namespace
 
+void print_forecast(const nlohmann::json& forecast, std::FILE* out) {
+  const auto print = [out](const nlohmann::json& f) {
+    std::fprintf(out, "%lld tetrahedra, %lld points, %lld triangles, %.0f MB, %.1f s (forecast)\n",
+                 f["tets"].get<long long>(), f["points"].get<long long>(), f["triangles"].get<long long>(),
+                 f["peak_mb"].get<double>(), f["seconds"].get<double>());
+  };
+  print(forecast);
+  if (!forecast.contains("fitting")) return;
+  const nlohmann::json& fitting = forecast["fitting"];
+  std::fprintf(out, "edge lengths times %.4g, sizing.edge_mm %.4g: ", fitting["factor"].get<double>(),
+               fitting["edge_mm"].get<double>());
+  print(fitting["forecast"]);
+}
+
 void print_report(const nlohmann::json& report, std::FILE* out) {
   std::fprintf(out, "%u tetrahedra, %u points, digest %s\n", report["tets"].get<unsigned>(),
                report["points"].get<unsigned>(), report["digest"].get<std::string>().c_str());

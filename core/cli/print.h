@@ -22,6 +22,9 @@ void print_report(const nlohmann::json& report, std::FILE* out);
 /// Metrics and checklist, for people.
 void print_quality(const nlohmann::json& quality, std::FILE* out);
 
+/// What meshing a case will take, and the fitting edge lengths where they were asked for.
+void print_forecast(const nlohmann::json& forecast, std::FILE* out);
+
 /// Time and memory of each stage, its notes below it, and the sum.
 void print_stages(const nlohmann::json& stages, std::FILE* out);
 

@@ -8,6 +8,7 @@
 #include "geometry/digest.h"
 #include "lookup/look_up_labels.h"
 #include "phantom/make_phantom.h"
+#include "pipeline/forecast.h"
 #include "pipeline/memory.h"
 #include "quality/measure_quality.h"
 #include "remesh/remesh_surface.h"
@@ -213,18 +214,23 @@ Status Session::measure_walls(RunContext& ctx) {
   return std::monostate{};
 }
 
-Status Session::run_sizing(RunContext& ctx) {
-  if (Status measured = measure_walls(ctx); !measured) return measured;
+Result<SizingField> Session::size_by(const SizingParams& sizing, RunContext& ctx) const {
   std::vector<const LabelVolume*> masks;
   std::vector<const ScalarVolume*> images;
-  if (Status found = find_side_volumes(recipe_.sizing.masks, masks_, "sizing.masks", masks); !found)
-    return found;
-  if (Status found = find_side_volumes(recipe_.sizing.images, images_, "sizing.images", images); !found)
-    return found;
-  return keep(build_sizing_field(*volume(), recipe_.sizing, ctx, {walls_, masks, images}), sizing_);
+  if (Status found = find_side_volumes(sizing.masks, masks_, "sizing.masks", masks); !found)
+    return found.error();
+  if (Status found = find_side_volumes(sizing.images, images_, "sizing.images", images); !found)
+    return found.error();
+  return build_sizing_field(*volume(), sizing, ctx, {walls_, masks, images, &*smooth_});
+}
+
+Status Session::run_sizing(RunContext& ctx) {
+  if (Status measured = measure_walls(ctx); !measured) return measured;
+  return keep(size_by(recipe_.sizing, ctx), sizing_);
 }
 
 Status Session::run_remesh(RunContext& ctx) {
+  if (Status within = check_limits(*this, ctx); !within) return within;
   std::vector<LayeredWall> exact;
   std::vector<std::string> names;
   for (std::size_t w = 0; w < walls_.size(); ++w)

@@ -84,6 +84,9 @@ class Session {
   const TetMesh* mesh() const { return optimised_ ? &*optimised_ : filled(); }
   const LabelLookUp* lookup() const { return lookup_ ? &*lookup_ : nullptr; }
   const QualityReport* quality() const { return quality_ ? &*quality_ : nullptr; }
+  /// The field of other sizes than the recipe's, whose masks, images and walls hold. Needs kSmooth, and walls
+  /// measured.
+  Result<SizingField> size_by(const SizingParams& sizing, RunContext& ctx) const;
   const StageRecord& record(Stage stage) const { return records_[static_cast<std::size_t>(stage)]; }
   std::vector<std::string> warnings() const;  ///< of all results at hand, in the order of stages
 

@@ -167,6 +167,15 @@ void visit_fields(V& v, ImageSize& p) {
 }
 
 template <class V>
+void visit_fields(V& v, CurvatureSize& p) {
+  v.field({"labels", "", 1, 65535, "Labels whose surfaces count; none: all."}, p.labels);
+  v.field({"edges_per_turn", "", 3, 1000, "Edges to a full turn of the surface's circle of curvature."},
+          p.edges_per_turn);
+  v.field({"edge_min_mm", "mm", 0.01, 1000, "No edge length below this is asked, however sharp the bend."},
+          p.edge_min_mm);
+}
+
+template <class V>
 void visit_fields(V& v, SizingParams& p) {
   v.field({"edge_mm", "mm", 0.01, 1000, "Edge length wherever nothing smaller is asked."}, p.edge_mm);
   v.list({"labels", "", 0, 0, "Edge length inside single labels, instead of edge_mm."}, p.labels);
@@ -176,6 +185,7 @@ void visit_fields(V& v, SizingParams& p) {
          p.thickness);
   v.list({"masks", "", 0, 0, "Edge lengths painted over the volume."}, p.masks);
   v.list({"images", "", 0, 0, "Images of edge lengths, instead of edge_mm where they have one."}, p.images);
+  v.list({"curvature", "", 0, 0, "Edge length by the curvature of the label surface."}, p.curvature);
   v.field({"edge_min_mm", "mm", 0.01, 1000, "No edge length below this is asked."}, p.edge_min_mm);
   v.field({"edge_max_mm", "mm", 0.01, 1000, "No edge length above this is asked."}, p.edge_max_mm);
   v.field({"gradation", "mm/mm", 0.01, 1, "Bound on how fast the edge length may change per mm."},
@@ -248,6 +258,14 @@ void visit_fields(V& v, QualityParams& p) {
 }
 
 template <class V>
+void visit_fields(V& v, Limits& p) {
+  v.field({"tets", "", 0, 1e9, "Most tetrahedra; a case forecast to have more is refused. 0: no limit."},
+          p.tets);
+  v.field({"memory_mb", "MB", 0, 1e9, "Most memory, by forecast; 0: no limit."}, p.memory_mb);
+  v.field({"seconds", "s", 0, 1e9, "Most time, by forecast; 0: no limit."}, p.seconds);
+}
+
+template <class V>
 void visit_fields(V& v, Recipe& r) {
   v.group({"source", "", 0, 0, "Where the labels come from."}, r.source);
   v.field({"labels", "", 1, 65535, "Labels to mesh; none: all."}, r.labels);
@@ -261,6 +279,7 @@ void visit_fields(V& v, Recipe& r) {
   v.group({"optimise", "", 0, 0, "Better shapes for the tetrahedra."}, r.optimise);
   v.group({"lookup", "", 0, 0, "Labels looked up instead of meshed."}, r.lookup);
   v.group({"quality", "", 0, 0, "The evidence."}, r.quality);
+  v.group({"limits", "", 0, 0, "What meshing may take."}, r.limits);
   v.group({"expected", "", 0, 0, "What a shared case promises."}, r.expected);
 }
 

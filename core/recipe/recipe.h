@@ -34,6 +34,13 @@ struct Source {
   std::optional<FileSource> file;
 };
 
+/// What meshing may take, by forecast: beyond it a case is refused before meshing. 0: no limit.
+struct Limits {
+  double tets = 0;
+  double memory_mb = 0;
+  double seconds = 0;
+};
+
 /// What a shared case promises; empty fields promise nothing.
 struct Expected {
   std::string engine;
@@ -55,6 +62,7 @@ struct Recipe {
   OptimiseParams optimise;
   LookUpParams lookup;
   QualityParams quality;
+  Limits limits;
   Expected expected;
 };
 

@@ -206,6 +206,8 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
     ctx.note(kStage, "method delaunay");
     for (const TopologyDifference& difference : compare_topology(wanted, found))
       ctx.warn(kStage, in_words(difference));
+    // Sheets between layers are not on the reference: nothing there could be moved.
+    if (!layers.empty()) return surface;
     return improve(*surface, volume, reference, sizing, params, ctx);
   }
   ctx.warn(kStage, "the method delaunay " + broken + ": the method remesh was taken instead" +

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <optional>
 
 #include "geometry/distance_transform.h"
 #include "sizing/check_sizing_params.h"
+#include "sizing/curvature_size.h"
+#include "sizing/edge_lengths.h"
 #include "sizing/limit_gradation.h"
 #include "sizing/side_volumes.h"
 #include "sizing/size_region.h"
@@ -141,12 +144,25 @@ bool add_region_size(const SizeRegion& region, double edge_max_mm, const std::ve
   return reached;
 }
 
+void warn_of_clamped(const SizingParams& params, const RunContext& ctx) {
+  for_each_edge_length(params, [&](const std::string& field, double edge_mm) {
+    const bool low = edge_mm < params.edge_min_mm;
+    if (!low && !(edge_mm > params.edge_max_mm)) return;
+    char text[160];
+    std::snprintf(text, sizeof text, ": %g mm is %s, which holds: %g mm", edge_mm,
+                  low ? "below sizing.edge_min_mm" : "above sizing.edge_max_mm",
+                  low ? params.edge_min_mm : params.edge_max_mm);
+    ctx.warn(kStage, "sizing." + field + text);
+  });
+}
+
 }  // namespace
 
 Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params, RunContext& ctx,
                                        const SizingSources& sources) {
   if (const auto error = find_volume_error(volume)) return *error;
   if (const auto error = find_sizing_error(volume, params)) return *error;
+  warn_of_clamped(params, ctx);
   ctx.progress(kStage, 0);
   SizingField field = padded_grid(volume);
   BaseSizes base;
@@ -167,6 +183,8 @@ Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingPa
                                     "sizing.masks[" + std::to_string(m) + "]", field);
         !done)
       return done.error();
+  if (sources.surface)
+    lower_by_curvature(*sources.surface, params.curvature, volume.smallest_spacing_mm(), field);
   ctx.progress(kStage, 0.3);
   if (!params.regions.empty()) {
     const std::vector<float> around = field.h_mm;

@@ -12,6 +12,7 @@
 #include "types/run_context.h"
 #include "types/scalar_volume.h"
 #include "types/sizing_field.h"
+#include "types/surface_mesh.h"
 #include "types/wall_field.h"
 
 namespace voxtet {
@@ -80,6 +81,14 @@ struct ImageSize {
   std::string sha256;  ///< digest_of(ScalarVolume); empty accepts any
 };
 
+/// Size by the curvature of the label surface: so many edges to a full turn of its circle of curvature, h = 2
+/// pi / (edges_per_turn * k) with k the larger absolute principal curvature, averaged over some two voxels.
+struct CurvatureSize {
+  std::vector<Label> labels;  ///< whose surfaces count, against whatever they border on; none: all
+  double edges_per_turn = 20;
+  double edge_min_mm = 0.5;  ///< no edge below this is asked, however sharp the bend
+};
+
 struct SizingParams {
   double edge_mm = 2;                    ///< wherever nothing smaller is asked
   std::vector<LabelSize> labels;         ///< replaces edge_mm inside these labels (smaller or larger)
@@ -88,6 +97,7 @@ struct SizingParams {
   std::vector<ThicknessSize> thickness;  ///< in its wall in place of edge_mm, minimum with everything else
   std::vector<MaskSize> masks;           ///< minimum with everything else
   std::vector<ImageSize> images;  ///< where it wishes in place of edge_mm, minimum with everything else
+  std::vector<CurvatureSize> curvature;  ///< minimum with everything else
   double edge_min_mm = 0.1;
   double edge_max_mm = 50;
   double gradation = 0.3;  ///< bound on |grad h|; 0 < g <= 1
@@ -99,6 +109,8 @@ struct SizingSources {
   std::span<const WallField> walls = {};
   std::span<const LabelVolume* const> masks = {};    ///< one for each of SizingParams::masks
   std::span<const ScalarVolume* const> images = {};  ///< one for each of SizingParams::images
+  /// The smoothed label surface, where SizingParams::curvature asks for it.
+  const SurfaceMesh* surface = nullptr;
 };
 
 /// The minimum of all sources at the volume's voxels, clamped to [edge_min_mm, edge_max_mm], then
@@ -109,11 +121,12 @@ struct SizingSources {
 /// Voxels of other labels within two voxels of a wall take its size too; the gradation would have them near
 /// it anyway.
 ///
-/// Warned of: regions that do not reach into the volume, and images that leave some labelled voxels without a
-/// size, where edge_mm stands. Errors: kUsage naming the field ("sizing.labels[1].edge_mm") for sizes that
-/// are not finite and positive, labels that the volume or mask does not hold or that are listed twice, empty
-/// regions, masks that do not reach into the volume; kBadInput for a volume that makes no sense and for
-/// images with negative or infinite sizes or without a size in any labelled voxel; kCancelled.
+/// Warned of: edge lengths beyond edge_min_mm and edge_max_mm, regions that do not reach into the volume, and
+/// images that leave some labelled voxels without a size, where edge_mm stands. Errors: kUsage naming the
+/// field ("sizing.labels[1].edge_mm") for sizes that are not finite and positive, labels that the volume or
+/// mask does not hold or that are listed twice, empty regions, masks that do not reach into the volume;
+/// kBadInput for a volume that makes no sense and for images with negative or infinite sizes or without a
+/// size in any labelled voxel; kCancelled.
 Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params, RunContext& ctx,
                                        const SizingSources& sources = {});
 

@@ -98,6 +98,15 @@ void check_thickness(Checker& check, const ThicknessSize& wish, const std::strin
                 field + ".thick_mm", wish.thick_mm, "more than thin_mm, or both 0");
 }
 
+void check_curvature(Checker& check, const HeldLabels& held, const CurvatureSize& wish,
+                     const std::string& field) {
+  for (std::size_t i = 0; i < wish.labels.size(); ++i)
+    check_label(check, held, item(field + ".labels", i), wish.labels[i]);
+  check.require(std::isfinite(wish.edges_per_turn) && wish.edges_per_turn >= 3, field + ".edges_per_turn",
+                wish.edges_per_turn, "a number of at least 3");
+  check.positive(field + ".edge_min_mm", wish.edge_min_mm);
+}
+
 void check_labels(Checker& check, const SizingParams& params, const HeldLabels& held) {
   std::vector<int> given_by(65536, -1);
   for (std::size_t i = 0; i < params.labels.size(); ++i) {
@@ -138,6 +147,8 @@ std::optional<Error> find_sizing_error(const LabelVolume& volume, const SizingPa
   }
   for (std::size_t i = 0; i < params.thickness.size(); ++i)
     check_thickness(check, params.thickness[i], item("thickness", i));
+  for (std::size_t i = 0; i < params.curvature.size(); ++i)
+    check_curvature(check, held, params.curvature[i], item("curvature", i));
   return check.error();
 }
 

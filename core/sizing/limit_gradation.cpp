@@ -29,9 +29,12 @@ class Sweeper {
               static_cast<float>(gradation * (linear * Eigen::Vector3d(di, dj, dk)).norm());
     for (int d = 0; d < 3 && orthogonal_; ++d)
       inverse_square_[d] = static_cast<float>(1 / (gradation * gradation * linear.col(d).squaredNorm()));
+    all_squares_ = inverse_square_[0] + inverse_square_[1] + inverse_square_[2];
+    inverse_of_all_ = 1 / all_squares_;
     h_.assign(static_cast<std::size_t>(stride_) * (ny_ + 2) * (nz_ + 2), kFar);
     dirty_.assign(static_cast<std::size_t>(ny_ + 2) * (nz_ + 2), 1);
     path_.resize(nx_);
+    busy_.resize(blocks());
     for (std::vector<float>* side : {&side_y_, &side_z_, &corner_}) side->assign(nx_ + 2, kFar);
   }
 
@@ -116,19 +119,41 @@ class Sweeper {
       gather(j, k);
     else
       gather_sheared(j, k);
-    if (!needs_update(h)) return false;
+    if (!find_blocks(h)) return false;
+    // A block in which nothing is to be lowered is passed over, unless a point beside it was lowered.
     bool changed = false;
-    for (int i = 0; i < nx_; ++i) changed |= update(h, i);
-    for (int i = nx_ - 1; i >= 0; --i) changed |= update(h, i);
+    for (int b = 0; b < blocks(); ++b) {
+      if (!busy_[b]) continue;
+      const float first = h[b * kBlock], last = h[block_end(b) - 1];
+      for (int i = b * kBlock; i < block_end(b); ++i) changed |= update(h, i);
+      if (b > 0 && h[b * kBlock] < first) busy_[b - 1] = 1;
+      if (b + 1 < blocks() && h[block_end(b) - 1] < last) busy_[b + 1] = 1;
+    }
+    for (int b = blocks() - 1; b >= 0; --b) {
+      if (!busy_[b]) continue;
+      const float first = h[b * kBlock];
+      for (int i = block_end(b) - 1; i >= b * kBlock; --i) changed |= update(h, i);
+      if (b > 0 && h[b * kBlock] < first) busy_[b - 1] = 1;
+    }
     return changed;
   }
 
-  /// Whether update() would lower any point of a row as it stands; free of branches, so that it vectorises.
-  bool needs_update(const float* h) const {
+  /// Marks the blocks of a row in which update() would lower a point as it stands; true if there is one.
+  bool find_blocks(const float* h) {
+    bool any = false;
+    for (int b = 0; b < blocks(); ++b) {
+      busy_[b] = needs_update(h, b * kBlock, block_end(b));
+      any = any || busy_[b];
+    }
+    return any;
+  }
+
+  /// Free of branches, so that it vectorises.
+  bool needs_update(const float* h, int begin, int end) const {
     const float *y = side_y_.data() + 1, *z = side_z_.data() + 1, *path = path_.data();
     const float rx = rise_[1][1][0];
     int count = 0;
-    for (int i = 0; i < nx_; ++i) {
+    for (int i = begin; i < end; ++i) {
       const float kept = h[i] * kKeep;
       const float x = std::min(h[i - 1], h[i + 1]);
       count += static_cast<int>(std::min(path[i], x + rx) < kept) |
@@ -155,37 +180,44 @@ class Sweeper {
   }
 
   /// The solution u of sum_d (max(u - side_d, 0) / (g spacing_d))^2 = 1, relative to the lowest side so that
-  /// no digits are lost.
+  /// no digits are lost. A side counts where the sum at it, of those below, is less than 1. Where the lowest
+  /// alone counts, the straight paths have the solution.
   float godunov(float x, float y, float z) const {
-    std::array<float, 3> side{x, y, z}, weight{inverse_square_[0], inverse_square_[1], inverse_square_[2]};
-    const auto order = [&](int a, int b) {
-      if (side[b] < side[a]) {
-        std::swap(side[a], side[b]);
-        std::swap(weight[a], weight[b]);
-      }
+    float s0 = x, s1 = y, s2 = z, w0 = inverse_square_[0], w1 = inverse_square_[1], w2 = inverse_square_[2];
+    const auto order = [](float& low, float& high, float& low_weight, float& high_weight) {
+      const bool swap = high < low;
+      const float s = swap ? high : low, w = swap ? high_weight : low_weight;
+      high = swap ? low : high;
+      high_weight = swap ? low_weight : high_weight;
+      low = s;
+      low_weight = w;
     };
-    order(0, 1);
-    order(1, 2);
-    order(0, 1);
-    float u = 1 / std::sqrt(weight[0]);
-    float a = weight[0], b = 0, c = -1;
-    for (int d = 1; d < 3; ++d) {
-      const float offset = side[d] - side[0];
-      if (!(u > offset)) break;
-      a += weight[d];
-      b += weight[d] * offset;
-      c += weight[d] * offset * offset;
-      u = (b + std::sqrt(std::max(b * b - a * c, 0.0F))) / a;
+    order(s0, s1, w0, w1);
+    order(s1, s2, w1, w2);
+    order(s0, s1, w0, w1);
+    const float d1 = s1 - s0, d2 = s2 - s0, d21 = s2 - s1;
+    if (w0 * d1 * d1 >= 1) return kFar;
+    const float b = w1 * d1, c = b * d1 - 1;
+    if (w0 * d2 * d2 + w1 * d21 * d21 >= 1) {
+      const float a = w0 + w1;
+      return s0 + (b + std::sqrt(std::max(b * b - a * c, 0.0F))) / a;
     }
-    return side[0] + u;
+    const float all_b = b + w2 * d2, all_c = c + w2 * d2 * d2;
+    return s0 + (all_b + std::sqrt(std::max(all_b * all_b - all_squares_ * all_c, 0.0F))) * inverse_of_all_;
   }
+
+  static constexpr int kBlock = 16;
+  int blocks() const { return (nx_ + kBlock - 1) / kBlock; }
+  int block_end(int block) const { return std::min(nx_, (block + 1) * kBlock); }
 
   int nx_, ny_, nz_, stride_;
   bool orthogonal_;
   std::array<std::array<std::array<float, 3>, 3>, 3> rise_{};  ///< [dk+1][dj+1][di+1]: gradation * length
   std::array<float, 3> inverse_square_{};                      ///< 1 / (gradation * spacing)^2
+  float all_squares_ = 0, inverse_of_all_ = 0;                 ///< of the sum of inverse_square_
   std::vector<float> h_, path_, side_y_, side_z_, corner_;
   std::vector<std::uint8_t> dirty_;
+  std::vector<std::uint8_t> busy_;  ///< the blocks of the row at hand
 };
 
 }  // namespace

@@ -113,11 +113,13 @@ TEST(RecipeSchema, DescribesEveryFieldOfTheRecipe) {
     EXPECT_NE(std::find(paths.begin(), paths.end(), path), paths.end()) << path;
 }
 
-TEST(Recipe, SizesByThicknessMaskAndImageComeBackFromJsonAsTheyWere) {
+TEST(Recipe, SizesOfAllKindsComeBackFromJsonAsTheyWere) {
   const nlohmann::json json = nlohmann::json::parse(R"({"sizing": {
     "thickness": [{"wall": [1, 5, 6], "inner": [3], "layers": 2, "layering": "exact"}, {"wall": [2], "edge_thin_mm": 0.7}],
     "masks": [{"name": "paint.nii", "sha256": "ab", "edges": [{"label": 1, "edge_mm": 0.8}]}],
-    "images": [{"name": "sizes.nii.gz"}]}})");
+    "images": [{"name": "sizes.nii.gz"}],
+    "curvature": [{"labels": [1], "edges_per_turn": 12, "edge_min_mm": 0.8}]},
+    "limits": {"tets": 5e5, "memory_mb": 800}})");
   const Result<Recipe> recipe = parse_recipe(json);
   ASSERT_TRUE(recipe.ok()) << recipe.error().message;
   ASSERT_EQ(recipe->sizing.thickness.size(), 2U);
@@ -126,6 +128,8 @@ TEST(Recipe, SizesByThicknessMaskAndImageComeBackFromJsonAsTheyWere) {
   EXPECT_EQ(recipe->sizing.thickness[0].layering, Layering::kExact);
   EXPECT_EQ(recipe->sizing.thickness[1].layering, Layering::kSize);
   EXPECT_EQ(recipe->sizing.masks.at(0).edges.at(0).edge_mm, 0.8);
+  EXPECT_EQ(recipe->sizing.curvature.at(0).edges_per_turn, 12);
+  EXPECT_EQ(recipe->limits.tets, 5e5);
   const Result<Recipe> back = parse_recipe(recipe_to_json(*recipe, true));
   ASSERT_TRUE(back.ok());
   EXPECT_EQ(recipe_to_json(*back), recipe_to_json(*recipe));

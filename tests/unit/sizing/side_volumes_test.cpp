@@ -156,6 +156,23 @@ TEST(SizeRegion, OutsideOfTheVolumeChangesNothingAndIsWarnedOf) {
   EXPECT_NE(side.warnings[0].find("sizing.regions[0] 'far'"), std::string::npos) << side.warnings[0];
 }
 
+TEST(BuildSizingField, SaysWhichWishesAreBeyondTheBounds) {
+  Side side;
+  SizingParams params;
+  params.edge_min_mm = 1;
+  params.edge_max_mm = 4;
+  params.edge_mm = 5;
+  params.regions.resize(1);
+  params.regions[0].centre_mm = {10, 10, 10};
+  params.regions[0].edge_mm = 0.5;
+  const SizingField field = build(params, side).value();
+  EXPECT_FLOAT_EQ(static_cast<float>(field.at({10, 10, 10})), 1);
+  EXPECT_EQ(side.warnings,
+            (std::vector<std::string>{
+                "sizing.edge_mm: 5 mm is above sizing.edge_max_mm, which holds: 4 mm",
+                "sizing.regions[0].edge_mm: 0.5 mm is below sizing.edge_min_mm, which holds: 1 mm"}));
+}
+
 // Contradictory wishes are no error: the smallest wins, whatever the order.
 TEST(SizeRegion, OverlappingRegionsTakeTheSmallestSize) {
   Side side;

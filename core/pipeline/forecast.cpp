@@ -1,0 +1,219 @@
+#include "pipeline/forecast.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "geometry/label_topology.h"
+#include "sizing/edge_lengths.h"
+
+namespace voxtet {
+namespace {
+
+/// With more handles than that in a label, restricted Delaunay refinement was seen to lose some and to give
+/// way to local operations: with 62, 95 and 367, and not with 33 (tests/sweep/sweep_forecast).
+constexpr std::int64_t kManyHandles = 45;
+constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
+
+Error usage(const std::string& message) {
+  return {ErrorCode::kUsage, "forecast", message, {}};
+}
+
+bool expects_refinement(const RemeshParams& params, const SurfaceMesh& surface) {
+  if (params.method != RemeshMethod::kDelaunay) return false;
+  if (params.keep_topology != KeepTopology::kAll) return true;
+  const TopologyLedger ledger = label_topology(surface);
+  return std::none_of(ledger.labels.begin(), ledger.labels.end(),
+                      [](const LabelTopology& label) { return label.handles > kManyHandles; });
+}
+
+/// What is known of a case before it is meshed.
+struct Load {
+  double voxels, label_triangles;  ///< millions
+  bool refined;
+  double peak_mb;  ///< of the stages that have run
+};
+
+/// A linear model of memory (MB) or time (s), by millions of voxels, triangles of the label surface, and
+/// tets.
+struct Cost {
+  double constant, voxels, label_triangles, tets;
+  double of(const Load& load, const MeshForecast& mesh) const {
+    return constant + voxels * load.voxels + label_triangles * load.label_triangles + tets * 1e-6 * mesh.tets;
+  }
+};
+
+// Measured natively, one thread, on the hearts biv_mean_1mm and biv_es, aorta, ct_heart and mickey.nrrd.
+constexpr Cost kRefineMb{8, 27, 115, 0}, kRemeshMb{8, 27, 305, 0}, kOptimiseMb{5, 11, 85, 250},
+    kQualityMb{6, 12, 165, 220};
+constexpr Cost kRefineSeconds{0.2, 0.15, 5, 5.5}, kRemeshSeconds{0.2, 0.15, 17, 5.5};
+#ifdef __EMSCRIPTEN__
+constexpr double kSlower = 1.6;
+#else
+constexpr double kSlower = 1;
+#endif
+
+double peak_mb(const Load& load, const MeshForecast& mesh) {
+  return std::max({load.peak_mb, (load.refined ? kRefineMb : kRemeshMb).of(load, mesh),
+                   kOptimiseMb.of(load, mesh), kQualityMb.of(load, mesh)});
+}
+
+double seconds(const Load& load, const MeshForecast& mesh) {
+  return kSlower * (load.refined ? kRefineSeconds : kRemeshSeconds).of(load, mesh);
+}
+
+Load load_of(const Session& session) {
+  Load load{1e-6 * static_cast<double>(session.volume()->voxel_count()),
+            1e-6 * static_cast<double>(session.smooth()->triangles.size()),
+            expects_refinement(session.recipe().remesh, *session.smooth()), 0};
+  for (const Stage stage : {Stage::kVolume, Stage::kSurface, Stage::kSmooth, Stage::kSizing})
+    load.peak_mb = std::max(load.peak_mb, session.record(stage).peak_mb);
+  return load;
+}
+
+/// Forecasts for many sizes of one case.
+class CaseForecaster {
+ public:
+  explicit CaseForecaster(const Session& session)
+      : load_(load_of(session)),
+        mesh_(*session.volume(), *session.smooth(),
+              {session.recipe().remesh.max_distance_voxels, load_.refined}) {}
+
+  Result<Forecast> forecast(const SizingField& sizing, const RunContext& ctx) const {
+    const Result<MeshForecast> mesh = mesh_.forecast(sizing, ctx);
+    if (!mesh) return mesh.error();
+    return Forecast{*mesh, peak_mb(load_, *mesh), seconds(load_, *mesh)};
+  }
+
+ private:
+  Load load_;
+  MeshForecaster mesh_;
+};
+
+SizingParams multiplied(SizingParams sizing, double factor) {
+  for_each_edge_length(sizing, [factor](const std::string&, double& edge_mm) {
+    edge_mm = std::clamp(edge_mm * factor, 0.01, 1000.0);
+  });
+  for (CurvatureSize& wish : sizing.curvature)
+    wish.edges_per_turn = std::clamp(wish.edges_per_turn / factor, 3.0, 1000.0);
+  return sizing;
+}
+
+/// One of the three numbers that can be limited.
+struct Limited {
+  const char* field;
+  const char* unit;
+  double found, limit;  ///< limit 0: none
+};
+
+std::array<Limited, 3> limited(const Forecast& forecast, const Limits& limits) {
+  return {{{"limits.tets", " tetrahedra", forecast.mesh.tets, limits.tets},
+           {"limits.memory_mb", " MB", forecast.peak_mb, limits.memory_mb},
+           {"limits.seconds", " s", forecast.seconds, limits.seconds}}};
+}
+
+/// The largest part of a limit that a forecast takes.
+double part_of(const Forecast& forecast, const Limits& limits) {
+  double most = 0;
+  for (const Limited& number : limited(forecast, limits))
+    if (number.limit > 0) most = std::max(most, number.found / number.limit);
+  return most;
+}
+
+std::string shown(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, value < 1e5 ? "%.4g" : "%.3e", value);
+  if (value >= 1000) std::snprintf(text, sizeof text, "%.0f", value);
+  return text;
+}
+
+nlohmann::json numbers_json(const Forecast& forecast) {
+  const auto whole = [](double value) { return std::llround(value); };
+  return {{"tets", whole(forecast.mesh.tets)},
+          {"points", whole(forecast.mesh.points)},
+          {"triangles", whole(forecast.mesh.triangles)},
+          {"peak_mb", forecast.peak_mb},
+          {"seconds", forecast.seconds}};
+}
+
+bool is_sized(const Session& session) {
+  return session.sizing() && session.smooth() && session.volume();
+}
+
+}  // namespace
+
+Result<Forecast> forecast_case(const Session& session, RunContext& ctx) {
+  if (!is_sized(session)) return usage("no sizes yet: run the stage sizing");
+  return CaseForecaster(session).forecast(*session.sizing(), ctx);
+}
+
+Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, RunContext& ctx) {
+  constexpr double kLeastPart = 0.99, kMostPart = 0.998;
+  constexpr int kMostTries = 16;
+  if (!is_sized(session)) return usage("no sizes yet: run the stage sizing");
+  if (!(limits.tets > 0 || limits.memory_mb > 0 || limits.seconds > 0))
+    return usage("limits: found none, expected at least one that sizes are to keep");
+  const CaseForecaster forecaster(session);
+  RunContext quiet;  // the sizes were warned of when the stage ran
+  quiet.on_cancelled = ctx.on_cancelled;
+  double low = kLeastFactor, high = kMostFactor, factor = 1;
+  for (int tries = 0; tries < kMostTries; ++tries) {
+    FittingSizes fitting{factor, multiplied(session.recipe().sizing, factor), {}};
+    const Result<SizingField> sizing = session.size_by(fitting.sizing, quiet);
+    if (!sizing) return sizing.error();
+    const Result<Forecast> forecast = forecaster.forecast(*sizing, quiet);
+    if (!forecast) return forecast.error();
+    fitting.forecast = *forecast;
+    const double part = part_of(*forecast, limits);
+    if (part >= kLeastPart && part <= kMostPart) return fitting;
+    (part > kMostPart ? low : high) = factor;
+    // Numbers of elements fall with a power of the edge length between two and three.
+    const double guess = factor * std::pow(part / (0.5 * (kLeastPart + kMostPart)), 0.38);
+    factor = guess > low && guess < high ? guess : std::sqrt(low * high);
+  }
+  const std::string what =
+      low > kMostFactor / 2 ? "even 64 times the edge lengths are beyond the limits"
+      : high < 2 * kLeastFactor
+          ? "even a 64th of the edge lengths does not come near the limits"
+          : "near " + shown(factor) + " times the edge lengths the forecast leaps over the limits";
+  return usage(what + ": the labels themselves, layers, images, edge_min_mm or edge_max_mm decide");
+}
+
+Status check_limits(const Session& session, RunContext& ctx) {
+  const Limits& limits = session.recipe().limits;
+  if (!(limits.tets > 0 || limits.memory_mb > 0 || limits.seconds > 0)) return std::monostate{};
+  const Result<Forecast> forecast = forecast_case(session, ctx);
+  if (!forecast) return forecast.error();
+  std::string beyond;
+  for (const Limited& number : limited(*forecast, limits))
+    if (number.limit > 0 && number.found > number.limit)
+      beyond += (beyond.empty() ? "" : "; ") + std::string(number.field) + ": the forecast is " +
+                shown(number.found) + number.unit + ", the limit " + shown(number.limit);
+  if (beyond.empty()) return std::monostate{};
+  const Result<FittingSizes> fitting = fit_sizes(session, limits, ctx);
+  if (fitting)
+    beyond += "; edge lengths " + shown(fitting->factor) + " times as large would fit (sizing.edge_mm " +
+              shown(fitting->sizing.edge_mm) + ")";
+  else
+    beyond += "; " + fitting.error().message;
+  return Error{ErrorCode::kOutOfMemory, "forecast", beyond, {}};
+}
+
+Result<nlohmann::json> forecast_json(const Session& session, double elements, RunContext& ctx) {
+  const Result<Forecast> forecast = forecast_case(session, ctx);
+  if (!forecast) return forecast.error();
+  nlohmann::json out = numbers_json(*forecast);
+  if (!(elements > 0)) return out;
+  const Result<FittingSizes> fitting = fit_sizes(session, {elements, 0, 0}, ctx);
+  if (!fitting) return fitting.error();
+  Recipe fitted = session.recipe();
+  fitted.sizing = fitting->sizing;
+  out["fitting"] = {{"factor", fitting->factor},
+                    {"edge_mm", fitting->sizing.edge_mm},
+                    {"sizing", recipe_to_json(fitted)["sizing"]},
+                    {"forecast", numbers_json(fitting->forecast)}};
+  return out;
+}
+
+}  // namespace voxtet

@@ -1,0 +1,15 @@
+// The curvature of the label surface -> edge lengths near it.
+#pragma once
+
+#include <vector>
+
+#include "sizing/build_sizing_field.h"
+
+namespace voxtet {
+
+/// Lowers the field to what the wishes ask, at the grid points next to the smoothed label surface: by the
+/// mean of the curvatures at its points around each.
+void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureSize>& wishes, double voxel_mm,
+                        SizingField& field);
+
+}  // namespace voxtet

@@ -1,0 +1,147 @@
+#include "pipeline/forecast.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace voxtet {
+namespace {
+
+/// A heart of voxels of 2 mm.
+Recipe small_heart() {
+  Recipe recipe;
+  PhantomParams& phantom = recipe.source.phantom.emplace();
+  phantom.kind = PhantomKind::kBiventricle;
+  phantom.spacing_mm = Eigen::Vector3d::Constant(2);
+  recipe.labels = {1, 2};
+  recipe.sizing.edge_mm = 4;
+  return recipe;
+}
+
+void run_to(Stage stage, const Recipe& recipe, Session& session) {
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  RunContext ctx;
+  const Status done = session.run(stage, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+}
+
+double forecast_tets(const Recipe& recipe) {
+  Session session;
+  run_to(Stage::kSizing, recipe, session);
+  RunContext ctx;
+  const Result<Forecast> forecast = forecast_case(session, ctx);
+  EXPECT_TRUE(forecast.ok());
+  return forecast ? forecast->mesh.tets : 0;
+}
+
+/// Uniform, by label, by region, by distance and by curvature.
+std::vector<Recipe> five_recipes() {
+  std::vector<Recipe> recipes(5, small_heart());
+  recipes[1].sizing.labels = {{2, 2.5}};
+  SizeRegion& region = recipes[2].sizing.regions.emplace_back();
+  region.radius_mm = 20;
+  region.edge_mm = 2;
+  recipes[3].sizing.distances = {{2, 2.5, 0.2}};
+  recipes[4].sizing.edge_mm = 6;
+  recipes[4].sizing.curvature = {{{}, 16, 2}};
+  return recipes;
+}
+
+TEST(Forecast, IsNearTheMeshThatComesOfIt) {
+  for (const Recipe& recipe : five_recipes()) {
+    Session session;
+    run_to(Stage::kSizing, recipe, session);
+    RunContext ctx;
+    const Result<Forecast> forecast = forecast_case(session, ctx);
+    ASSERT_TRUE(forecast.ok()) << forecast.error().message;
+    run_to(Stage::kOptimise, recipe, session);
+    const auto tets = static_cast<double>(session.mesh()->tets.size());
+    EXPECT_NEAR(forecast->mesh.tets / tets, 1, 0.15) << recipe_to_json(recipe, true)["sizing"];
+    EXPECT_NEAR(forecast->mesh.points / static_cast<double>(session.mesh()->points.size()), 1, 0.25);
+    EXPECT_NEAR(forecast->mesh.triangles / static_cast<double>(session.remeshed()->triangles.size()), 1, 0.3);
+    EXPECT_GT(forecast->peak_mb, 0);
+    EXPECT_GT(forecast->seconds, 0);
+  }
+}
+
+TEST(Forecast, GrowsAsElementsShrinkAndFeelsTheSurface) {
+  Recipe recipe = small_heart();
+  const double coarse = forecast_tets(recipe);
+  recipe.sizing.edge_mm = 2;
+  EXPECT_GT(forecast_tets(recipe), 6 * coarse);
+  recipe = small_heart();
+  recipe.remesh.max_distance_voxels = 0.1;
+  EXPECT_GT(forecast_tets(recipe), 1.1 * coarse);
+}
+
+TEST(FitSizes, FindsTheEdgeLengthThatGivesSoManyElements) {
+  const std::vector<Recipe> recipes = five_recipes();
+  for (const auto& [recipe, factor] : {std::pair{recipes[0], 3.0}, {recipes[2], 0.8}, {recipes[4], 2.0}}) {
+    const double wanted = factor * forecast_tets(recipe);
+    Session session;
+    run_to(Stage::kSizing, recipe, session);
+    RunContext ctx;
+    const Result<FittingSizes> fitting = fit_sizes(session, {wanted, 0, 0}, ctx);
+    ASSERT_TRUE(fitting.ok()) << fitting.error().message;
+    EXPECT_NEAR(fitting->sizing.edge_mm, fitting->factor * recipe.sizing.edge_mm, 1e-9);
+    EXPECT_EQ(recipe_to_json(session.recipe()), recipe_to_json(recipe)) << "the session stays as it is";
+    Recipe fitted = recipe;
+    fitted.sizing = fitting->sizing;
+    const double found = forecast_tets(fitted);
+    EXPECT_LE(found, wanted);
+    EXPECT_GT(found, 0.985 * wanted);
+    EXPECT_EQ(found, fitting->forecast.mesh.tets);
+  }
+}
+
+TEST(FitSizes, SaysWhereEdgeLengthsDoNotDecide) {
+  Session session;
+  RunContext ctx;
+  const Result<FittingSizes> none = fit_sizes(session, {1000, 0, 0}, ctx);
+  ASSERT_FALSE(none.ok());
+  EXPECT_EQ(none.error().message, "no sizes yet: run the stage sizing");
+  Recipe recipe = small_heart();
+  recipe.sizing.edge_max_mm = 4;
+  run_to(Stage::kSizing, recipe, session);
+  const Result<FittingSizes> few = fit_sizes(session, {1000, 0, 0}, ctx);
+  ASSERT_FALSE(few.ok());
+  EXPECT_EQ(few.error().code, ErrorCode::kUsage);
+  EXPECT_NE(few.error().message.find("even 64 times the edge lengths"), std::string::npos)
+      << few.error().message;
+  EXPECT_NE(few.error().message.find("edge_max_mm"), std::string::npos);
+  EXPECT_FALSE(fit_sizes(session, {}, ctx).ok());
+}
+
+TEST(Limits, RefuseBeforeMeshingAndNameTheEdgeLengthThatFits) {
+  Session session;
+  Recipe recipe = small_heart();
+  recipe.sizing.edge_mm = 3;
+  recipe.limits.tets = 0.5 * forecast_tets(recipe);
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  RunContext ctx;
+  const Status refused = session.run(Stage::kOptimise, ctx);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kOutOfMemory);
+  EXPECT_EQ(session.remeshed(), nullptr);
+  const std::string& message = refused.error().message;
+  EXPECT_EQ(message.rfind("limits.tets: the forecast is ", 0), 0U) << message;
+  const std::size_t at = message.find("sizing.edge_mm ");
+  ASSERT_NE(at, std::string::npos) << message;
+
+  recipe.sizing.edge_mm = std::stod(message.substr(at + 15));
+  run_to(Stage::kRemesh, recipe, session);
+  EXPECT_NE(session.remeshed(), nullptr);
+  recipe.limits.memory_mb = 1;
+  recipe.limits.seconds = 1e-3;
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  EXPECT_TRUE(session.run(Stage::kRemesh, ctx).ok()) << "what is there needs no forecast";
+  recipe.sizing.edge_mm += 0.1;
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  const Status both = session.run(Stage::kRemesh, ctx);
+  ASSERT_FALSE(both.ok());
+  EXPECT_NE(both.error().message.find("limits.memory_mb"), std::string::npos) << both.error().message;
+  EXPECT_NE(both.error().message.find("limits.seconds"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace voxtet
