@@ -10,6 +10,8 @@ import {
   type Recipe,
   type Reply,
   type Report,
+  type SideKind,
+  type SideSummary,
   type Space,
   type StageArrays,
   type StageName,
@@ -54,7 +56,11 @@ interface Generation {
   alive: boolean;
   /** Digest of the file volume that this worker holds. */
   volume: string | null;
+  /** What it holds of each kind beside it, by name. */
+  sides: Map<string, VolumeFile>;
 }
+
+const sideKey = (kind: SideKind, name: string): string => `${kind} ${name}`;
 
 function failure(code: ErrorCode, message: string, stage = 'engine'): EngineError {
   return new EngineError({ code, stage, message });
@@ -74,6 +80,7 @@ export class EngineClient {
   /** Started when a run starts, so that a cancelled run finds the next engine ready. */
   private spare: Generation | null = null;
   private readonly volumes = new Map<string, VolumeFile>();
+  private readonly sides = new Map<string, VolumeFile>();
   private tail: Promise<unknown> = Promise.resolve();
   private runningJobs = 0;
   private generationCount = 0;
@@ -111,6 +118,27 @@ export class EngineClient {
   /** Takes bytes that an earlier session opened; they are read when a case needs them. */
   keepVolume(digest: string, file: VolumeFile): void {
     this.volumes.set(digest, file);
+  }
+
+  /** Reads a mask or an image of sizes. One of the same name is replaced. */
+  openSideVolume(kind: SideKind, file: VolumeFile): Promise<SideSummary> {
+    return this.job(async (generation) => {
+      const key = sideKey(kind, file.name);
+      const found = await this.answer(generation, 'sizing', generation.api.loadSideVolume(kind, file));
+      generation.sides.set(key, file);
+      this.sides.set(key, file);
+      return found;
+    });
+  }
+
+  /** The file of a mask or an image of sizes. */
+  sideFile(kind: SideKind, name: string): VolumeFile | undefined {
+    return this.sides.get(sideKey(kind, name));
+  }
+
+  /** Takes such a file unread: one of an earlier session, or one that the page itself has made. */
+  keepSideVolume(kind: SideKind, file: VolumeFile): void {
+    this.sides.set(sideKey(kind, file.name), file);
   }
 
   /** Whether the engine accepts a case; the reply names every field. The case's volume need not be there. */
@@ -206,7 +234,20 @@ export class EngineClient {
       await this.answer(generation, 'volume', generation.api.loadVolume(file));
       generation.volume = digest;
     }
-    return this.answer(generation, 'recipe', generation.api.setRecipe(recipeJson));
+    const accepted = await this.answer(generation, 'recipe', generation.api.setRecipe(recipeJson));
+    const { masks, images } = accepted.recipe.sizing;
+    for (const { name } of masks) await this.loadSide(generation, 'mask', name);
+    for (const { name } of images) await this.loadSide(generation, 'image', name);
+    return accepted;
+  }
+
+  /** A file that is not there is the engine's to miss, once its stage comes. */
+  private async loadSide(generation: Generation, kind: SideKind, name: string): Promise<void> {
+    const key = sideKey(kind, name);
+    const file = this.sides.get(key);
+    if (!file || generation.sides.get(key) === file) return;
+    await this.answer(generation, 'sizing', generation.api.loadSideVolume(kind, file));
+    generation.sides.set(key, file);
   }
 
   private job<T>(body: (generation: Generation) => Promise<T>): Promise<T> {
@@ -275,6 +316,7 @@ export class EngineClient {
       ended,
       alive: true,
       volume: null,
+      sides: new Map(),
       end(error) {
         generation.alive = false;
         reject(error);

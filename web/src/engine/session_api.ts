@@ -22,6 +22,12 @@ export interface Session {
   schema(): string;
   defaults(): string;
   loadVolume(name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
+  loadSideVolume(
+    kind: string,
+    name: string,
+    bytes: Uint8Array,
+    siblings: Record<string, Uint8Array>,
+  ): string;
   setRecipe(json: string): string;
   run(stage: string, onProgress: (stage: string, fraction: number) => void): string;
   view(stage: string, array: string): View | undefined;
@@ -39,10 +45,10 @@ const arrayNames: Record<StageName, readonly string[]> = {
   volume: ['labels'],
   surface: ['points', 'triangles', 'sides'],
   smooth: ['points', 'triangles', 'sides'],
-  sizing: ['h_mm'],
+  sizing: ['h_mm', 'thickness_mm'],
   remesh: ['points', 'triangles', 'sides'],
   optimise: ['points', 'tets', 'labels'],
-  quality: tetMeasures,
+  quality: [...tetMeasures, 'distance_mm'],
 };
 
 function lookedUpArrays(labels: readonly number[]): LookedUpArray[] {
@@ -100,6 +106,9 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
   return {
     loadVolume: (file) =>
       guarded('volume', () => JSON.parse(session.loadVolume(file.name, file.bytes, file.siblings))),
+
+    loadSideVolume: (kind, { name, bytes, siblings }) =>
+      guarded('sizing', () => JSON.parse(session.loadSideVolume(kind, name, bytes, siblings))),
 
     setRecipe: (json) =>
       guarded('recipe', () => {

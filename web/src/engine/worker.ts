@@ -49,6 +49,7 @@ function handOver<T extends object>(reply: T): T {
 const api: EngineApi = {
   start,
   loadVolume: (file) => current().loadVolume(file),
+  loadSideVolume: (kind, file) => current().loadSideVolume(kind, file),
   setRecipe: (json) => current().setRecipe(json),
   run: (stage, onProgress) => current().run(stage, onProgress),
   arrays: (stage) => handOver(current().arrays(stage)),

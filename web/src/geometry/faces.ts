@@ -52,6 +52,18 @@ export function triangleEdges(points: Float32Array, triangles: Uint32Array): Flo
   return edges;
 }
 
+/** The centroid of each triangle. */
+export function triangleCentres(points: Float32Array, triangles: Uint32Array): Float32Array {
+  const centres = new Float32Array(triangles.length);
+  for (let i = 0; i < centres.length; i++) {
+    const [t, d] = [3 * Math.floor(i / 3), i % 3];
+    let sum = 0;
+    for (let c = 0; c < 3; c++) sum += points[3 * triangles[t + c] + d];
+    centres[i] = sum / 3;
+  }
+  return centres;
+}
+
 /** The values that bound the middle 98 % of finite entries that count, from a sample of some 20,000 at most. */
 export function robustRange(values: Float32Array, counts?: (index: number) => boolean): [number, number] {
   const step = Math.max(1, Math.floor(values.length / 20000));

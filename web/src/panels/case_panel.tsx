@@ -9,6 +9,7 @@ import { MergeAllField } from './merge_all_field';
 import { RegionList } from './region_list';
 import { SourceSection } from './source_section';
 import { StageSection } from './stage_section';
+import { WallList } from './wall_list';
 
 function LabelSection({ current }: { current: Recipe }) {
   const known = volume.value;
@@ -46,6 +47,7 @@ function SizingSection({ current }: { current: Recipe }) {
       {number('Edge length', 'edge_mm', 'mm', 0.1)}
       {number('Growth per mm', 'gradation', '', 0.05)}
       <RegionList current={current} />
+      <WallList current={current} />
       <details class="more">
         <summary>Bounds</summary>
         {number('Smallest edge', 'edge_min_mm', 'mm', 0.1)}

@@ -14,13 +14,8 @@ import {
   Vector3,
   type Texture,
 } from 'three';
+import type { Grid } from '../geometry/grid_values';
 import { paletteTexture, scaleTexture } from './textures';
-
-export interface Grid {
-  size: readonly number[];
-  /** 4×4, row-major. */
-  indexToMm: readonly number[];
-}
 
 const vertexShader = /* glsl */ `
 precision highp float;
@@ -61,7 +56,12 @@ void main() {
     return;
   }
   vec3 place = ((toSize * vec4(vWorld, 1.0)).xyz + 0.5) / vec3(textureSize(sizes, 0));
-  float x = clamp((texture(sizes, place).r - range.x) / (range.y - range.x), 0.0, 1.0);
+  float value = texture(sizes, place).r;
+  if (value <= 0.0) {
+    outColour = vec4(own.rgb, 0.35 * own.a);
+    return;
+  }
+  float x = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
   vec3 colour = texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb;
   // The labels stay visible as outlines in their own colours.
   vec3 right = dFdx(index);
@@ -134,9 +134,10 @@ export class SliceImage {
     this.replace('palette', paletteTexture(largest, colour, hidden));
   }
 
-  setSizes(sizes: Float32Array, grid: Grid, lo: number, hi: number): void {
+  /** `gaps`: where the field is 0 there is none, so that nothing may be interpolated. */
+  setSizes(sizes: Float32Array, grid: Grid, [lo, hi]: readonly [number, number], gaps: boolean): void {
     const texture = volumeTexture(sizes, grid.size);
-    if (this.smooth) texture.magFilter = texture.minFilter = LinearFilter;
+    if (this.smooth && !gaps) texture.magFilter = texture.minFilter = LinearFilter;
     this.replace('sizes', texture);
     this.material.uniforms.toSize.value.copy(inverse(grid.indexToMm));
     this.material.uniforms.range.value.set(lo, hi);

@@ -13,7 +13,8 @@ import type { Vec3 } from '../engine/contract';
 import { slicePlaces } from '../store/view';
 import type { Canvas, Pane } from './canvas';
 import { setPositions } from './positions';
-import type { Grid, SliceImage } from './slice_material';
+import type { Grid } from '../geometry/grid_values';
+import type { SliceImage } from './slice_material';
 import { SliceRegions } from './slice_regions';
 
 /** What is seen of a body in the plane of its uniform `cutPlane`. */

@@ -3,11 +3,12 @@ import { effect, untracked } from '@preact/signals';
 import { BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh } from 'three';
 import type { Vec3 } from '../engine/contract';
 import { robustRange } from '../geometry/faces';
+import type { Grid } from '../geometry/grid_values';
 import { sliceFrames, toIndex, toMm } from '../geometry/orientation';
 import { volume } from '../store/input';
 import { recipe } from '../store/recipe';
 import { shownResult } from '../store/results';
-import { stages } from '../store/run';
+import { sizingFields } from '../store/sizing_fields';
 import {
   colourOf,
   hiddenLabels,
@@ -27,8 +28,10 @@ import type { Viewer } from './viewer';
 /** Along right, front and head: the colours of the cross that turns the view. */
 const axisColours = [0xb5433b, 0x2c7a4b, 0x2b62ab];
 
+const hasValue = (values: Float32Array) => (voxel: number) => values[voxel] > 0;
+
 /** Whether a voxel of a grid lies in a label that is meshed. */
-function meshedVoxels(size: Vec3, indexToMm: readonly number[]): ((voxel: number) => boolean) | undefined {
+function meshedVoxels({ size, indexToMm }: Grid): ((voxel: number) => boolean) | undefined {
   const labels = shownResult('volume')?.labels;
   const known = volume.value;
   if (!labels || !known) return undefined;
@@ -116,19 +119,20 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
       canvas.invalidate();
     }),
     effect(() => {
-      const sizes = shownResult('sizing')?.h_mm;
-      const wanted =
-        stageShown.value === 'sizing' || (layout.value === 'slices' && sliceOverlay.value === 'size');
-      const summary = untracked(() => stages.value.sizing.summary);
-      const counts = summary?.counts as { size: Vec3; index_to_mm: number[] } | undefined;
-      image.showSizes(wanted && sizes !== undefined);
+      const overlay = layout.value === 'slices' ? sliceOverlay.value : 'labels';
+      const wanted = stageShown.value === 'sizing' || overlay !== 'labels';
+      const fields = wanted ? sizingFields() : null;
+      const thick = overlay === 'thickness' && fields !== null && fields.thickness !== null;
+      const field = thick ? fields.thickness : fields?.size;
+      image.showSizes(field != null);
       sliceLegend.value = null;
       canvas.invalidate();
-      if (!wanted || !sizes || !counts) return;
-      const meshed = untracked(() => meshedVoxels(counts.size, counts.index_to_mm));
-      const [lo, hi] = robustRange(sizes, meshed);
-      image.setSizes(sizes, { size: counts.size, indexToMm: counts.index_to_mm }, lo, hi);
-      sliceLegend.value = { title: 'Prescribed edge length', unit: 'mm', map: 'viridis', lo, hi };
+      if (!field) return;
+      const counts = untracked(() => (thick ? hasValue(field.values) : meshedVoxels(field.grid)));
+      const [lo, hi] = robustRange(field.values, counts);
+      image.setSizes(field.values, field.grid, [lo, hi], thick);
+      const title = thick ? 'Wall thickness' : 'Prescribed edge length';
+      sliceLegend.value = { title, unit: 'mm', map: thick ? 'cividis' : 'viridis', lo, hi };
     }),
     effect(() => {
       moveCross(slicePlaces.value);

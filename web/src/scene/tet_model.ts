@@ -28,7 +28,7 @@ export interface Plane {
   flat: boolean;
 }
 
-const paintCodes = { label: 0, scale: 1, given: 2 } as const;
+const paintCodes = { label: 0, scale: 1, given: 2, points: 4 } as const;
 const plainCode = 3;
 
 function largestLabel(centres: Float32Array): number {
@@ -130,7 +130,7 @@ export class TetModel {
   setPaint(paint: TetPaint, colour: (label: number) => string): void {
     this.replace('palette', paletteTexture(this.largest, colour, new Set()));
     if (paint.kind !== 'label') this.replace('values', arrayTexture(paint.values, 1));
-    if (paint.kind === 'scale') {
+    if (paint.kind === 'scale' || paint.kind === 'points') {
       this.replace('scale', scaleTexture(paint.legend.map));
       this.shared.range.value.set(paint.legend.lo, paint.legend.hi);
     }

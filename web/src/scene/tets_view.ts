@@ -77,9 +77,10 @@ export function followTets(
       const shown = source();
       if (!shown || !body.model) return;
       const paint = tetPaint(shown.measures);
-      if (leads) legend.value = paint.kind === 'scale' ? paint.legend : null;
+      const scaled = paint.kind === 'scale' || paint.kind === 'points';
+      if (leads) legend.value = scaled ? paint.legend : null;
       // Two runs are compared on one scale: that of the run that leads.
-      else if (paint.kind === 'scale' && legend.value) paint.legend = legend.value;
+      else if (scaled && legend.value) paint.legend = legend.value;
       body.model.setPaint(paint, colourOf.value);
       canvas.invalidate();
     }),

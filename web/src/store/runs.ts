@@ -18,13 +18,18 @@ import {
   stopClock,
 } from './run';
 import { stageInput } from './stage_inputs';
-import { brush, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from './view';
+import { brush, colourBy, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from './view';
 
 let previewTimer: ReturnType<typeof setTimeout> | undefined;
 
 /** The sizing field is on show, and follows the recipe like the surface does. */
 function watchesSizing(): boolean {
-  return stageShown.value === 'sizing' || (layout.value === 'slices' && sliceOverlay.value === 'size');
+  const onSurface = stageShown.value === 'surface' || stageShown.value === 'smooth';
+  return (
+    stageShown.value === 'sizing' ||
+    (layout.value === 'slices' && sliceOverlay.value !== 'labels') ||
+    (onSurface && (colourBy.value === 'target_mm' || colourBy.value === 'thickness_mm'))
+  );
 }
 
 /** The label surface, as soon as it exists. Runs by itself after whatever changes it. */

@@ -1,0 +1,54 @@
+/** Numbers on a regular grid, and what they are at other places. */
+import { toIndex, toMm } from './orientation';
+
+export interface Grid {
+  size: readonly number[];
+  /** 4×4, row-major. */
+  indexToMm: readonly number[];
+}
+
+/** The grid without `points` grid points on each side. */
+export function innerGrid({ size, indexToMm }: Grid, points: number): Grid {
+  const origin = toMm(indexToMm, [points, points, points]);
+  return {
+    size: size.map((n) => n - 2 * points),
+    indexToMm: indexToMm.map((entry, i) => (i % 4 === 3 && i < 12 ? origin[(i - 3) / 4] : entry)),
+  };
+}
+
+/**
+ * Values at places, three numbers each in mm: trilinear among the corners around a place that hold one (more than 0),
+ * NaN where none does.
+ */
+export function valuesAt(values: Float32Array, { size, indexToMm }: Grid, places: Float32Array): Float32Array {
+  const out = new Float32Array(places.length / 3).fill(NaN);
+  // The affine map, taken apart once: index = columns · mm + origin.
+  const origin = toIndex(indexToMm, [0, 0, 0]);
+  const columns = [0, 1, 2].map((axis) =>
+    toIndex(indexToMm, [0, 1, 2].map((row) => (row === axis ? 1 : 0))).map((x, i) => x - origin[i]),
+  );
+  const [nx, ny, nz] = size;
+  const along = (axis: number, x: number, y: number, z: number) =>
+    origin[axis] + columns[0][axis] * x + columns[1][axis] * y + columns[2][axis] * z;
+  for (let p = 0; p < out.length; p++) {
+    const [x, y, z] = [places[3 * p], places[3 * p + 1], places[3 * p + 2]];
+    const i = Math.max(0, Math.min(nx - 1, along(0, x, y, z)));
+    const j = Math.max(0, Math.min(ny - 1, along(1, x, y, z)));
+    const k = Math.max(0, Math.min(nz - 1, along(2, x, y, z)));
+    let sum = 0;
+    let weights = 0;
+    for (let corner = 0; corner < 8; corner++) {
+      const ci = Math.min(nx - 1, Math.floor(i) + (corner & 1));
+      const cj = Math.min(ny - 1, Math.floor(j) + ((corner >> 1) & 1));
+      const ck = Math.min(nz - 1, Math.floor(k) + (corner >> 2));
+      const value = values[ci + nx * (cj + ny * ck)];
+      const weight =
+        Math.max(0, 1 - Math.abs(i - ci)) * Math.max(0, 1 - Math.abs(j - cj)) * Math.max(0, 1 - Math.abs(k - ck));
+      if (!(value > 0) || weight < 1e-6) continue;
+      sum += weight * value;
+      weights += weight;
+    }
+    if (weights > 0) out[p] = sum / weights;
+  }
+  return out;
+}
