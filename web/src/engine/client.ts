@@ -120,11 +120,17 @@ export class EngineClient {
     this.volumes.set(digest, file);
   }
 
-  /** Reads a mask or an image of sizes. One of the same name is replaced. */
-  openSideVolume(kind: SideKind, file: VolumeFile): Promise<SideSummary> {
+  /** Reads a mask or an image of sizes, which must have a digest if one is given. One of the same name is replaced. */
+  openSideVolume(kind: SideKind, file: VolumeFile, digest = ''): Promise<SideSummary> {
     return this.job(async (generation) => {
       const key = sideKey(kind, file.name);
+      generation.sides.delete(key);
       const found = await this.answer(generation, 'sizing', generation.api.loadSideVolume(kind, file));
+      if (digest !== '' && digest !== found.digest) {
+        const heads = [found.digest, digest].map((one) => `${one.slice(0, 12)}…`);
+        const message = `${file.name} has the digest ${heads[0]}, the case was made with ${heads[1]}`;
+        throw failure('differs', message, 'sizing');
+      }
       generation.sides.set(key, file);
       this.sides.set(key, file);
       return found;
@@ -139,6 +145,10 @@ export class EngineClient {
   /** Takes such a file unread: one of an earlier session, or one that the page itself has made. */
   keepSideVolume(kind: SideKind, file: VolumeFile): void {
     this.sides.set(sideKey(kind, file.name), file);
+  }
+
+  forgetSideVolumes(): void {
+    this.sides.clear();
   }
 
   /** Whether the engine accepts a case; the reply names every field. The case's volume need not be there. */

@@ -1,5 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
-import { openFiles } from '../store/actions';
+import { dropFiles } from '../store/actions';
 import { activity, announcement, dismiss, lastCancelMs, notices } from '../store/run';
 import { showPlace } from '../store/view';
 import { CasePanel } from './case_panel';
@@ -67,7 +67,7 @@ function useDrop(): boolean {
       event.preventDefault();
       depth = 0;
       setOver(false);
-      void openFiles([...(event.dataTransfer?.files ?? [])]);
+      void dropFiles([...(event.dataTransfer?.files ?? [])]);
     };
     window.addEventListener('dragenter', onEnter);
     window.addEventListener('dragleave', onLeave);

@@ -6,6 +6,7 @@ import { robustRange } from '../geometry/faces';
 import type { Grid } from '../geometry/grid_values';
 import { sliceFrames, toIndex, toMm } from '../geometry/orientation';
 import { volume } from '../store/input';
+import { paintedVoxels } from '../store/painting';
 import { recipe } from '../store/recipe';
 import { shownResult } from '../store/results';
 import { sizingFields } from '../store/sizing_fields';
@@ -116,6 +117,11 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
     effect(() => {
       const largest = Math.max(0, ...(volume.value?.labels.map(({ label }) => label) ?? []));
       image.setColours(largest, colourOf.value, hiddenLabels.value);
+      canvas.invalidate();
+    }),
+    effect(() => {
+      const painted = paintedVoxels();
+      image.setPaint(painted?.labels ?? null, painted?.grid ?? image.grid);
       canvas.invalidate();
     }),
     effect(() => {

@@ -6,11 +6,12 @@ import {
   type Expected,
   type PhantomParams,
   type Recipe,
+  type SideKind,
   type VolumeFile,
   type VolumeSummary,
 } from '../engine/contract';
 import { decodeFragment, parseCase } from '../link/codec';
-import { autosave, savedCase } from './autosave';
+import { autosave, savedCase, type SavedCase } from './autosave';
 import { engine, takeTurn, tellError, useEngine } from './engine';
 import { estimateTets } from './estimate';
 import { fitRecipe } from './fit_recipe';
@@ -19,13 +20,19 @@ import { awaitedFile, volume } from './input';
 import { amendRecipe, editRecipe, recipe, redo, startRecipe, undo } from './recipe';
 import { activity, announcement, defaults, expectation, forgetResults, schema, tell } from './run';
 import { preview, previewSoon, runAll } from './runs';
-import { resetView } from './view';
+import { awaitedSides, forgetSides, holdSide, type SideFile } from './side_files';
+import { openSideFile } from './size_files';
+import { forgetPainting, restorePainting, strokesDone } from './painting';
+import { ownColours, resetView } from './view';
 
 /** A case that a link or a file offers, checked and waiting for the user's word. */
 export interface OfferedCase {
   recipe: Recipe;
   expected: Expected | null;
   origin: 'link' | 'interrupted';
+  colours: SavedCase['colours'];
+  /** Masks and images of sizes that are at hand. */
+  sides: SideFile[];
 }
 
 export const offered = signal<OfferedCase | null>(null);
@@ -65,23 +72,46 @@ export function editPhantom(label: string, change: Partial<PhantomParams>): void
 
 const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|hdr)$/i;
 
-/** A dropped file, with the raw file that its header may name. A dropped case opens like a link. */
+/** Files that were dropped on an open case: what they are for is for the user to say. */
+export const droppedFiles = signal<File[] | null>(null);
+
+async function volumeFileOf(files: readonly File[]): Promise<VolumeFile | null> {
+  const main = files.find((file) => headerSuffix.test(file.name)) ?? files[0];
+  if (!main) return null;
+  const siblings: VolumeFile['siblings'] = {};
+  for (const file of files) if (file !== main) siblings[file.name] = new Uint8Array(await file.arrayBuffer());
+  return { name: main.name, bytes: new Uint8Array(await main.arrayBuffer()), siblings };
+}
+
+/** What is dropped on the page: asked about where a case is open, unless the case waits for it. */
+export async function dropFiles(files: File[]): Promise<void> {
+  const awaited = awaitedSides.value.find(({ name }) => files.some((file) => file.name === name));
+  if (awaited) return openSizeFiles(awaited.kind, files);
+  const opens = volume.value === null || files.some((file) => /\.json$/i.test(file.name));
+  if (opens) return openFiles(files);
+  droppedFiles.value = files;
+}
+
+export async function openSizeFiles(kind: SideKind, files: File[]): Promise<void> {
+  const file = await volumeFileOf(files);
+  if (!file) return;
+  await openSideFile(kind, file);
+  previewSoon();
+}
+
+/** A file to be meshed, with the raw file that its header may name. A case file opens like a link. */
 export async function openFiles(files: File[]): Promise<void> {
   const caseFile = files.find((file) => /\.json$/i.test(file.name));
   if (caseFile) return openCaseText(await caseFile.text());
-  const main = files.find((file) => headerSuffix.test(file.name)) ?? files[0];
-  if (!main) return;
   const newest = takeTurn();
   activity.value = 'opening';
-  announcement.value = `Reading ${main.name}`;
+  announcement.value = `Reading ${files.map(({ name }) => name).join(', ')}`;
   try {
-    const siblings: VolumeFile['siblings'] = {};
-    for (const file of files)
-      if (file !== main) siblings[file.name] = new Uint8Array(await file.arrayBuffer());
-    const bytes = new Uint8Array(await main.arrayBuffer());
+    const file = await volumeFileOf(files);
+    if (!file) return;
     if (engine.busy) await engine.cancel();
-    const summary = await engine.openVolume({ name: main.name, bytes, siblings });
-    if (newest()) takeVolume(summary, main.name);
+    const summary = await engine.openVolume(file);
+    if (newest()) takeVolume(summary, file.name);
   } catch (error) {
     tellError(error);
   } finally {
@@ -107,6 +137,7 @@ function takeVolume(summary: VolumeSummary, fileName: string): void {
   } else if (defaults.value) {
     const edge = startingEdge(summary);
     const fresh = structuredClone(defaults.value);
+    leaveCase();
     startRecipe({ ...fresh, source, sizing: { ...fresh.sizing, edge_mm: edge } });
     expectation.value = null;
   }
@@ -114,6 +145,13 @@ function takeVolume(summary: VolumeSummary, fileName: string): void {
   forgetResults();
   resetView();
   void preview(true);
+}
+
+/** Forgets what belongs to a case beside its recipe. */
+function leaveCase(): void {
+  forgetSides();
+  forgetPainting();
+  ownColours.value = {};
 }
 
 /** Twice the geometric mean of the spacing: fine enough for the shape, coarse enough for a first look. */
@@ -156,7 +194,8 @@ export async function resumeCase(): Promise<void> {
       const { fitted, left } = fitRecipe(saved.recipe, defaults.value ?? {});
       const accepted = withoutPromise((await engine.checkRecipe(fitted)).recipe);
       const expected = left.length === 0 ? saved.expected : null;
-      offered.value = { recipe: accepted, expected, origin: 'interrupted' };
+      const { colours, sides } = saved;
+      offered.value = { recipe: accepted, expected, origin: 'interrupted', colours, sides };
       if (left.length > 0)
         tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
       if (!interrupted) acceptOffer(false);
@@ -181,6 +220,8 @@ async function offerCase(value: Record<string, unknown>): Promise<void> {
     recipe: withoutPromise(full),
     expected: promise?.digest ? promise : null,
     origin: 'link',
+    colours: {},
+    sides: [],
   };
 }
 
@@ -188,7 +229,11 @@ export function acceptOffer(thenRun: boolean): void {
   const offer = offered.value;
   if (!offer) return;
   closeOffer();
+  leaveCase();
   startRecipe(offer.recipe);
+  ownColours.value = offer.colours;
+  offer.sides.forEach(holdSide);
+  restorePainting();
   expectation.value = offer.expected ? { expected: offer.expected, recipe: offer.recipe } : null;
   forgetResults();
   resetView();
@@ -212,14 +257,28 @@ export function closeOffer(): void {
   history.replaceState(null, '', location.pathname + location.search);
 }
 
-export function undoEdit(): void {
+export async function undoEdit(): Promise<void> {
+  await strokesDone();
   undo();
   afterHistory();
 }
 
-export function redoEdit(): void {
+export async function redoEdit(): Promise<void> {
+  await strokesDone();
   redo();
   afterHistory();
+}
+
+/** The user's own colour of a label, as a step of the history. */
+export function editColour(label: number, colour: string): void {
+  const before = ownColours.value;
+  const after = { ...before, [label]: colour };
+  ownColours.value = after;
+  const beside = {
+    undo: () => void (ownColours.value = before),
+    redo: () => void (ownColours.value = after),
+  };
+  editRecipe('Colour of label', () => undefined, `colour ${label}`, undefined, beside);
 }
 
 function afterHistory(): void {

@@ -4,8 +4,7 @@ import { labelColour, type ColourMapName } from '../geometry/colours';
 import { volume } from './input';
 
 export type DistanceUnit = 'distance_mm' | 'distance_voxels';
-export type ColourBy =
-  'label' | 'target_mm' | 'thickness_mm' | DistanceUnit | TetMeasure | LookedUpArray;
+export type ColourBy = 'label' | 'target_mm' | 'thickness_mm' | DistanceUnit | TetMeasure | LookedUpArray;
 
 /** The label whose share an array holds, or null. */
 export function fractionLabel(name: string): number | null {
@@ -106,7 +105,6 @@ export function resetView(): void {
   regionShown.value = null;
   marked.value = null;
   hiddenLabels.value = new Set();
-  ownColours.value = {};
   colourBy.value = 'label';
   cut.value = { ...cut.value, on: false, place: 0.5 };
   slicePlaces.value = [0.5, 0.5, 0.5];
