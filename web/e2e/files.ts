@@ -1,7 +1,9 @@
 /** Small files as a person might have them, made on the spot. */
+import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { writeNrrd } from '../src/geometry/nrrd';
 
 const folder = mkdtempSync(join(tmpdir(), 'voxtet-e2e-'));
@@ -35,4 +37,12 @@ export function sizeImage(name: string, edgeMm: number): string {
   bytes.write('n+1\0', 344, 'latin1');
   for (let voxel = 0; voxel < size ** 3; voxel++) bytes.writeFloatLE(edgeMm, 352 + 4 * voxel);
   return kept(name, bytes);
+}
+
+/** The same labels as a DICOM segmentation object and as NRRD, written without us; null where pydicom is missing. */
+export function dicomSegmentation(): { dicom: string; nrrd: string } | null {
+  const script = join(dirname(fileURLToPath(import.meta.url)), 'make_dicom_seg.py');
+  if (spawnSync('/usr/bin/python3', ['-c', 'import pydicom, numpy']).status !== 0) return null;
+  execFileSync('/usr/bin/python3', [script, folder]);
+  return { dicom: join(folder, 'heart.dcm'), nrrd: join(folder, 'heart.nrrd') };
 }

@@ -1,5 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
-import { dropFiles } from '../store/actions';
+import { dropFiles } from '../store/open_files';
 import { activity, announcement, dismiss, lastCancelMs, notices } from '../store/run';
 import { showPlace } from '../store/view';
 import { CasePanel } from './case_panel';

@@ -1,7 +1,14 @@
 import { useEffect, useState } from 'preact/hooks';
 import { exportFormats, type ExportFormat, type Recipe, type Space } from '../engine/contract';
 import { acceptOffer, offered, closeOffer } from '../store/actions';
-import { downloadCase, downloadReport, exportMesh, shareCase, type SharedCase } from '../store/exchange';
+import {
+  downloadCase,
+  downloadReport,
+  exportMesh,
+  exportZip,
+  shareCase,
+  type SharedCase,
+} from '../store/exchange';
 import { recipe } from '../store/recipe';
 import { activity, report, upToDate } from '../store/run';
 import { Dialog } from './dialog';
@@ -66,6 +73,18 @@ function ExportDialog({ close }: { close(): void }) {
       <div class="dialog-actions">
         <button type="button" class="button" onClick={() => downloadReport()}>
           Report (JSON)
+        </button>
+        <button
+          type="button"
+          class="button"
+          title="The mesh with its report, the case and the masks of sizes"
+          disabled={!upToDate.value}
+          onClick={() => {
+            close();
+            void exportZip(format, space);
+          }}
+        >
+          All in one zip
         </button>
         <button
           type="button"

@@ -1,4 +1,4 @@
-import { droppedFiles, openFiles, openSizeFiles } from '../store/actions';
+import { droppedFiles, openFiles, openSizeFiles } from '../store/open_files';
 import { Dialog } from './dialog';
 
 /** What a file is for that was dropped on an open case. */

@@ -1,6 +1,6 @@
 import { useRef, useState } from 'preact/hooks';
 import type { MaskSize, Recipe, SideKind } from '../engine/contract';
-import { openSizeFiles } from '../store/actions';
+import { openSizeFiles } from '../store/open_files';
 import { paintedName } from '../store/painting';
 import { editRecipe } from '../store/recipe';
 import { awaitedSides } from '../store/side_files';

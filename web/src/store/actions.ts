@@ -6,22 +6,19 @@ import {
   type Expected,
   type PhantomParams,
   type Recipe,
-  type SideKind,
-  type VolumeFile,
   type VolumeSummary,
 } from '../engine/contract';
-import { decodeFragment, parseCase } from '../link/codec';
+import { decodeFragment } from '../link/codec';
 import { autosave, savedCase, type SavedCase } from './autosave';
-import { engine, takeTurn, tellError, useEngine } from './engine';
+import { engine, tellError, useEngine } from './engine';
 import { estimateTets } from './estimate';
 import { fitRecipe } from './fit_recipe';
 import type { Example } from './gallery';
 import { awaitedFile, volume } from './input';
 import { amendRecipe, editRecipe, recipe, redo, startRecipe, undo } from './recipe';
-import { activity, announcement, defaults, expectation, forgetResults, schema, tell } from './run';
+import { activity, defaults, expectation, forgetResults, schema, tell } from './run';
 import { preview, previewSoon, runAll } from './runs';
-import { awaitedSides, forgetSides, holdSide, type SideFile } from './side_files';
-import { openSideFile } from './size_files';
+import { forgetSides, holdSide, type SideFile } from './side_files';
 import { forgetPainting, restorePainting, strokesDone } from './painting';
 import { ownColours, resetView } from './view';
 
@@ -70,56 +67,8 @@ export function editPhantom(label: string, change: Partial<PhantomParams>): void
   );
 }
 
-const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|hdr)$/i;
-
-/** Files that were dropped on an open case: what they are for is for the user to say. */
-export const droppedFiles = signal<File[] | null>(null);
-
-async function volumeFileOf(files: readonly File[]): Promise<VolumeFile | null> {
-  const main = files.find((file) => headerSuffix.test(file.name)) ?? files[0];
-  if (!main) return null;
-  const siblings: VolumeFile['siblings'] = {};
-  for (const file of files) if (file !== main) siblings[file.name] = new Uint8Array(await file.arrayBuffer());
-  return { name: main.name, bytes: new Uint8Array(await main.arrayBuffer()), siblings };
-}
-
-/** What is dropped on the page: asked about where a case is open, unless the case waits for it. */
-export async function dropFiles(files: File[]): Promise<void> {
-  const awaited = awaitedSides.value.find(({ name }) => files.some((file) => file.name === name));
-  if (awaited) return openSizeFiles(awaited.kind, files);
-  const opens = volume.value === null || files.some((file) => /\.json$/i.test(file.name));
-  if (opens) return openFiles(files);
-  droppedFiles.value = files;
-}
-
-export async function openSizeFiles(kind: SideKind, files: File[]): Promise<void> {
-  const file = await volumeFileOf(files);
-  if (!file) return;
-  await openSideFile(kind, file);
-  previewSoon();
-}
-
-/** A file to be meshed, with the raw file that its header may name. A case file opens like a link. */
-export async function openFiles(files: File[]): Promise<void> {
-  const caseFile = files.find((file) => /\.json$/i.test(file.name));
-  if (caseFile) return openCaseText(await caseFile.text());
-  const newest = takeTurn();
-  activity.value = 'opening';
-  announcement.value = `Reading ${files.map(({ name }) => name).join(', ')}`;
-  try {
-    const file = await volumeFileOf(files);
-    if (!file) return;
-    if (engine.busy) await engine.cancel();
-    const summary = await engine.openVolume(file);
-    if (newest()) takeVolume(summary, file.name);
-  } catch (error) {
-    tellError(error);
-  } finally {
-    if (newest() && activity.value === 'opening') activity.value = 'idle';
-  }
-}
-
-function takeVolume(summary: VolumeSummary, fileName: string): void {
+/** A volume has been read: it is the one that the case waits for, or begins a case. */
+export function takeVolume(summary: VolumeSummary, fileName: string): void {
   const awaited = awaitedFile.value;
   if (awaited && awaited.sha256 && awaited.sha256 !== summary.digest) {
     tell(
@@ -168,21 +117,6 @@ export async function openFragment(fragment: string): Promise<void> {
   }
 }
 
-async function openCaseText(text: string): Promise<void> {
-  try {
-    const value = parseCase(text);
-    // A report holds its recipe, and is the promise of its mesh.
-    const inner = value.recipe as Record<string, unknown> | undefined;
-    await offerCase(
-      inner && typeof value.digest === 'string'
-        ? { ...inner, expected: { engine: value.engine, digest: value.digest, tets: value.tets } }
-        : value,
-    );
-  } catch (error) {
-    tellError(error);
-  }
-}
-
 /** Takes up the case that the last page left; by itself only where the engine was at rest. */
 export async function resumeCase(): Promise<void> {
   try {
@@ -213,7 +147,7 @@ export function keepSaving(): void {
 }
 
 /** Checks a case and holds it for the user's word; nothing of it runs. */
-async function offerCase(value: Record<string, unknown>): Promise<void> {
+export async function offerCase(value: Record<string, unknown>): Promise<void> {
   const { recipe: full } = await engine.checkRecipe(value);
   const promise = (full as Recipe & { expected?: Expected }).expected;
   offered.value = {
