@@ -19,12 +19,18 @@ describe('valuesAt', () => {
     [322, 400, 321, 655].forEach((value, i) => expect(found[i]).toBeCloseTo(value, 3));
   });
 
-  it('leaves out grid points without a value, and knows where there is none', () => {
+  it('leaves out grid points without a value, and goes on from those within two steps', () => {
     const holed = values.slice();
     holed[1 + 5 * (2 + 6 * 3)] = 0;
-    const found = valuesAt(holed, grid, Float32Array.from([mm(1, 2, 3), mm(1.5, 2, 3)].flat()));
-    expect(found[0]).toBeNaN();
-    expect(found[1]).toBeCloseTo(323, 3);
+    const at = (field: Float32Array, ...place: [number, number, number]) =>
+      valuesAt(field, grid, Float32Array.from(mm(...place)))[0];
+    expect(at(holed, 1.5, 2, 3)).toBeCloseTo(323, 3);
+    // All its neighbours, the near ones more.
+    expect(at(holed, 1, 2, 3)).toBeCloseTo(322, 3);
+    const lone = new Float32Array(values.length);
+    lone[1 + 5 * (2 + 6 * 3)] = 7;
+    expect(at(lone, 2.5, 2, 3)).toBe(7);
+    expect(at(lone, 3.5, 2, 3)).toBeNaN();
   });
 });
 

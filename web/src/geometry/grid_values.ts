@@ -16,16 +16,48 @@ export function innerGrid({ size, indexToMm }: Grid, points: number): Grid {
   };
 }
 
+/** The mean of the grid points around a place that hold a value, by weights that reach nothing at `reach` steps. */
+function weighted(
+  values: Float32Array,
+  [nx, ny, nz]: readonly number[],
+  [i, j, k]: readonly number[],
+  reach: number,
+): number {
+  let sum = 0;
+  let weights = 0;
+  for (let ck = Math.max(0, Math.floor(k) - reach + 1); ck <= Math.min(nz - 1, Math.floor(k) + reach); ck++)
+    for (let cj = Math.max(0, Math.floor(j) - reach + 1); cj <= Math.min(ny - 1, Math.floor(j) + reach); cj++)
+      for (
+        let ci = Math.max(0, Math.floor(i) - reach + 1);
+        ci <= Math.min(nx - 1, Math.floor(i) + reach);
+        ci++
+      ) {
+        const value = values[ci + nx * (cj + ny * ck)];
+        const weight = (reach - Math.abs(i - ci)) * (reach - Math.abs(j - cj)) * (reach - Math.abs(k - ck));
+        if (!(value > 0) || weight < 1e-6) continue;
+        sum += weight * value;
+        weights += weight;
+      }
+  return weights > 0 ? sum / weights : NaN;
+}
+
 /**
- * Values at places, three numbers each in mm: trilinear among the corners around a place that hold one (more than 0),
- * NaN where none does.
+ * Values at places, three numbers each in mm: trilinear among the grid points around a place that hold one (more than
+ * 0), else those within two steps, else NaN.
  */
-export function valuesAt(values: Float32Array, { size, indexToMm }: Grid, places: Float32Array): Float32Array {
+export function valuesAt(
+  values: Float32Array,
+  { size, indexToMm }: Grid,
+  places: Float32Array,
+): Float32Array {
   const out = new Float32Array(places.length / 3).fill(NaN);
   // The affine map, taken apart once: index = columns · mm + origin.
   const origin = toIndex(indexToMm, [0, 0, 0]);
   const columns = [0, 1, 2].map((axis) =>
-    toIndex(indexToMm, [0, 1, 2].map((row) => (row === axis ? 1 : 0))).map((x, i) => x - origin[i]),
+    toIndex(
+      indexToMm,
+      [0, 1, 2].map((row) => (row === axis ? 1 : 0)),
+    ).map((x, i) => x - origin[i]),
   );
   const [nx, ny, nz] = size;
   const along = (axis: number, x: number, y: number, z: number) =>
@@ -35,20 +67,9 @@ export function valuesAt(values: Float32Array, { size, indexToMm }: Grid, places
     const i = Math.max(0, Math.min(nx - 1, along(0, x, y, z)));
     const j = Math.max(0, Math.min(ny - 1, along(1, x, y, z)));
     const k = Math.max(0, Math.min(nz - 1, along(2, x, y, z)));
-    let sum = 0;
-    let weights = 0;
-    for (let corner = 0; corner < 8; corner++) {
-      const ci = Math.min(nx - 1, Math.floor(i) + (corner & 1));
-      const cj = Math.min(ny - 1, Math.floor(j) + ((corner >> 1) & 1));
-      const ck = Math.min(nz - 1, Math.floor(k) + (corner >> 2));
-      const value = values[ci + nx * (cj + ny * ck)];
-      const weight =
-        Math.max(0, 1 - Math.abs(i - ci)) * Math.max(0, 1 - Math.abs(j - cj)) * Math.max(0, 1 - Math.abs(k - ck));
-      if (!(value > 0) || weight < 1e-6) continue;
-      sum += weight * value;
-      weights += weight;
-    }
-    if (weights > 0) out[p] = sum / weights;
+    out[p] = weighted(values, size, [i, j, k], 1);
+    // Beside a field with gaps: what is within another step.
+    if (Number.isNaN(out[p])) out[p] = weighted(values, size, [i, j, k], 2);
   }
   return out;
 }

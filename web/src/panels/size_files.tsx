@@ -69,7 +69,7 @@ export function SizeFiles({ current }: { current: Recipe }) {
   return (
     <div class="regions">
       <div class="regions-head">
-        <h3>Sizes from files</h3>
+        <h3>From files</h3>
         <span>
           <SizeFileButton
             kind="mask"

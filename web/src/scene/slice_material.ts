@@ -16,6 +16,8 @@ import {
 } from 'three';
 import { paintColour } from '../geometry/colours';
 import type { Grid } from '../geometry/grid_values';
+import type { Field } from '../store/sizing_fields';
+import type { Legend } from '../store/view';
 import { paletteTexture, scaleTexture } from './textures';
 
 const vertexShader = /* glsl */ `
@@ -146,10 +148,11 @@ export class SliceImage {
     this.replace('palette', paletteTexture(largest, colour, hidden));
   }
 
-  /** `gaps`: where the field is 0 there is none, so that nothing may be interpolated. */
-  setSizes(sizes: Float32Array, grid: Grid, [lo, hi]: readonly [number, number], gaps: boolean): void {
-    const texture = volumeTexture(sizes, grid.size);
+  /** A field in colour. Where it is 0 there is none: with `gaps` of that kind nothing may be interpolated. */
+  setField({ values, grid }: Field, { map, lo, hi }: Legend, gaps: boolean): void {
+    const texture = volumeTexture(values, grid.size);
     if (this.smooth && !gaps) texture.magFilter = texture.minFilter = LinearFilter;
+    this.replace('scale', scaleTexture(map));
     this.replace('sizes', texture);
     this.material.uniforms.toSize.value.copy(inverse(grid.indexToMm));
     this.material.uniforms.range.value.set(lo, hi);
@@ -199,7 +202,7 @@ export class SliceImage {
     this.material.dispose();
   }
 
-  private replace(name: 'labels' | 'sizes' | 'paint' | 'palette', texture: Texture): void {
+  private replace(name: 'labels' | 'sizes' | 'scale' | 'paint' | 'palette', texture: Texture): void {
     (this.material.uniforms[name].value as Texture).dispose();
     this.material.uniforms[name].value = texture;
   }

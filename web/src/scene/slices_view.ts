@@ -19,6 +19,7 @@ import {
   sliceOverlay,
   slicePlaces,
   stageShown,
+  type Legend,
 } from '../store/view';
 import type { Canvas } from './canvas';
 import { setPositions } from './positions';
@@ -136,9 +137,10 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
       if (!field) return;
       const counts = untracked(() => (thick ? hasValue(field.values) : meshedVoxels(field.grid)));
       const [lo, hi] = robustRange(field.values, counts);
-      image.setSizes(field.values, field.grid, [lo, hi], thick);
       const title = thick ? 'Wall thickness' : 'Prescribed edge length';
-      sliceLegend.value = { title, unit: 'mm', map: thick ? 'cividis' : 'viridis', lo, hi };
+      const shown: Legend = { title, unit: 'mm', map: thick ? 'cividis' : 'viridis', lo, hi };
+      image.setField(field, shown, thick);
+      sliceLegend.value = shown;
     }),
     effect(() => {
       moveCross(slicePlaces.value);
