@@ -234,6 +234,8 @@ export interface TetArrays {
   faces: Uint32Array;
   /** Four per tet: its centroid in mm, and its label. */
   centres: Float32Array;
+  /** Four per label: it, and the way from the body's middle to its own. */
+  ways: Float32Array;
   /** How many half-faces are outer; outer or between labels; the largest distance of a corner from its centroid. */
   extents: Float64Array;
 }

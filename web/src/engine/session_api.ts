@@ -1,3 +1,4 @@
+import { withRoom } from '../geometry/rows';
 import { smoothNormals } from '../geometry/smooth_normals';
 import { tetFaces } from '../geometry/tet_faces';
 import { tetNeighbours } from '../geometry/tet_neighbours';
@@ -22,12 +23,7 @@ export interface Session {
   schema(): string;
   defaults(): string;
   loadVolume(name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
-  loadSideVolume(
-    kind: string,
-    name: string,
-    bytes: Uint8Array,
-    siblings: Record<string, Uint8Array>,
-  ): string;
+  loadSideVolume(kind: string, name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
   setRecipe(json: string): string;
   run(stage: string, onProgress: (stage: string, fraction: number) => void): string;
   view(stage: string, array: string): View | undefined;
@@ -150,6 +146,8 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
         if (stage === 'optimise' && arrays.tets) {
           arrays.neighbours = tetNeighbours(arrays.tets as Uint32Array, arrays.points.length / 3);
           Object.assign(arrays, tetFaces(arrays as unknown as TetArrays));
+          for (const name of ['tets', 'neighbours', 'faces', 'centres'])
+            arrays[name] = withRoom(arrays[name] as Uint32Array<ArrayBuffer>);
         }
         return { ok: true, value: arrays as never };
       }),

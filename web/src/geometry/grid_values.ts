@@ -1,5 +1,7 @@
 /** Numbers on a regular grid, and what they are at other places. */
-import { toIndex, toMm } from './orientation';
+import { indexMap, toMm } from './orientation';
+
+const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 export interface Grid {
   size: readonly number[];
@@ -51,22 +53,13 @@ export function valuesAt(
   places: Float32Array,
 ): Float32Array {
   const out = new Float32Array(places.length / 3).fill(NaN);
-  // The affine map, taken apart once: index = columns · mm + origin.
-  const origin = toIndex(indexToMm, [0, 0, 0]);
-  const columns = [0, 1, 2].map((axis) =>
-    toIndex(
-      indexToMm,
-      [0, 1, 2].map((row) => (row === axis ? 1 : 0)),
-    ).map((x, i) => x - origin[i]),
-  );
+  const m = indexMap(identity, indexToMm);
   const [nx, ny, nz] = size;
-  const along = (axis: number, x: number, y: number, z: number) =>
-    origin[axis] + columns[0][axis] * x + columns[1][axis] * y + columns[2][axis] * z;
   for (let p = 0; p < out.length; p++) {
     const [x, y, z] = [places[3 * p], places[3 * p + 1], places[3 * p + 2]];
-    const i = Math.max(0, Math.min(nx - 1, along(0, x, y, z)));
-    const j = Math.max(0, Math.min(ny - 1, along(1, x, y, z)));
-    const k = Math.max(0, Math.min(nz - 1, along(2, x, y, z)));
+    const i = Math.max(0, Math.min(nx - 1, m[0] * x + m[1] * y + m[2] * z + m[3]));
+    const j = Math.max(0, Math.min(ny - 1, m[4] * x + m[5] * y + m[6] * z + m[7]));
+    const k = Math.max(0, Math.min(nz - 1, m[8] * x + m[9] * y + m[10] * z + m[11]));
     out[p] = weighted(values, size, [i, j, k], 1);
     // Beside a field with gaps: what is within another step.
     if (Number.isNaN(out[p])) out[p] = weighted(values, size, [i, j, k], 2);

@@ -87,7 +87,7 @@ export function App() {
   useShortcuts();
   const over = useDrop();
   return (
-    <div class="app" data-activity={activity.value} data-cancel-ms={lastCancelMs.value?.toFixed(0)}>
+    <div class="app" data-activity={activity.value} data-cancel-ms={lastCancelMs.value?.toFixed(1)}>
       <Header />
       <CasePanel />
       <ViewPanel />

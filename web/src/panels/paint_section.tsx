@@ -24,8 +24,8 @@ function BrushFields() {
   const { erases, flat, radius_mm, edge_mm } = brushTool.value;
   const voxel = Math.min(...(volume.value?.spacing_mm ?? [1]));
   return (
-    <div class="brush">
-      <div class="brush-row">
+    <div class="painter">
+      <div class="painter-row">
         <Segments
           label="The brush"
           value={erases ? 'erase' : 'paint'}

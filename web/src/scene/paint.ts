@@ -11,6 +11,7 @@ import {
 } from '../geometry/faces';
 import { valuesAt } from '../geometry/grid_values';
 import { nameOf, voxelMm } from '../store/input';
+import { shownDigests } from '../store/results';
 import { sizingFields } from '../store/sizing_fields';
 import {
   colourBy,
@@ -116,10 +117,20 @@ function triangleValues({ points, triangles }: SurfaceArrays): Float32Array | nu
   return field ? valuesAt(field.values, field.grid, triangleCentres(points, triangles)) : null;
 }
 
+/** The last body of each surface, with what it was made from: the view often asks for the same again. */
+const bodies = new WeakMap<SurfaceArrays, { from: unknown[]; body: SurfaceBody }>();
+
 export function surfaceBody(mesh: SurfaceArrays): SurfaceBody {
+  const by = colourBy.value;
+  const fields = by === 'target_mm' || by === 'thickness_mm' ? shownDigests.value.sizing : null;
+  const from = [by, fields, hiddenLabels.value, colourOf.value];
+  const known = bodies.get(mesh);
+  if (known && from.every((part, i) => part === known.from[i])) return known.body;
   const values = triangleValues(mesh);
-  const painted = values && scaled(values, scales[colourBy.value as 'edge_mm']);
+  const painted = values && scaled(values, scales[by as 'edge_mm']);
   const legend = painted?.kind === 'scale' ? painted.legend : null;
   const paint = values && legend ? scalePainter(values, legend) : labelPainter();
-  return { faces: surfaceFaces(mesh, hiddenLabels.value, paint), legend };
+  const body = { faces: surfaceFaces(mesh, hiddenLabels.value, paint), legend };
+  bodies.set(mesh, { from, body });
+  return body;
 }

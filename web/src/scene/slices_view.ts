@@ -1,10 +1,10 @@
 /** The image: three linked slices beside the 3-D view, the same slices as planes in it, and the crosshair of both. */
 import { effect, untracked } from '@preact/signals';
-import { BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh } from 'three';
+import { BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh, type Material } from 'three';
 import type { Vec3 } from '../engine/contract';
 import { robustRange } from '../geometry/faces';
 import type { Grid } from '../geometry/grid_values';
-import { sliceFrames, toIndex, toMm } from '../geometry/orientation';
+import { indexMap, sliceFrames, toMm } from '../geometry/orientation';
 import { volume } from '../store/input';
 import { paintedVoxels } from '../store/painting';
 import { recipe } from '../store/recipe';
@@ -38,13 +38,17 @@ function meshedVoxels({ size, indexToMm }: Grid): ((voxel: number) => boolean) |
   const known = volume.value;
   if (!labels || !known) return undefined;
   const chosen = new Set(recipe.value?.labels);
+  const m = indexMap(indexToMm, known.index_to_mm);
+  const [nx, ny, nz] = known.size;
   return (voxel) => {
-    const column = voxel % size[0];
-    const row = Math.floor(voxel / size[0]) % size[1];
-    const slice = Math.floor(voxel / (size[0] * size[1]));
-    const [i, j, k] = toIndex(known.index_to_mm, toMm(indexToMm, [column, row, slice])).map(Math.round);
-    if ([i, j, k].some((at, axis) => at < 0 || at >= known.size[axis])) return false;
-    const label = labels[i + known.size[0] * (j + known.size[1] * k)];
+    const x = voxel % size[0];
+    const y = Math.floor(voxel / size[0]) % size[1];
+    const z = Math.floor(voxel / (size[0] * size[1]));
+    const i = Math.round(m[0] * x + m[1] * y + m[2] * z + m[3]);
+    const j = Math.round(m[4] * x + m[5] * y + m[6] * z + m[7]);
+    const k = Math.round(m[8] * x + m[9] * y + m[10] * z + m[11]);
+    if (i < 0 || j < 0 || k < 0 || i >= nx || j >= ny || k >= nz) return false;
+    const label = labels[i + nx * (j + ny * k)];
     return label > 0 && (chosen.size === 0 || chosen.has(label));
   };
 }
@@ -52,6 +56,7 @@ function meshedVoxels({ size, indexToMm }: Grid): ((voxel: number) => boolean) |
 const showsPlanes = () => stageShown.value === 'volume' || stageShown.value === 'sizing';
 
 export interface SlicesView {
+  material: Material;
   /** What the slices show of a body: the edges of a mesh, or the outline of a surface. Made once they are looked at. */
   showSections(prepare: (() => () => Section) | null): void;
   dispose(): void;
@@ -179,6 +184,7 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
   };
 
   return {
+    material: image.material,
     showSections(prepare) {
       dropSections();
       pending = prepare;

@@ -58,7 +58,10 @@ export function followTets(
       const shown = source();
       if (!shown) return;
       const model = body.showTets(shown.mesh);
-      if (model) untracked(() => onModel?.(model));
+      if (model) {
+        untracked(() => onModel?.(model));
+        void model.upload(canvas.renderer).then(() => canvas.invalidate());
+      }
       canvas.invalidate();
     }),
     effect(() => {

@@ -94,7 +94,9 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
             : summary;
         const madeFrom = stageInput(current, summary.name);
         setStage(summary.name, { state: 'done', fraction: 1, summary: kept, madeFrom });
-        if (summary.name === 'volume') volume.value = summary.counts as unknown as VolumeSummary;
+        // Whatever follows the volume is made anew with another one, the same again is none.
+        if (summary.name === 'volume' && JSON.stringify(summary.counts) !== JSON.stringify(volume.value))
+          volume.value = summary.counts as unknown as VolumeSummary;
         const changed = shownDigests.value[summary.name] !== summary.digest;
         if (arrays) keepResult(summary.name, summary.digest, arrays);
         // Measures are of one mesh.
