@@ -3,6 +3,7 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -16,7 +17,6 @@
 #include "pipeline/session.h"
 #include "quality/measure_quality.h"
 #include "quality/surface_distance.h"
-#include "volume/select_labels.h"
 
 namespace voxtet {
 namespace {
@@ -184,9 +184,11 @@ class SessionBinding {
     const Result<LabelVolume> mask = read_volume(file);
     if (!mask) return reply(mask.error());
     if (Status loaded = session_.load_mask(file); !loaded) return reply(loaded.error());
+    std::vector<bool> found(std::numeric_limits<Label>::max() + std::size_t{1});
+    for (const Label label : mask->labels) found[label] = true;
     json labels = json::array();
-    for (const auto& [label, voxels] : count_labels(*mask))
-      labels.push_back({{"label", label}, {"voxels", voxels}});
+    for (std::size_t label = 1; label < found.size(); ++label)
+      if (found[label]) labels.push_back(label);
     return reply({{"name", file.name}, {"digest", digest_of(*mask)}, {"labels", labels}});
   }
 

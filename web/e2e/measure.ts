@@ -57,6 +57,8 @@ function cancelledAt(name: string): Promise<number | null> {
       if (chip.getAttribute('data-state') === 'running') {
         cancelled = true;
         button('cancel')?.click();
+        // The same milliseconds as the last time are no change.
+        setTimeout(() => end(Number(app.getAttribute('data-cancel-ms'))), 3000);
       } else if (chip.getAttribute('data-state') === 'done') {
         cancelled = true;
         button('cancel')?.click();

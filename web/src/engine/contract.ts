@@ -213,7 +213,7 @@ export interface SideSummary {
   name: string;
   digest: string;
   /** Of a mask. */
-  labels: { label: number; voxels: number }[];
+  labels: number[];
 }
 
 export interface SurfaceArrays {

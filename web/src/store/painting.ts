@@ -11,7 +11,7 @@ import {
   type Runs,
   type Stroke,
 } from '../geometry/painting';
-import { engine } from './engine';
+import { engine, tellError } from './engine';
 import { volume } from './input';
 import { editRecipe, recipe } from './recipe';
 import { holdSide } from './side_files';
@@ -161,17 +161,24 @@ function commit(text: string, done: Stroke, edge_mm: number): void {
   const counts = countLabels(labels);
   const digest = volumeDigest(grid, labels);
   const runs = runsOf(done);
-  pending = pending.then(async () => {
+  const settle = async () => {
     const after = await digest;
     if (painting?.labels !== labels) return;
-    coming.delete(done.label);
     const before = recipe.peek()?.sizing.masks.find(({ name }) => name === paintedName)?.sha256 ?? '';
     hand(after);
     editRecipe(text, (draft) => setEdges(draft.sizing, done.label, edge_mm, counts, after), undefined, 0, {
       undo: () => turn(runs, 'before', before),
       redo: () => turn(runs, 'after', after),
     });
-  });
+  };
+  pending = pending
+    .then(settle)
+    .catch((error: unknown) => {
+      applyRuns(labels, runs, 'before');
+      revision.value++;
+      tellError(error);
+    })
+    .then(() => void coming.delete(done.label));
 }
 
 type Sizing = NonNullable<typeof recipe.value>['sizing'];

@@ -16,12 +16,7 @@ export async function openSideFile(kind: SideKind, file: VolumeFile): Promise<vo
     const awaited = awaitedSides.value.find((one) => one.kind === kind && one.name === file.name);
     const { digest, labels } = await engine.openSideVolume(kind, file, awaited?.sha256);
     holdSide({ kind, file, digest });
-    if (!awaited)
-      ask(
-        kind,
-        { name: file.name, sha256: digest },
-        labels.map(({ label }) => label),
-      );
+    if (!awaited) ask(kind, { name: file.name, sha256: digest }, labels);
     restorePainting();
     announcement.value = `${file.name} sets element sizes`;
   } catch (error) {

@@ -208,7 +208,7 @@ class Session {
   }
   loadSideVolume(kind, name, bytes) {
     this.sides.set(name, bytes);
-    const labels = kind === 'mask' ? [{ label: 1, voxels: 9 }] : [];
+    const labels = kind === 'mask' ? [1] : [];
     return JSON.stringify({ ok: true, value: { name, digest: hash(String(bytes)), labels } });
   }
   setRecipe(text) {
