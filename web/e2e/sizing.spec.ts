@@ -1,7 +1,9 @@
 /** Sizes beyond labels and regions: walls by their thickness, distances as colours. */
 import { expect, idle, link, meshed, openAndRun, sampled, smallHeart, stage, test } from './support';
 
-test('the distance to the labels is a colour and a number of the element that is clicked', async ({ page }) => {
+test('the distance to the labels is a colour and a number of the element that is clicked', async ({
+  page,
+}) => {
   await openAndRun(page, smallHeart);
   const labels = await sampled(page, 'model');
   await page.getByLabel('Colour by').selectOption('distance_mm');
@@ -13,7 +15,9 @@ test('the distance to the labels is a colour and a number of the element that is
   await expect(page.locator('.picked')).toContainText(/To the labels\s*0\.\d+ mm \(0\.\d+ voxels\)/);
 });
 
-test('a wall is sized by its thickness, which is seen on slices and surface before meshing', async ({ page }) => {
+test('a wall is sized by its thickness, which is seen on slices and surface before meshing', async ({
+  page,
+}) => {
   await page.goto(link({ source: smallHeart.source, labels: [1, 2], sizing: { edge_mm: 6 } }));
   await page.getByRole('button', { name: 'Open', exact: true }).click();
   await idle(page);

@@ -62,7 +62,8 @@ export function readOwnNrrd(bytes: Uint8Array): { grid: Grid; voxels: Uint8Array
 
 /** The engine's digest of a label volume: SHA-256 over its size, the affine map as floats, and the labels. */
 export async function volumeDigest({ size, indexToMm }: Grid, voxels: Uint8Array): Promise<string> {
-  if (!globalThis.crypto?.subtle) throw new Error('This page needs https: without it browsers make no digests.');
+  if (!globalThis.crypto?.subtle)
+    throw new Error('This page needs https: without it browsers make no digests.');
   const bytes = new Uint8Array(12 + 48 + 2 * voxels.length);
   new Int32Array(bytes.buffer, 0, 3).set(size);
   new Float32Array(bytes.buffer, 12, 12).set(indexToMm.slice(0, 12).map((x) => x + 0));

@@ -206,6 +206,8 @@ function OfferDialog() {
             .join(', '),
     ],
   ];
+  if (sizing.thickness.length > 0)
+    rows.push(['Walls', sizing.thickness.map(({ wall }) => `labels ${wall.join(', ')}`).join('; ')]);
   const sideFiles = filesOf({ ...offer.recipe, source: {} });
   if (sideFiles.length > 0)
     rows.push([

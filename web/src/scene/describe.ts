@@ -35,7 +35,11 @@ function measureLines(measures: StageArrays['quality'], tet: number): [string, s
 }
 
 /** Of the corners that lie on a label's boundary the one farthest from the label surface. */
-function distanceLines(measures: StageArrays['quality'], { tets }: TetArrays, tet: number): [string, string][] {
+function distanceLines(
+  measures: StageArrays['quality'],
+  { tets }: TetArrays,
+  tet: number,
+): [string, string][] {
   const { distance_mm: distances } = measures;
   if (!distances) return [];
   const largest = Math.max(...[0, 1, 2, 3].map((corner) => distances[tets[4 * tet + corner]]));
