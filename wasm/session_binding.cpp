@@ -117,11 +117,7 @@ class SessionBinding {
     if (!on_progress.isUndefined() && !on_progress.isNull())
       ctx.on_progress = [&](const std::string& stage, double fraction) { on_progress(stage, fraction); };
     if (Status done = session_.run(*last, ctx); !done) return reply(done.error());
-    json stages = json::array();
-    for (int i = 0; i < kStageCount; ++i)
-      if (!session_.record(static_cast<Stage>(i)).key.empty())
-        stages.push_back(stage_json(session_, static_cast<Stage>(i)));
-    return reply(stages);
+    return reply(stage_json(session_, *last));
   }
 
   val view(const std::string& stage, const std::string& array) {

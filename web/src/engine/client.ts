@@ -186,9 +186,7 @@ export class EngineClient {
       const summaries: StageSummary[] = [];
       for (const stage of stageNames.slice(0, stageNames.indexOf(last) + 1)) {
         handlers.onProgress?.(stage, 0);
-        const done = await this.answer(generation, stage, generation.api.run(stage, progress));
-        const summary = done.find((entry) => entry.name === stage);
-        if (!summary) throw failure('internal', `The engine did not report on the stage ${stage}.`, stage);
+        const summary = await this.answer(generation, stage, generation.api.run(stage, progress));
         summaries.push(summary);
         const wanted = handlers.wants?.(summary) ?? true;
         const arrays = wanted ? await this.answer(generation, stage, generation.api.arrays(stage)) : null;

@@ -276,7 +276,7 @@ export interface EngineApi {
   /** Takes a file that the recipe's sizing.masks or sizing.images name. */
   loadSideVolume(kind: SideKind, file: VolumeFile): Reply<SideSummary>;
   setRecipe(json: string): Reply<{ recipe: Recipe; minimal: Record<string, unknown> }>;
-  run(stage: StageName, onProgress: (stage: StageName, fraction: number) => void): Reply<StageSummary[]>;
+  run(stage: StageName, onProgress: (stage: StageName, fraction: number) => void): Reply<StageSummary>;
   arrays(stage: StageName): Reply<Partial<StageArrays[StageName]>>;
   /** `name`: of the files without their suffixes, since some name one another. */
   exportMesh(format: ExportFormat, space: Space, name: string): Reply<ExportedFile[]>;

@@ -254,7 +254,7 @@ class Session {
         counts: this.counts(name),
       });
     }
-    return JSON.stringify({ ok: true, value: summaries });
+    return JSON.stringify({ ok: true, value: summaries.at(-1) });
   }
   counts(name) {
     if (name === 'volume') return this.summary();
