@@ -5,7 +5,7 @@ import { stageNames } from '../src/engine/contract';
 import { idle, link, meshed, smallHeart, test } from './support';
 
 const repeats = 20;
-const jobs = 200;
+const jobs = Number(process.env.JOBS ?? 200);
 
 const quantile = (values: readonly number[], q: number) =>
   [...values].sort((a, b) => a - b)[Math.round(q * (values.length - 1))];
