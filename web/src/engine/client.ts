@@ -52,6 +52,8 @@ interface Generation {
   api: Comlink.Remote<EngineApi>;
   started: Promise<EngineInfo>;
   ended: Promise<never>;
+  /** Told when the worker ends before it has answered. */
+  waiting: Set<(error: EngineError) => void>;
   end(error: EngineError): void;
   alive: boolean;
   /** Digest of the file volume that this worker holds. */
@@ -278,7 +280,7 @@ export class EngineClient {
   private async answer<T>(generation: Generation, stage: string, call: Promise<Reply<T>>): Promise<T> {
     let reply: Reply<T>;
     try {
-      reply = await Promise.race([call, generation.ended]);
+      reply = await this.unlessEnded(generation, call);
     } catch (error) {
       if (error instanceof EngineError) throw error;
       const lost = failure('internal', `The engine stopped unexpectedly (${String(error)}).`, stage);
@@ -289,6 +291,15 @@ export class EngineClient {
     const error = new EngineError(reply.error);
     if (reply.error.fatal && generation.alive) this.replace(error);
     throw error;
+  }
+
+  /** What a call gives, or why its worker has ended. A race with `ended` would stay with it for the worker's whole life. */
+  private unlessEnded<T>(generation: Generation, call: Promise<T>): Promise<T> {
+    return new Promise((done, failed) => {
+      if (!generation.alive) return void generation.ended.catch(failed);
+      generation.waiting.add(failed);
+      void call.then(done, failed).then(() => generation.waiting.delete(failed));
+    });
   }
 
   private compiled(): Promise<WebAssembly.Module> {
@@ -322,12 +333,15 @@ export class EngineClient {
       api,
       started,
       ended,
+      waiting: new Set(),
       alive: true,
       volume: null,
       sides: new Map(),
       end(error) {
         generation.alive = false;
         reject(error);
+        for (const failed of generation.waiting) failed(error);
+        generation.waiting.clear();
       },
     };
     let hasStarted = false;
