@@ -3,16 +3,21 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "geometry/digest.h"
+#include "io/read_volume.h"
 #include "io/write_mesh.h"
 #include "lookup/look_up_labels.h"
 #include "pipeline/forecast.h"
+#include "pipeline/field_volume.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
 #include "quality/measure_quality.h"
+#include "quality/surface_distance.h"
 
 namespace voxtet {
 namespace {
@@ -48,6 +53,34 @@ std::vector<float> to_float(const std::vector<Eigen::Vector3d>& points) {
   return out;
 }
 
+/// A file's bytes as the page gave them, with those beside it that its header may name.
+class HeldFile {
+ public:
+  HeldFile(const std::string& name, const val& bytes, const val& siblings)
+      : name_(name), content_(to_bytes(bytes)) {
+    if (siblings.isUndefined() || siblings.isNull()) return;
+    const val keys = val::global("Object").call<val>("keys", siblings);
+    for (int i = 0; i < keys["length"].as<int>(); ++i)
+      beside_[keys[i].as<std::string>()] = to_bytes(siblings[keys[i]]);
+  }
+
+  VolumeFile volume_file() const {
+    return {name_, content_, [this](const std::string& wanted) -> Result<Bytes> {
+              const auto found = beside_.find(wanted);
+              if (found != beside_.end()) return found->second;
+              return Error{ErrorCode::kBadInput,
+                           "read_volume",
+                           name_ + ": its data file '" + wanted + "' is not there; drop both files together",
+                           {}};
+            }};
+  }
+
+ private:
+  std::string name_;
+  Bytes content_;
+  std::map<std::string, Bytes> beside_;
+};
+
 class SessionBinding {
  public:
   std::string schema() const {
@@ -57,25 +90,18 @@ class SessionBinding {
   std::string report() const { return report_json(session_).dump(); }
 
   std::string load_volume(const std::string& name, const val& bytes, const val& siblings) {
-    const Bytes content = to_bytes(bytes);
-    std::map<std::string, Bytes> beside;
-    if (!siblings.isUndefined() && !siblings.isNull()) {
-      const val keys = val::global("Object").call<val>("keys", siblings);
-      for (int i = 0; i < keys["length"].as<int>(); ++i)
-        beside[keys[i].as<std::string>()] = to_bytes(siblings[keys[i]]);
-    }
-    const SiblingReader sibling = [&](const std::string& wanted) -> Result<Bytes> {
-      const auto found = beside.find(wanted);
-      if (found != beside.end()) return found->second;
-      return Error{ErrorCode::kBadInput,
-                   "read_volume",
-                   name + ": its data file '" + wanted + "' is not there; drop both files together",
-                   {}};
-    };
-    if (Status loaded = session_.load_volume({name, content, sibling}); !loaded) return reply(loaded.error());
+    const HeldFile file(name, bytes, siblings);
+    if (Status loaded = session_.load_volume(file.volume_file()); !loaded) return reply(loaded.error());
     RunContext ctx;
     if (Status ran = session_.run(Stage::kVolume, ctx); !ran) return reply(ran.error());
     return reply(volume_json(session_));
+  }
+
+  /// Takes a file of the recipe's sizing.masks ("mask") or sizing.images ("image").
+  std::string load_side_volume(const std::string& kind, const std::string& name, const val& bytes,
+                               const val& siblings) {
+    const HeldFile file(name, bytes, siblings);
+    return kind == "mask" ? load_mask(file.volume_file()) : load_size_image(file.volume_file());
   }
 
   std::string set_recipe(const std::string& text) {
@@ -92,11 +118,7 @@ class SessionBinding {
     if (!on_progress.isUndefined() && !on_progress.isNull())
       ctx.on_progress = [&](const std::string& stage, double fraction) { on_progress(stage, fraction); };
     if (Status done = session_.run(*last, ctx); !done) return reply(done.error());
-    json stages = json::array();
-    for (int i = 0; i < kStageCount; ++i)
-      if (!session_.record(static_cast<Stage>(i)).key.empty())
-        stages.push_back(stage_json(session_, static_cast<Stage>(i)));
-    return reply(stages);
+    return reply(stage_json(session_, *last));
   }
 
   /// What meshing will take, after the stages up to sizing; with `elements` > 0 also the edge lengths that
@@ -122,7 +144,11 @@ class SessionBinding {
       case Stage::kSizing:
         if (const SizingField* s = session_.sizing(); s && array == "h_mm")
           return view_of(s->h_mm.data(), s->h_mm.size());
+        if (array == "thickness_mm" && !session_.walls().empty())
+          if (Result<ScalarVolume> field = field_volume(session_, "thickness"); field)
+            return keep_view(floats_, std::move(field->values));
         break;
+      case Stage::kTetra: break;
       case Stage::kOptimise: return mesh_view(array);
       case Stage::kLookup:
         if (session_.lookup())
@@ -160,6 +186,25 @@ class SessionBinding {
   }
 
  private:
+  std::string load_mask(const VolumeFile& file) {
+    const Result<LabelVolume> mask = read_volume(file);
+    if (!mask) return reply(mask.error());
+    if (Status loaded = session_.load_mask(file); !loaded) return reply(loaded.error());
+    std::vector<bool> found(std::numeric_limits<Label>::max() + std::size_t{1});
+    for (const Label label : mask->labels) found[label] = true;
+    json labels = json::array();
+    for (std::size_t label = 1; label < found.size(); ++label)
+      if (found[label]) labels.push_back(label);
+    return reply({{"name", file.name}, {"digest", digest_of(*mask)}, {"labels", labels}});
+  }
+
+  std::string load_size_image(const VolumeFile& file) {
+    const Result<ScalarVolume> image = read_scalar_volume(file);
+    if (!image) return reply(image.error());
+    if (Status loaded = session_.load_size_image(file); !loaded) return reply(loaded.error());
+    return reply({{"name", file.name}, {"digest", digest_of(*image)}, {"labels", json::array()}});
+  }
+
   /// Keeps what was made for a view alive until the next one is asked for.
   template <class T>
   val keep_view(std::vector<T>& slot, std::vector<T>&& values) {
@@ -196,6 +241,7 @@ class SessionBinding {
 
   val quality_view(const std::string& array) {
     if (!session_.mesh()) return val::undefined();
+    if (array == "distance_mm") return keep_view(floats_, distances_to_labels());
     TetMeasures m = measure_tets(*session_.mesh(), session_.sizing());
     if (array == "min_dihedral_deg") return keep_view(floats_, std::move(m.min_dihedral_deg));
     if (array == "max_dihedral_deg") return keep_view(floats_, std::move(m.max_dihedral_deg));
@@ -205,6 +251,14 @@ class SessionBinding {
     if (array == "edge_mm") return keep_view(floats_, std::move(m.edge_mm));
     if (array == "size_log2") return keep_view(floats_, std::move(m.size_log2));
     return val::undefined();
+  }
+
+  /// Of the mesh's points, mm; -1 inside.
+  std::vector<float> distances_to_labels() const {
+    const TetMesh& mesh = *session_.mesh();
+    const SurfaceMesh& surface = *session_.smooth();
+    return distances_of_points({mesh.points, mesh.faces, mesh.face_sides},
+                               {surface.points, surface.triangles, surface.sides});
   }
 
   Session session_;
@@ -222,6 +276,7 @@ EMSCRIPTEN_BINDINGS(voxtet) {
       .function("schema", &SessionBinding::schema)
       .function("defaults", &SessionBinding::defaults)
       .function("loadVolume", &SessionBinding::load_volume)
+      .function("loadSideVolume", &SessionBinding::load_side_volume)
       .function("setRecipe", &SessionBinding::set_recipe)
       .function("run", &SessionBinding::run)
       .function("forecast", &SessionBinding::forecast)

@@ -20,6 +20,7 @@ const types = {
   '.woff2': 'font/woff2',
 };
 
+// data: is how the reader of DICOM fetches the decompressor that it carries within itself.
 const headers = {
   'Cross-Origin-Opener-Policy': 'same-origin',
   'Cross-Origin-Embedder-Policy': 'require-corp',
@@ -28,7 +29,7 @@ const headers = {
   'Referrer-Policy': 'no-referrer',
   'Content-Security-Policy':
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data: blob:; " +
-    "font-src 'self'; connect-src 'self'; worker-src 'self'; object-src 'none'; base-uri 'none'; " +
+    "font-src 'self'; connect-src 'self' data:; worker-src 'self'; object-src 'none'; base-uri 'none'; " +
     "form-action 'none'; frame-ancestors 'none'",
 };
 

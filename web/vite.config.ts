@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { defineConfig, type Plugin } from 'vite';
 
 const contentPolicy = [
@@ -6,7 +7,7 @@ const contentPolicy = [
   "style-src 'self'",
   "img-src 'self' data: blob:",
   "font-src 'self'",
-  "connect-src 'self'",
+  "connect-src 'self' data:",
   "worker-src 'self'",
   "object-src 'none'",
   "base-uri 'none'",
@@ -28,9 +29,31 @@ function contentPolicyMeta(): Plugin {
   };
 }
 
+/** What @itk-wasm/dicom fetches while it reads: its own files, from our own origin. */
+const dicomFiles = [
+  '@itk-wasm/dicom/dist/pipelines/read-overlapping-segmentation.js',
+  '@itk-wasm/dicom/dist/pipelines/read-overlapping-segmentation.wasm.zst',
+  'itk-wasm/dist/pipeline/web-workers/bundles/itk-wasm-pipeline.min.worker.js',
+];
+
+function ownDicomFiles(): Plugin {
+  return {
+    name: 'own-dicom-files',
+    apply: 'build',
+    generateBundle() {
+      for (const path of dicomFiles)
+        this.emitFile({
+          type: 'asset',
+          fileName: `dicom/${path.slice(path.lastIndexOf('/') + 1)}`,
+          source: readFileSync(new URL(`node_modules/${path}`, import.meta.url)),
+        });
+    },
+  };
+}
+
 export default defineConfig({
   base: './',
-  plugins: [contentPolicyMeta()],
+  plugins: [contentPolicyMeta(), ownDicomFiles()],
   worker: { format: 'es' },
   build: { target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 900 },
   server: {

@@ -281,4 +281,22 @@ Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleS
   return SurfaceDistances{found[0], found[1]};
 }
 
+std::vector<float> distances_of_points(const TriangleSet& a, const TriangleSet& b) {
+  std::vector<float> out(a.points.size(), -1.0F);
+  if (b.triangles.empty()) return out;
+  std::vector<std::pair<Label, std::uint32_t>> members;
+  for (std::size_t t = 0; t < a.triangles.size(); ++t)
+    for (const Label label : a.sides[t])
+      if (label != kBackground)
+        for (const std::uint32_t v : a.triangles[t]) members.emplace_back(label, v);
+  std::sort(members.begin(), members.end());
+  members.erase(std::unique(members.begin(), members.end()), members.end());
+  Boundaries to(b);
+  for (const auto& [label, v] : members) {
+    const double distance = to.opposite(label).closest(a.points[v]).distance_mm;
+    out[v] = std::max(out[v], static_cast<float>(distance));
+  }
+  return out;
+}
+
 }  // namespace voxtet

@@ -37,4 +37,8 @@ struct SurfaceDistances {
 Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleSet& b,
                                            const DistanceParams& params, RunContext& ctx);
 
+/// Distance (mm) of each point of `a` to `b`, label by label as in measure_distances: the largest over the
+/// labels on whose boundary it lies. -1 for points of no triangle, and for all where `b` has no triangles.
+std::vector<float> distances_of_points(const TriangleSet& a, const TriangleSet& b);
+
 }  // namespace voxtet

@@ -1,6 +1,7 @@
 /** For whoever has no mouse, and whoever does not see the page. */
 import AxeBuilder from '@axe-core/playwright';
-import { expect, idle, meshed, openAndRun, smallHeart, stage, test } from './support';
+import { maskFile } from './files';
+import { dropFile, expect, idle, meshed, openAndRun, slice, smallHeart, stage, test } from './support';
 
 for (const colorScheme of ['light', 'dark'] as const) {
   test(`no serious accessibility finding on any panel (${colorScheme})`, async ({ page }) => {
@@ -17,6 +18,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await openAndRun(page, smallHeart);
     await page.getByRole('button', { name: 'Pin this run' }).click();
     await page.getByRole('button', { name: 'Sphere', exact: true }).click();
+    await page.getByRole('button', { name: 'Wall', exact: true }).click();
     await page.getByText('Stage parameters').click();
     await page.getByText('Shape of the tetrahedra').click();
     await page.getByRole('button', { name: 'Cut', exact: true }).click();
@@ -29,6 +31,15 @@ for (const colorScheme of ['light', 'dark'] as const) {
       await page.getByRole('button', { name: layout, exact: true }).click();
       expect(await serious()).toEqual([]);
     }
+    await page.getByRole('button', { name: 'Paint…' }).click();
+    await slice(page, 'axial').locator('.pane-surface').click();
+    await expect(page.getByLabel('Painted edge length 1')).toBeVisible();
+    await dropFile(page, maskFile('mask.nrrd'));
+    await expect(page.getByRole('dialog')).toBeVisible();
+    expect(await serious()).toEqual([]);
+    await page.getByRole('button', { name: /Mask of sizes/ }).click();
+    await page.getByRole('button', { name: /^mask.nrrd/ }).click();
+    expect(await serious()).toEqual([]);
     for (const name of ['Share', 'Export', 'Examples…', 'Keys']) {
       await page.getByRole('button', { name }).first().click();
       await expect(page.getByRole('dialog')).toBeVisible();

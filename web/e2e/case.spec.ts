@@ -92,3 +92,39 @@ test('the sizing field is on the slices before any mesh, and follows an edit', a
   await expect(page.locator('.scale-strip')).not.toHaveText(scale);
   await expect(stage(page, 'remesh')).toHaveAttribute('data-state', 'waiting');
 });
+
+test('a region is dragged and resized in the 3-D view, in one step of undo each', async ({ page }) => {
+  // The body is centred in its image, so that the new region and its handle stand in the middle of the view.
+  await open(page, { source: { phantom: { kind: 'sphere', spacing_mm: [2, 2, 2] } } });
+  await page.getByRole('button', { name: 'Sphere', exact: true }).click();
+  const radius = page.getByLabel('Region 1: Radius');
+  const places = ['R', 'A', 'S'].map((side) => page.getByLabel(`Centre ${side}`));
+  const centre = async () => Promise.all(places.map(async (field) => Number(await field.inputValue())));
+  const undo = page.getByRole('button', { name: 'Undo' });
+  const [before, size] = [await centre(), Number(await radius.inputValue())];
+  const drag = async () => {
+    const box = (await page.locator('.pane.model .pane-surface').boundingBox())!;
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 60, y - 40, { steps: 8 });
+    await page.mouse.up();
+  };
+  await drag();
+  await expect(undo).toHaveAttribute('title', 'Undo: Move region');
+  const moved = await centre();
+  expect(Math.hypot(...moved.map((x, i) => x - before[i]))).toBeGreaterThan(3);
+  expect(await radius.inputValue()).toBe(String(size));
+  await undo.click();
+  expect(await centre()).toEqual(before);
+  await page
+    .getByRole('group', { name: 'Handle in the view' })
+    .getByRole('button', { name: 'Resize' })
+    .click();
+  await drag();
+  await expect(undo).toHaveAttribute('title', 'Undo: Resize region');
+  expect(Number(await radius.inputValue())).not.toBe(size);
+  expect(await centre()).toEqual(before);
+  await undo.click();
+  await expect(radius).toHaveValue(String(size));
+});

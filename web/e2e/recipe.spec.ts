@@ -28,7 +28,7 @@ test('a saved case of another version is taken up without the fields that are go
         };
       }),
   );
-  await page.reload();
+  // Once only: a page that is left while it makes its preview asks first.
   await page.goto('./');
   await expect(page.getByRole('alert')).toContainText('merge, remesh.smoothing_voxels');
   await expect(page.getByLabel('Edge length', { exact: true })).toHaveValue('4.5');

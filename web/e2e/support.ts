@@ -95,6 +95,21 @@ export async function pixels(page: Page, places: { x: number; y: number }[]): Pr
   );
 }
 
+export const slice = (page: Page, name: string) => page.locator(`.pane.${name}`);
+
+/** Colours at a lattice of places of a pane, away from its head line, crosshair and letters. */
+export async function sampled(page: Page, name: string): Promise<number[][]> {
+  await page.waitForTimeout(300);
+  const box = (await slice(page, name).boundingBox())!;
+  const places = [0.3, 0.4, 0.6, 0.7].flatMap((x) =>
+    [0.4, 0.56, 0.64, 0.7].map((y) => ({
+      x: Math.round(box.x + x * box.width),
+      y: Math.round(box.y + y * box.height),
+    })),
+  );
+  return pixels(page, places);
+}
+
 export async function tetCount(page: Page): Promise<number> {
   return Number((await page.getByTestId('tets').innerText()).replaceAll(',', ''));
 }

@@ -1,9 +1,8 @@
 /** The view: slices and their crosshair, cuts, colours, picking. */
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
-import { expect, idle, link, openAndRun, pixels, smallHeart, stage, test } from './support';
+import { expect, idle, link, openAndRun, sampled, slice, smallHeart, stage, test } from './support';
 
-const slice = (page: Page, name: string) => page.locator(`.pane.${name}`);
 const place = (page: Page, name: string) => slice(page, name).locator('.pane-place');
 
 async function openSlices(page: Page, recipe: object): Promise<void> {
@@ -15,19 +14,6 @@ async function openSlices(page: Page, recipe: object): Promise<void> {
   await page.getByRole('button', { name: 'Slices', exact: true }).click();
   await expect(place(page, 'axial')).toContainText('mm');
   await page.getByRole('button', { name: 'Edges', exact: true }).click();
-}
-
-/** Colours at a lattice of places of a pane, away from its head line, crosshair and letters. */
-async function sampled(page: Page, name: string): Promise<number[][]> {
-  await page.waitForTimeout(300);
-  const box = (await slice(page, name).boundingBox())!;
-  const places = [0.3, 0.4, 0.6, 0.7].flatMap((x) =>
-    [0.4, 0.56, 0.64, 0.7].map((y) => ({
-      x: Math.round(box.x + x * box.width),
-      y: Math.round(box.y + y * box.height),
-    })),
-  );
-  return pixels(page, places);
 }
 
 test('slices show the patient the same way round, however the image is stored', async ({ page }) => {
@@ -121,6 +107,8 @@ test('a cut leaves tetrahedra whole or goes through them; labels come apart; eve
     ['radius_ratio', 'Radius ratio'],
     ['mean_ratio', 'Mean ratio'],
     ['aspect_ratio', 'Aspect ratio'],
+    ['distance_mm', 'Distance to the label surface mm'],
+    ['distance_voxels', 'Distance to the label surface voxels'],
   ]) {
     await page.getByLabel('Colour by').selectOption(value);
     await expect(page.locator('.legend')).toContainText(title);

@@ -89,5 +89,23 @@ TEST(MeasureDistances, StopWhenCancelled) {
   }
 }
 
+TEST(DistancesOfPoints, AreToTheSameLabelTheLargestOfASharedPointAndMinusOneOffTheSurface) {
+  SurfaceMesh inner = sphere({0, 0, 0}, 5, 3, 1, 2), balls = sphere({0, 0, 0}, 6, 4, 1, 0);
+  test::append(balls, sphere({0, 0, 0}, 8, 4, 2, 0));
+  inner.points.emplace_back(0, 0, 0);
+  const std::vector<float> found = distances_of_points({inner.points, inner.triangles, inner.sides},
+                                                       {balls.points, balls.triangles, balls.sides});
+  ASSERT_EQ(found.size(), inner.points.size());
+  for (std::size_t v = 0; v + 1 < found.size(); ++v) EXPECT_NEAR(found[v], 3, 0.05);
+  EXPECT_EQ(found.back(), -1);
+}
+
+TEST(DistancesOfPoints, AreMinusOneWithoutASurfaceToMeasureTo) {
+  const SurfaceMesh ball = sphere({0, 0, 0}, 5, 1, 1, 0), none;
+  const std::vector<float> found = distances_of_points({ball.points, ball.triangles, ball.sides},
+                                                       {none.points, none.triangles, none.sides});
+  EXPECT_EQ(found, std::vector<float>(ball.points.size(), -1));
+}
+
 }  // namespace
 }  // namespace voxtet

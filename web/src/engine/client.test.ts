@@ -20,6 +20,7 @@ const phantom = { source: { phantom: {} } } as unknown as Recipe;
 class Workers {
   spawned = 0;
   loads = 0;
+  sideLoads = 0;
   hang: StageName | null = null;
   released: (() => void)[] = [];
   private ports: { close(): void }[] = [];
@@ -48,6 +49,10 @@ class Workers {
       loadVolume: (file) => {
         this.loads++;
         return session.loadVolume(file);
+      },
+      loadSideVolume: (kind, file) => {
+        this.sideLoads++;
+        return session.loadSideVolume(kind, file);
       },
       setRecipe: (json) => session.setRecipe(json),
       run: (stage, onProgress) =>
@@ -128,6 +133,24 @@ describe('EngineClient', () => {
     };
     expect(await arraysOf([5, 6])).toEqual(['centroid_label', 'majority_label', 'fraction_5', 'fraction_6']);
     expect(await arraysOf([])).toEqual([]);
+  });
+
+  it('gives a mask to every new worker that needs it, and only once to each', async () => {
+    const client = start();
+    const sizing = { masks: [{ name: 'paint.nrrd', sha256: '', edges: [{ label: 1, edge_mm: 1 }] }] };
+    const recipe = JSON.stringify({ ...phantom, sizing });
+    const missing = await failureOf(client.run(recipe, phantom.source, 'sizing'));
+    expect(missing.message).toContain('paint.nrrd');
+    expect((await client.openSideVolume('mask', file('paint.nrrd'))).labels).toEqual([1]);
+    await client.run(recipe, phantom.source, 'sizing');
+    expect(workers.sideLoads).toBe(1);
+    await client.cancel();
+    await client.run(recipe, phantom.source, 'sizing');
+    await client.run(recipe, phantom.source, 'sizing');
+    expect(workers.sideLoads).toBe(2);
+    client.keepSideVolume('mask', file('paint.nrrd', 64));
+    await client.run(recipe, phantom.source, 'sizing');
+    expect(workers.sideLoads).toBe(3);
   });
 
   it('copies no arrays that are not wanted', async () => {

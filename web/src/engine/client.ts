@@ -10,6 +10,8 @@ import {
   type Recipe,
   type Reply,
   type Report,
+  type SideKind,
+  type SideSummary,
   type Space,
   type StageArrays,
   type StageName,
@@ -50,11 +52,17 @@ interface Generation {
   api: Comlink.Remote<EngineApi>;
   started: Promise<EngineInfo>;
   ended: Promise<never>;
+  /** Told when the worker ends before it has answered. */
+  waiting: Set<(error: EngineError) => void>;
   end(error: EngineError): void;
   alive: boolean;
   /** Digest of the file volume that this worker holds. */
   volume: string | null;
+  /** What it holds of each kind beside it, by name. */
+  sides: Map<string, VolumeFile>;
 }
+
+const sideKey = (kind: SideKind, name: string): string => `${kind} ${name}`;
 
 function failure(code: ErrorCode, message: string, stage = 'engine'): EngineError {
   return new EngineError({ code, stage, message });
@@ -74,6 +82,7 @@ export class EngineClient {
   /** Started when a run starts, so that a cancelled run finds the next engine ready. */
   private spare: Generation | null = null;
   private readonly volumes = new Map<string, VolumeFile>();
+  private readonly sides = new Map<string, VolumeFile>();
   private tail: Promise<unknown> = Promise.resolve();
   private runningJobs = 0;
   private generationCount = 0;
@@ -113,6 +122,37 @@ export class EngineClient {
     this.volumes.set(digest, file);
   }
 
+  /** Reads a mask or an image of sizes, which must have a digest if one is given. One of the same name is replaced. */
+  openSideVolume(kind: SideKind, file: VolumeFile, digest = ''): Promise<SideSummary> {
+    return this.job(async (generation) => {
+      const key = sideKey(kind, file.name);
+      generation.sides.delete(key);
+      const found = await this.answer(generation, 'sizing', generation.api.loadSideVolume(kind, file));
+      if (digest !== '' && digest !== found.digest) {
+        const heads = [found.digest, digest].map((one) => `${one.slice(0, 12)}…`);
+        const message = `${file.name} has the digest ${heads[0]}, the case was made with ${heads[1]}`;
+        throw failure('differs', message, 'sizing');
+      }
+      generation.sides.set(key, file);
+      this.sides.set(key, file);
+      return found;
+    });
+  }
+
+  /** The file of a mask or an image of sizes. */
+  sideFile(kind: SideKind, name: string): VolumeFile | undefined {
+    return this.sides.get(sideKey(kind, name));
+  }
+
+  /** Takes such a file unread: one of an earlier session, or one that the page itself has made. */
+  keepSideVolume(kind: SideKind, file: VolumeFile): void {
+    this.sides.set(sideKey(kind, file.name), file);
+  }
+
+  forgetSideVolumes(): void {
+    this.sides.clear();
+  }
+
   /** Whether the engine accepts a case; the reply names every field. The case's volume need not be there. */
   checkRecipe(value: object): Promise<RecipeReply> {
     return this.job(async (generation) => {
@@ -148,9 +188,7 @@ export class EngineClient {
       const summaries: StageSummary[] = [];
       for (const stage of stageNames.slice(0, stageNames.indexOf(last) + 1)) {
         handlers.onProgress?.(stage, 0);
-        const done = await this.answer(generation, stage, generation.api.run(stage, progress));
-        const summary = done.find((entry) => entry.name === stage);
-        if (!summary) throw failure('internal', `The engine did not report on the stage ${stage}.`, stage);
+        const summary = await this.answer(generation, stage, generation.api.run(stage, progress));
         summaries.push(summary);
         const wanted = handlers.wants?.(summary) ?? true;
         const arrays = wanted ? await this.answer(generation, stage, generation.api.arrays(stage)) : null;
@@ -206,7 +244,20 @@ export class EngineClient {
       await this.answer(generation, 'volume', generation.api.loadVolume(file));
       generation.volume = digest;
     }
-    return this.answer(generation, 'recipe', generation.api.setRecipe(recipeJson));
+    const accepted = await this.answer(generation, 'recipe', generation.api.setRecipe(recipeJson));
+    const { masks, images } = accepted.recipe.sizing;
+    for (const { name } of masks) await this.loadSide(generation, 'mask', name);
+    for (const { name } of images) await this.loadSide(generation, 'image', name);
+    return accepted;
+  }
+
+  /** A file that is not there is the engine's to miss, once its stage comes. */
+  private async loadSide(generation: Generation, kind: SideKind, name: string): Promise<void> {
+    const key = sideKey(kind, name);
+    const file = this.sides.get(key);
+    if (!file || generation.sides.get(key) === file) return;
+    await this.answer(generation, 'sizing', generation.api.loadSideVolume(kind, file));
+    generation.sides.set(key, file);
   }
 
   private job<T>(body: (generation: Generation) => Promise<T>): Promise<T> {
@@ -229,7 +280,7 @@ export class EngineClient {
   private async answer<T>(generation: Generation, stage: string, call: Promise<Reply<T>>): Promise<T> {
     let reply: Reply<T>;
     try {
-      reply = await Promise.race([call, generation.ended]);
+      reply = await this.unlessEnded(generation, call);
     } catch (error) {
       if (error instanceof EngineError) throw error;
       const lost = failure('internal', `The engine stopped unexpectedly (${String(error)}).`, stage);
@@ -240,6 +291,15 @@ export class EngineClient {
     const error = new EngineError(reply.error);
     if (reply.error.fatal && generation.alive) this.replace(error);
     throw error;
+  }
+
+  /** What a call gives, or why its worker has ended. A race with `ended` would stay with it for the worker's whole life. */
+  private unlessEnded<T>(generation: Generation, call: Promise<T>): Promise<T> {
+    return new Promise((done, failed) => {
+      if (!generation.alive) return void generation.ended.catch(failed);
+      generation.waiting.add(failed);
+      void call.then(done, failed).then(() => generation.waiting.delete(failed));
+    });
   }
 
   private compiled(): Promise<WebAssembly.Module> {
@@ -273,11 +333,15 @@ export class EngineClient {
       api,
       started,
       ended,
+      waiting: new Set(),
       alive: true,
       volume: null,
+      sides: new Map(),
       end(error) {
         generation.alive = false;
         reject(error);
+        for (const failed of generation.waiting) failed(error);
+        generation.waiting.clear();
       },
     };
     let hasStarted = false;

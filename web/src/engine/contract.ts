@@ -1,10 +1,11 @@
 /** What the engine says and takes: the JSON of the wasm surface, typed. Lengths mm, patient space RAS. */
+import type { Recipe, Vec3 } from './recipe_types';
+
+export * from './recipe_types';
 
 /** The stages that the app shows. The engine's `tetra` runs by itself before `optimise`, `lookup` before `quality`. */
 export const stageNames = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'optimise', 'quality'] as const;
 export type StageName = (typeof stageNames)[number];
-
-export type Vec3 = [number, number, number];
 
 export type ErrorCode =
   'usage' | 'bad_input' | 'meshing' | 'differs' | 'out_of_memory' | 'cancelled' | 'internal';
@@ -127,6 +128,21 @@ export interface DistanceSummary {
   uncertainty_mm: number;
 }
 
+/** Parts of a wall's outer area: with as many layers beneath as wished, and with no fewer. */
+export interface LayerShares {
+  /** Index: number of layers. */
+  area_mm2: number[];
+  exact: number;
+  at_least: number;
+}
+
+export interface LayerCount {
+  wall: number[];
+  wished: number;
+  by_edges: LayerShares;
+  by_lines: LayerShares;
+}
+
 /** A label given to tetrahedra three ways, against its voxels. */
 export interface LookedUpLabel {
   label: number;
@@ -145,6 +161,8 @@ export interface Report {
   stages: StageSummary[];
   /** Absent where no label was to be looked up. */
   lookup?: LookedUpLabel[];
+  /** Absent where no number of layers was wished. */
+  layers?: LayerCount[];
   quality: { metrics: Metric[]; checklist: ChecklistItem[]; passed: boolean };
   fidelity: {
     labels: LabelFidelity[];
@@ -154,88 +172,6 @@ export interface Report {
   };
   recipe: Recipe;
   warnings: string[];
-}
-
-export type PhantomKind =
-  'sphere' | 'shell' | 'torus' | 'slab' | 'nested_boxes' | 'branching_tube' | 'biventricle';
-
-export interface PhantomParams {
-  kind: PhantomKind;
-  spacing_mm: Vec3;
-  rotation_deg: Vec3;
-  mirrored: boolean;
-  radius_mm: number;
-  inner_radius_mm: number;
-  thickness_mm: number;
-  scale: number;
-  roughness_mm: number;
-  blood_pools: boolean;
-  scar: boolean;
-  seed: number;
-}
-
-export interface FileSource {
-  name: string;
-  sha256: string;
-}
-
-/** At most one is set; none: nothing has been chosen yet. */
-export interface Source {
-  phantom?: PhantomParams;
-  file?: FileSource;
-}
-
-export type RegionShape = 'sphere' | 'box' | 'capsule';
-
-export interface SizeRegion {
-  name: string;
-  shape: RegionShape;
-  centre_mm: Vec3;
-  end_mm: Vec3;
-  half_size_mm: Vec3;
-  axes_deg: Vec3;
-  radius_mm: number;
-  edge_mm: number;
-  band_mm: number;
-}
-
-export interface Expected {
-  engine: string;
-  digest: string;
-  tets: number;
-}
-
-/** The full recipe: every field present. What a link promises (`expected`) is kept apart from it. */
-export interface Recipe {
-  source: Source;
-  labels: number[];
-  /** Groups of labels; each is meshed as one region. */
-  merge: number[][];
-  volume: { slice_ratio: number; speck_voxels: number; hole_voxels: number };
-  surface: { method: string };
-  smooth: { iterations: number; step: number; max_move_voxels: number; keep_volume: boolean };
-  sizing: {
-    edge_mm: number;
-    labels: { label: number; edge_mm: number }[];
-    regions: SizeRegion[];
-    distances: { label: number; edge_mm: number; slope: number }[];
-    edge_min_mm: number;
-    edge_max_mm: number;
-    gradation: number;
-  };
-  remesh: {
-    method: string;
-    keep_topology: string;
-    facet_angle_deg: number;
-    max_distance_voxels: number;
-    schedule: string;
-    shape_weight: number;
-    verify: boolean;
-  };
-  tetra: { backend: string; radius_edge: number; min_dihedral_deg: number; max_dihedral_deg: number };
-  optimise: { rounds: number; min_dihedral_deg: number; insertion_deg: number; slide: number };
-  lookup: { labels: number[]; samples_min: number; samples_max: number };
-  quality: { histogram_bins: number; sample_spacing_voxels: number };
 }
 
 export interface SchemaField {
@@ -270,6 +206,16 @@ export interface VolumeFile {
   siblings: Record<string, Uint8Array<ArrayBuffer>>;
 }
 
+/** What a file beside the volume is for. */
+export type SideKind = 'mask' | 'image';
+
+export interface SideSummary {
+  name: string;
+  digest: string;
+  /** Of a mask. */
+  labels: number[];
+}
+
 export interface SurfaceArrays {
   points: Float32Array;
   triangles: Uint32Array;
@@ -288,6 +234,8 @@ export interface TetArrays {
   faces: Uint32Array;
   /** Four per tet: its centroid in mm, and its label. */
   centres: Float32Array;
+  /** Four per label: it, and the way from the body's middle to its own. */
+  ways: Float32Array;
   /** How many half-faces are outer; outer or between labels; the largest distance of a corner from its centroid. */
   extents: Float64Array;
 }
@@ -310,18 +258,25 @@ export interface StageArrays {
   volume: { labels: Uint16Array };
   surface: SurfaceArrays;
   smooth: SurfaceArrays;
-  sizing: { h_mm: Float32Array };
+  /** Edge lengths on the field's grid; thickness of the walls on the prepared volume's, 0 outside of them. */
+  sizing: { h_mm: Float32Array; thickness_mm?: Float32Array };
   remesh: SurfaceArrays;
   optimise: TetArrays;
-  quality: Record<TetMeasure, Float32Array> & Partial<Record<LookedUpArray, Float32Array>>;
+  quality: Record<TetMeasure, Float32Array> &
+    Partial<Record<LookedUpArray, Float32Array>> & {
+      /** From each point on a label's boundary to the label surface; -1 inside. */
+      distance_mm?: Float32Array;
+    };
 }
 
 /** What the worker answers; every call is one message there and one back. */
 export interface EngineApi {
   start(module: WebAssembly.Module, scriptUrl: string, lock: string): Promise<EngineInfo>;
   loadVolume(file: VolumeFile): Reply<VolumeSummary>;
+  /** Takes a file that the recipe's sizing.masks or sizing.images name. */
+  loadSideVolume(kind: SideKind, file: VolumeFile): Reply<SideSummary>;
   setRecipe(json: string): Reply<{ recipe: Recipe; minimal: Record<string, unknown> }>;
-  run(stage: StageName, onProgress: (stage: StageName, fraction: number) => void): Reply<StageSummary[]>;
+  run(stage: StageName, onProgress: (stage: StageName, fraction: number) => void): Reply<StageSummary>;
   arrays(stage: StageName): Reply<Partial<StageArrays[StageName]>>;
   /** `name`: of the files without their suffixes, since some name one another. */
   exportMesh(format: ExportFormat, space: Space, name: string): Reply<ExportedFile[]>;

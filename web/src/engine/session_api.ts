@@ -1,3 +1,4 @@
+import { withRoom } from '../geometry/rows';
 import { smoothNormals } from '../geometry/smooth_normals';
 import { tetFaces } from '../geometry/tet_faces';
 import { tetNeighbours } from '../geometry/tet_neighbours';
@@ -22,6 +23,7 @@ export interface Session {
   schema(): string;
   defaults(): string;
   loadVolume(name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
+  loadSideVolume(kind: string, name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
   setRecipe(json: string): string;
   run(stage: string, onProgress: (stage: string, fraction: number) => void): string;
   view(stage: string, array: string): View | undefined;
@@ -39,10 +41,10 @@ const arrayNames: Record<StageName, readonly string[]> = {
   volume: ['labels'],
   surface: ['points', 'triangles', 'sides'],
   smooth: ['points', 'triangles', 'sides'],
-  sizing: ['h_mm'],
+  sizing: ['h_mm', 'thickness_mm'],
   remesh: ['points', 'triangles', 'sides'],
   optimise: ['points', 'tets', 'labels'],
-  quality: tetMeasures,
+  quality: [...tetMeasures, 'distance_mm'],
 };
 
 function lookedUpArrays(labels: readonly number[]): LookedUpArray[] {
@@ -101,6 +103,9 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
     loadVolume: (file) =>
       guarded('volume', () => JSON.parse(session.loadVolume(file.name, file.bytes, file.siblings))),
 
+    loadSideVolume: (kind, { name, bytes, siblings }) =>
+      guarded('sizing', () => JSON.parse(session.loadSideVolume(kind, name, bytes, siblings))),
+
     setRecipe: (json) =>
       guarded('recipe', () => {
         const reply = JSON.parse(session.setRecipe(json)) as ReturnType<EngineApi['setRecipe']>;
@@ -141,6 +146,8 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
         if (stage === 'optimise' && arrays.tets) {
           arrays.neighbours = tetNeighbours(arrays.tets as Uint32Array, arrays.points.length / 3);
           Object.assign(arrays, tetFaces(arrays as unknown as TetArrays));
+          for (const name of ['tets', 'neighbours', 'faces', 'centres'])
+            arrays[name] = withRoom(arrays[name] as Uint32Array<ArrayBuffer>);
         }
         return { ok: true, value: arrays as never };
       }),

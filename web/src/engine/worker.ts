@@ -49,8 +49,16 @@ function handOver<T extends object>(reply: T): T {
 const api: EngineApi = {
   start,
   loadVolume: (file) => current().loadVolume(file),
+  loadSideVolume: (kind, file) => current().loadSideVolume(kind, file),
   setRecipe: (json) => current().setRecipe(json),
-  run: (stage, onProgress) => current().run(stage, onProgress),
+  run: (stage, onProgress) => {
+    try {
+      return current().run(stage, onProgress);
+    } finally {
+      // The callback is a port of its own, which both sides would keep open.
+      (onProgress as unknown as Comlink.ProxyMethods)[Comlink.releaseProxy]();
+    }
+  },
   arrays: (stage) => handOver(current().arrays(stage)),
   exportMesh: (format, space, name) => handOver(current().exportMesh(format, space, name)),
   report: () => current().report(),

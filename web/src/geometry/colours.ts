@@ -83,3 +83,11 @@ export function colourTable(name: ColourMapName): Uint8Array {
 export function colourStops(name: ColourMapName): readonly string[] {
   return stops[name];
 }
+
+/** Unlike those of labels, which they lie over. */
+const paintPalette = ['#ff4fa3', '#00c2d1', '#ffb000', '#7a5cff', '#5ad200', '#ff5a1f'];
+
+/** A steady colour for what is painted with a size. */
+export function paintColour(paint: number): string {
+  return paintPalette[(paint - 1) % paintPalette.length];
+}

@@ -16,23 +16,33 @@ export type Painter = (element: number, label: number, out: Uint8Array, at: numb
 /** Triangles that border a shown label, coloured by it. */
 export function surfaceFaces(mesh: SurfaceArrays, hidden: ReadonlySet<number>, paint: Painter): Faces {
   const { points, triangles, sides, normals } = mesh;
-  const shown: number[] = [];
-  const seenAs: number[] = [];
-  for (let t = 0; t < triangles.length / 3; t++) {
+  const seenAs = new Uint16Array(triangles.length / 3);
+  let count = 0;
+  for (let t = 0; t < seenAs.length; t++) {
     const behind = sides[2 * t];
     const front = sides[2 * t + 1];
-    const label = !hidden.has(behind) ? behind : front > 0 && !hidden.has(front) ? front : 0;
-    if (label === 0) continue;
-    shown.push(t);
-    seenAs.push(label);
+    seenAs[t] = !hidden.has(behind) ? behind : front > 0 && !hidden.has(front) ? front : 0;
+    if (seenAs[t] > 0) count++;
   }
-  const faces = emptyFaces(shown.length);
-  if (normals) faces.normals = new Float32Array(9 * shown.length);
-  shown.forEach((t, face) => {
-    for (let c = 0; c < 3; c++) copyPoint(points, triangles[3 * t + c], faces.positions, 3 * face + c);
-    if (normals) for (let d = 0; d < 9; d++) faces.normals![9 * face + d] = normals[9 * t + d];
-    paintFace(faces, face, t, seenAs[face], paint);
-  });
+  const faces = emptyFaces(count);
+  const { positions, owners, colours } = faces;
+  if (normals) faces.normals = count === seenAs.length ? normals : new Float32Array(9 * count);
+  for (let t = 0, face = 0; t < seenAs.length; t++) {
+    if (seenAs[t] === 0) continue;
+    for (let c = 0; c < 3; c++) {
+      const from = 3 * triangles[3 * t + c];
+      const to = 9 * face + 3 * c;
+      positions[to] = points[from];
+      positions[to + 1] = points[from + 1];
+      positions[to + 2] = points[from + 2];
+    }
+    if (normals && faces.normals !== normals)
+      for (let d = 0; d < 9; d++) faces.normals![9 * face + d] = normals[9 * t + d];
+    owners[face] = t;
+    paint(t, seenAs[t], colours, 9 * face);
+    for (let d = 0; d < 3; d++) colours[9 * face + 3 + d] = colours[9 * face + 6 + d] = colours[9 * face + d];
+    face++;
+  }
   return faces;
 }
 
@@ -50,6 +60,18 @@ export function triangleEdges(points: Float32Array, triangles: Uint32Array): Flo
     edges[t] = sum / 3;
   }
   return edges;
+}
+
+/** The centroid of each triangle. */
+export function triangleCentres(points: Float32Array, triangles: Uint32Array): Float32Array {
+  const centres = new Float32Array(triangles.length);
+  for (let i = 0; i < centres.length; i++) {
+    const [t, d] = [3 * Math.floor(i / 3), i % 3];
+    let sum = 0;
+    for (let c = 0; c < 3; c++) sum += points[3 * triangles[t + c] + d];
+    centres[i] = sum / 3;
+  }
+  return centres;
 }
 
 /** The values that bound the middle 98 % of finite entries that count, from a sample of some 20,000 at most. */
@@ -71,17 +93,4 @@ function emptyFaces(count: number): Faces {
     colours: new Uint8Array(9 * count),
     owners: new Uint32Array(count),
   };
-}
-
-function copyPoint(points: Float32Array, point: number, out: Float32Array, corner: number): void {
-  out[3 * corner] = points[3 * point];
-  out[3 * corner + 1] = points[3 * point + 1];
-  out[3 * corner + 2] = points[3 * point + 2];
-}
-
-function paintFace(faces: Faces, face: number, owner: number, label: number, paint: Painter): void {
-  faces.owners[face] = owner;
-  const at = 9 * face;
-  paint(owner, label, faces.colours, at);
-  for (let d = 0; d < 3; d++) faces.colours[at + 3 + d] = faces.colours[at + 6 + d] = faces.colours[at + d];
 }

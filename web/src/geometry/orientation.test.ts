@@ -1,6 +1,15 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { dot, obliqueness, orientationLetters, sidesOf, sliceFrames, toIndex, toMm } from './orientation';
+import {
+  dot,
+  indexMap,
+  obliqueness,
+  orientationLetters,
+  sidesOf,
+  sliceFrames,
+  toIndex,
+  toMm,
+} from './orientation';
 
 const ras = [1, 0, 0, 5, 0, 2, 0, 6, 0, 0, 3, 7, 0, 0, 0, 1];
 const lps = [-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -58,4 +67,13 @@ describe('slices', () => {
     );
     expect(dot(toMm(ras, [1, 1, 1]), [1, 1, 1])).toBe(6 + 8 + 10);
   });
+});
+
+it('the map from one grid to another is that by way of millimetres', () => {
+  const m = indexMap(turned(30), ras);
+  const index = [3, -2, 5];
+  const direct = [0, 1, 2].map(
+    (row) => m[4 * row] * 3 - m[4 * row + 1] * 2 + m[4 * row + 2] * 5 + m[4 * row + 3],
+  );
+  toIndex(ras, toMm(turned(30), index)).forEach((x, row) => expect(direct[row]).toBeCloseTo(x, 9));
 });

@@ -127,3 +127,18 @@ export function toIndex(indexToMm: readonly number[], mm: readonly number[]): Ve
 export function dot(a: readonly number[], b: readonly number[]): number {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
+
+/** The affine map from one grid's indices to another's, 3×4, row-major. */
+export function indexMap(from: readonly number[], to: readonly number[]): number[] {
+  const origin = toIndex(to, toMm(from, [0, 0, 0]));
+  const ends = [0, 1, 2].map((axis) =>
+    toIndex(
+      to,
+      toMm(
+        from,
+        [0, 1, 2].map((other) => Number(other === axis)),
+      ),
+    ),
+  );
+  return origin.flatMap((start, row) => [...ends.map((end) => end[row] - start), start]);
+}

@@ -8,7 +8,7 @@ export function tetFaces({
   tets,
   labels,
   neighbours,
-}: Tets): Pick<TetArrays, 'faces' | 'centres' | 'extents'> {
+}: Tets): Pick<TetArrays, 'faces' | 'centres' | 'ways' | 'extents'> {
   let outer = 0;
   let between = 0;
   for (let half = 0; half < neighbours.length; half++) {
@@ -27,7 +27,12 @@ export function tetFaces({
     else if (own < other) faces[next[2]++] = half;
   }
   const { centres, reach } = centroids(points, tets, labels);
-  return { faces, centres, extents: Float64Array.of(outer, outer + between, reach) };
+  return {
+    faces,
+    centres,
+    ways: waysApart(centres),
+    extents: Float64Array.of(outer, outer + between, reach),
+  };
 }
 
 function centroids(points: Float32Array, tets: Uint32Array, labels: Uint16Array) {
@@ -49,6 +54,28 @@ function centroids(points: Float32Array, tets: Uint32Array, labels: Uint16Array)
     }
   }
   return { centres, reach: Math.sqrt(reach) };
+}
+
+/** From the body's middle to the middle of each label: the way it goes when the labels are pulled apart. */
+function waysApart(centres: Float32Array): Float32Array {
+  const sums = new Map<number, number[]>();
+  const whole = [0, 0, 0, 0];
+  for (let i = 0; i < centres.length; i += 4) {
+    let sum = sums.get(centres[i + 3]);
+    if (!sum) sums.set(centres[i + 3], (sum = [0, 0, 0, 0]));
+    for (let d = 0; d < 3; d++) {
+      sum[d] += centres[i + d];
+      whole[d] += centres[i + d];
+    }
+    sum[3]++;
+    whole[3]++;
+  }
+  return Float32Array.from(
+    [...sums].flatMap(([label, sum]) => [
+      label,
+      ...[0, 1, 2].map((d) => sum[d] / sum[3] - whole[d] / whole[3]),
+    ]),
+  );
 }
 
 /** Bits of a tet's mask. */

@@ -1,5 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
-import { openFiles } from '../store/actions';
+import { dropFiles } from '../store/open_files';
 import { activity, announcement, dismiss, lastCancelMs, notices } from '../store/run';
 import { showPlace } from '../store/view';
 import { CasePanel } from './case_panel';
@@ -67,7 +67,7 @@ function useDrop(): boolean {
       event.preventDefault();
       depth = 0;
       setOver(false);
-      void openFiles([...(event.dataTransfer?.files ?? [])]);
+      void dropFiles([...(event.dataTransfer?.files ?? [])]);
     };
     window.addEventListener('dragenter', onEnter);
     window.addEventListener('dragleave', onLeave);
@@ -87,7 +87,7 @@ export function App() {
   useShortcuts();
   const over = useDrop();
   return (
-    <div class="app" data-activity={activity.value} data-cancel-ms={lastCancelMs.value?.toFixed(0)}>
+    <div class="app" data-activity={activity.value} data-cancel-ms={lastCancelMs.value?.toFixed(1)}>
       <Header />
       <CasePanel />
       <ViewPanel />

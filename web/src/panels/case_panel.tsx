@@ -6,9 +6,12 @@ import { NumberField } from './fields';
 import { LabelTable } from './label_table';
 import { LookUpFields } from './look_up_fields';
 import { MergeAllField } from './merge_all_field';
+import { PaintSection } from './paint_section';
 import { RegionList } from './region_list';
+import { SizeFiles } from './size_files';
 import { SourceSection } from './source_section';
 import { StageSection } from './stage_section';
+import { WallList } from './wall_list';
 
 function LabelSection({ current }: { current: Recipe }) {
   const known = volume.value;
@@ -46,6 +49,9 @@ function SizingSection({ current }: { current: Recipe }) {
       {number('Edge length', 'edge_mm', 'mm', 0.1)}
       {number('Growth per mm', 'gradation', '', 0.05)}
       <RegionList current={current} />
+      <WallList current={current} />
+      <PaintSection />
+      <SizeFiles current={current} />
       <details class="more">
         <summary>Bounds</summary>
         {number('Smallest edge', 'edge_min_mm', 'mm', 0.1)}

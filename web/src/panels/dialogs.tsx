@@ -1,35 +1,24 @@
-import type { ComponentChildren } from 'preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
-import { exportFormats, type ExportFormat, type Space } from '../engine/contract';
+import { useEffect, useState } from 'preact/hooks';
+import { exportFormats, type ExportFormat, type Recipe, type Space } from '../engine/contract';
 import { acceptOffer, offered, closeOffer } from '../store/actions';
-import { downloadCase, downloadReport, exportMesh, shareCase, type SharedCase } from '../store/exchange';
+import {
+  downloadCase,
+  downloadReport,
+  exportMesh,
+  exportZip,
+  shareCase,
+  type SharedCase,
+} from '../store/exchange';
+import { recipe } from '../store/recipe';
 import { activity, report, upToDate } from '../store/run';
+import { Dialog } from './dialog';
 import { dialogShown } from './dialog_shown';
+import { DropDialog } from './drop_dialog';
 import { Segments } from './fields';
 import { whole } from './format';
 import { Gallery } from './gallery';
 import { Icon } from './icons';
 import { KeyList } from './key_list';
-
-function Dialog(props: { title: string; onClose(): void; children: ComponentChildren }) {
-  const element = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
-    const dialog = element.current;
-    if (dialog && !dialog.open) dialog.showModal();
-    return () => dialog?.close();
-  }, []);
-  return (
-    <dialog ref={element} aria-label={props.title} onCancel={props.onClose}>
-      <div class="dialog-head">
-        <h2>{props.title}</h2>
-        <button type="button" class="icon-button" aria-label="Close" onClick={props.onClose}>
-          <Icon name="cross" />
-        </button>
-      </div>
-      {props.children}
-    </dialog>
-  );
-}
 
 const formatNotes: Record<ExportFormat, [string, string]> = {
   vtu: ['VTU', 'ParaView, PyVista: tetrahedra and labels, mm'],
@@ -87,6 +76,18 @@ function ExportDialog({ close }: { close(): void }) {
         </button>
         <button
           type="button"
+          class="button"
+          title="The mesh with its report, the case and the masks of sizes"
+          disabled={!upToDate.value}
+          onClick={() => {
+            close();
+            void exportZip(format, space);
+          }}
+        >
+          All in one zip
+        </button>
+        <button
+          type="button"
           class="button primary"
           disabled={activity.value === 'export'}
           onClick={() => {
@@ -108,6 +109,12 @@ function lengthNote(length: number): string {
   return '';
 }
 
+/** Names of the files that a case is made from. */
+function filesOf({ source, sizing }: Recipe): string[] {
+  const all = [...(source.file ? [source.file] : []), ...sizing.masks, ...sizing.images];
+  return all.map(({ name }) => name);
+}
+
 function ShareDialog({ close }: { close(): void }) {
   const [shared, setShared] = useState<SharedCase | null>(null);
   const [copied, setCopied] = useState(false);
@@ -125,7 +132,7 @@ function ShareDialog({ close }: { close(): void }) {
     }
   };
   const note = shared ? lengthNote(shared.url.length) : '';
-  const isFile = shared !== null && 'file' in ((shared.minimal.source as object | undefined) ?? {});
+  const files = recipe.value ? filesOf(recipe.value) : [];
   return (
     <Dialog title="Share this case" onClose={close}>
       <p>
@@ -133,8 +140,11 @@ function ShareDialog({ close }: { close(): void }) {
           ? `The link holds the recipe and the digest of this mesh (${whole(report.value?.tets ?? 0)} tetrahedra). Whoever opens it and runs sees whether it is reproduced.`
           : 'The link holds the recipe only: run first, and it will also hold the digest of the mesh.'}
       </p>
-      {isFile && (
-        <p>The volume is not in the link. The receiver drops the same file in, and its digest is checked.</p>
+      {files.length > 0 && (
+        <p>
+          {files.join(', ')} {files.length === 1 ? 'is' : 'are'} not in the link. The receiver drops the same{' '}
+          {files.length === 1 ? 'file' : 'files'} in, and digests are checked.
+        </p>
       )}
       <textarea
         class="link"
@@ -196,6 +206,14 @@ function OfferDialog() {
             .join(', '),
     ],
   ];
+  if (sizing.thickness.length > 0)
+    rows.push(['Walls', sizing.thickness.map(({ wall }) => `labels ${wall.join(', ')}`).join('; ')]);
+  const sideFiles = filesOf({ ...offer.recipe, source: {} });
+  if (sideFiles.length > 0)
+    rows.push([
+      'Size files',
+      `${sideFiles.join(', ')}${offer.origin === 'link' ? ', to be dropped in' : ''}`,
+    ]);
   if (offer.expected)
     rows.push([
       'Promised',
@@ -245,6 +263,7 @@ export function Dialogs() {
   return (
     <>
       <OfferDialog />
+      <DropDialog />
       {dialogShown.value === 'export' && <ExportDialog close={close} />}
       {dialogShown.value === 'examples' && (
         <Dialog title="Examples" onClose={close}>

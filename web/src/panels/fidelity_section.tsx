@@ -1,4 +1,4 @@
-import type { LabelFidelity, LookedUpLabel, Report } from '../engine/contract';
+import type { LabelFidelity, LayerCount, LookedUpLabel, Report } from '../engine/contract';
 import { nameOf } from '../store/input';
 import { colourOf } from '../store/view';
 import { distanceText, percent, topologyRow, type TopologyCell } from './fidelity_text';
@@ -15,11 +15,11 @@ function LabelName({ label }: { label: number }) {
   );
 }
 
-function Heads({ numbers }: { numbers: string[] }) {
+function Heads({ first = 'Label', numbers }: { first?: string; numbers: string[] }) {
   return (
     <thead>
       <tr>
-        <th scope="col">Label</th>
+        <th scope="col">{first}</th>
         {numbers.map((name) => (
           <th key={name} scope="col" class="num">
             {name}
@@ -140,6 +140,34 @@ function LookUpTable({ labels }: { labels: LookedUpLabel[] }) {
   );
 }
 
+function LayerTable({ walls }: { walls: LayerCount[] }) {
+  const share = (part: number) => <td class="num">{(100 * part).toFixed(1)} %</td>;
+  return (
+    <>
+      <h3>Elements across walls</h3>
+      <div class="table-scroll" tabIndex={0} role="region" aria-label="Elements across walls">
+        <table class="measures" data-testid="layers">
+          <Heads first="Wall" numbers={['Wished', 'Exactly', 'At least']} />
+          <tbody>
+            {walls.map(({ wall, wished, by_edges }) => (
+              <tr key={wall.join()}>
+                <th scope="row">{wall.map(nameOf).join(', ')}</th>
+                <td class="num">{wished}</td>
+                {share(by_edges.exact)}
+                {share(by_edges.at_least)}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="facts">
+        Share of the outer area with as many edges from the outer surface to the inner one as wished, and with
+        no fewer.
+      </p>
+    </>
+  );
+}
+
 export function FidelitySection({ found }: { found: Report }) {
   const { labels, topology, mesh_to_surface: there, surface_to_mesh: back } = found.fidelity;
   return (
@@ -151,6 +179,7 @@ export function FidelitySection({ found }: { found: Report }) {
         {distanceText(back)}.
       </p>
       <TopologyTable found={topology} />
+      {found.layers && <LayerTable walls={found.layers} />}
       {found.lookup && <LookUpTable labels={found.lookup} />}
     </section>
   );

@@ -103,7 +103,7 @@ export function Header() {
           disabled={undoLabel.value === null}
           aria-label="Undo"
           title={undoLabel.value ? `Undo: ${undoLabel.value}` : 'Nothing to undo'}
-          onClick={undoEdit}
+          onClick={() => void undoEdit()}
         >
           <Icon name="undo" />
         </button>
@@ -113,7 +113,7 @@ export function Header() {
           disabled={redoLabel.value === null}
           aria-label="Redo"
           title={redoLabel.value ? `Redo: ${redoLabel.value}` : 'Nothing to redo'}
-          onClick={redoEdit}
+          onClick={() => void redoEdit()}
         >
           <Icon name="redo" />
         </button>

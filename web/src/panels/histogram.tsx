@@ -24,6 +24,17 @@ function cssColour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
+function showSelection(chart: uPlot, selected: [number, number] | null | undefined): void {
+  if (!selected) {
+    chart.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
+    return;
+  }
+  const left = chart.valToPos(selected[0], 'x');
+  const right = chart.valToPos(selected[1], 'x');
+  const tall = chart.bbox.height / devicePixelRatio;
+  chart.setSelect({ left, width: right - left, top: 0, height: tall }, false);
+}
+
 /** Percentages in equal bins, one stepped line a series. Dragging across it selects a range. */
 export function HistogramChart(props: HistogramProps) {
   const { series, unit, onSelect, selected } = props;
@@ -33,9 +44,7 @@ export function HistogramChart(props: HistogramProps) {
   select.current = onSelect;
   const isDark = dark.value;
 
-  useEffect(() => {
-    const element = host.current;
-    if (!element) return;
+  const draw = (element: HTMLElement): (() => void) => {
     const [lo, hi] = props.range ?? coveringRange(series.map((one) => one.histogram));
     const width = (hi - lo) / bins;
     // Edges of the bins, the last one repeated, so that the steps close.
@@ -93,6 +102,7 @@ export function HistogramChart(props: HistogramProps) {
       element,
     );
     plot.current = chart;
+    if (selected) showSelection(chart, selected);
     const observer = new ResizeObserver(() => chart.setSize({ width: element.clientWidth, height }));
     observer.observe(element);
     return () => {
@@ -100,21 +110,20 @@ export function HistogramChart(props: HistogramProps) {
       chart.destroy();
       plot.current = null;
     };
+  };
+
+  // Each in a task of its own: a report brings half a dozen at once.
+  useEffect(() => {
+    let remove: (() => void) | undefined;
+    const timer = setTimeout(() => (remove = host.current ? draw(host.current) : undefined));
+    return () => {
+      clearTimeout(timer);
+      remove?.();
+    };
   }, [series, props.range, isDark]);
 
   useEffect(() => {
-    const chart = plot.current;
-    if (!chart) return;
-    if (!selected) {
-      chart.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
-      return;
-    }
-    const left = chart.valToPos(selected[0], 'x');
-    const right = chart.valToPos(selected[1], 'x');
-    chart.setSelect(
-      { left, width: right - left, top: 0, height: chart.bbox.height / devicePixelRatio },
-      false,
-    );
+    if (plot.current) showSelection(plot.current, selected);
   }, [selected?.[0], selected?.[1], series, isDark]);
 
   const summary = series

@@ -14,7 +14,7 @@ const keys: [string, string][] = [
 const inViews: [string, string][] = [
   ['Arrows', 'Turn the 3-D view; move the crosshair in a slice'],
   ['+ and −', 'Zoom'],
-  ['Enter', 'Numbers of the element in the middle of the 3-D view'],
+  ['Enter', 'Numbers of the element in the middle of the 3-D view; a dab of the brush in a slice'],
   ['Page up, page down', 'The next slice, the slice before'],
   ['0', 'The whole slice'],
 ];

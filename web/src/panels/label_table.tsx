@@ -1,10 +1,11 @@
 import { useState } from 'preact/hooks';
 import type { LabelSummary, Recipe, VolumeSummary } from '../engine/contract';
+import { editColour } from '../store/actions';
 import { volume } from '../store/input';
 import { carrierOf, dropIdleSizes, groupedWith, groupsOf } from '../store/labels';
 import { editRecipe } from '../store/recipe';
 import { previewSoon } from '../store/runs';
-import { colourOf, hiddenLabels, ownColours } from '../store/view';
+import { colourOf, hiddenLabels } from '../store/view';
 import { NumberInput } from './fields';
 import { short, whole } from './format';
 import { Icon } from './icons';
@@ -132,9 +133,7 @@ export function LabelTable({ current }: { current: Recipe }) {
                     class="swatch"
                     aria-label={`Colour of ${text}`}
                     value={colourOf.value(label)}
-                    onInput={(event) =>
-                      (ownColours.value = { ...ownColours.value, [label]: event.currentTarget.value })
-                    }
+                    onInput={(event) => editColour(label, event.currentTarget.value)}
                   />
                 </td>
                 <td

@@ -4,6 +4,7 @@ import { volume } from '../store/input';
 import { editRecipe } from '../store/recipe';
 import { gizmoMode, regionShown, slicePlaces } from '../store/view';
 import { NumberField, Segments, SelectField, VectorField } from './fields';
+import { FoldedItem } from './folded_item';
 import { Icon } from './icons';
 
 /** Where the crosshair is, and how long the image is. */
@@ -71,7 +72,7 @@ function RegionFields({ region, index }: { region: SizeRegion; index: number }) 
         : [['translate', 'Move']]
   ) as ['translate' | 'rotate' | 'scale', string][];
   return (
-    <div class="region-fields">
+    <>
       <Segments
         label="Handle in the view"
         value={gizmoMode.value}
@@ -133,7 +134,7 @@ function RegionFields({ region, index }: { region: SizeRegion; index: number }) 
           />
         </>
       )}
-    </div>
+    </>
   );
 }
 
@@ -171,29 +172,16 @@ export function RegionList({ current }: { current: Recipe }) {
       {current.sizing.regions.map((region, index) => {
         const open = regionShown.value === index;
         return (
-          <div key={index} class={open ? 'region open' : 'region'}>
-            <div class="region-head">
-              <button
-                type="button"
-                class="region-name"
-                aria-expanded={open}
-                onClick={() => (regionShown.value = open ? null : index)}
-              >
-                <span>{region.name || `Region ${index + 1}`}</span>
-                <span class="region-edge">{region.edge_mm} mm</span>
-              </button>
-              <button
-                type="button"
-                class="icon-button small"
-                aria-label={`Remove ${region.name}`}
-                title="Remove"
-                onClick={() => remove(index)}
-              >
-                <Icon name="trash" size={14} />
-              </button>
-            </div>
-            {open && <RegionFields region={region} index={index} />}
-          </div>
+          <FoldedItem
+            key={index}
+            name={region.name || `Region ${index + 1}`}
+            note={`${region.edge_mm} mm`}
+            open={open}
+            onToggle={() => (regionShown.value = open ? null : index)}
+            onRemove={() => remove(index)}
+          >
+            <RegionFields region={region} index={index} />
+          </FoldedItem>
         );
       })}
     </div>

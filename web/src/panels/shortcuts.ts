@@ -59,8 +59,8 @@ function obeyKey(event: KeyboardEvent): boolean {
     if (!['idle', 'preview'].includes(activity.value)) return false;
     void runAll();
   } else if (held && key === 'z' && !(writes && target.type === 'text'))
-    (event.shiftKey ? redoEdit : undoEdit)();
-  else if (held && key === 'y' && !(writes && target.type === 'text')) redoEdit();
+    void (event.shiftKey ? redoEdit : undoEdit)();
+  else if (held && key === 'y' && !(writes && target.type === 'text')) void redoEdit();
   else if (held || event.altKey || typing || document.querySelector('dialog[open]')) return false;
   else if ((volume.value || key === '?') && Object.hasOwn(viewKeys, key)) viewKeys[key]();
   else return false;

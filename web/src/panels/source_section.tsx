@@ -1,7 +1,8 @@
 import { useRef } from 'preact/hooks';
 import type { PhantomKind, PhantomParams, Recipe, Vec3, VolumeSummary } from '../engine/contract';
 import { obliqueness, orientationLetters } from '../geometry/orientation';
-import { editPhantom, openFiles, openPhantom } from '../store/actions';
+import { editPhantom, openPhantom } from '../store/actions';
+import { openFiles } from '../store/open_files';
 import { previewSoon } from '../store/runs';
 import { volume } from '../store/input';
 import { dialogShown } from './dialog_shown';

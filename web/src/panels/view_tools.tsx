@@ -2,6 +2,7 @@ import type { Vec3 } from '../engine/contract';
 import { pinned } from '../store/compare';
 import { downloadPicture } from '../store/exchange';
 import { nameOf } from '../store/input';
+import { recipe } from '../store/recipe';
 import { shownDigests, shownResult } from '../store/results';
 import { report } from '../store/run';
 import {
@@ -20,6 +21,7 @@ import {
   slicePlaces,
   stageShown,
   type ColourBy,
+  type SliceOverlay,
 } from '../store/view';
 import { Segments } from './fields';
 import { Icon } from './icons';
@@ -39,6 +41,8 @@ const measureOptions: [ColourBy, string][] = [
   ['radius_ratio', 'Radius ratio'],
   ['mean_ratio', 'Mean ratio'],
   ['aspect_ratio', 'Aspect ratio'],
+  ['distance_mm', 'Distance to labels, mm'],
+  ['distance_voxels', 'Distance to labels, voxels'],
 ];
 
 function lookedUpOptions(): [ColourBy, string][] {
@@ -59,6 +63,10 @@ function ColourChoice() {
     ['edge_mm', 'Edge length'],
   ];
   if (onTets) options.push(...measureOptions, ...lookedUpOptions());
+  else {
+    options.push(['target_mm', 'Prescribed edge']);
+    if (recipe.value?.sizing.thickness.length) options.push(['thickness_mm', 'Wall thickness']);
+  }
   const chosen = options.some(([value]) => value === colourBy.value) ? colourBy.value : 'label';
   return (
     <label class="tool-field">
@@ -288,16 +296,21 @@ export function ViewToolbar() {
 /** What the slices show, in their corner. */
 export function SliceChoice() {
   if (layout.value !== 'slices') return null;
+  const options: [SliceOverlay, string, string?][] = [
+    ['labels', 'Labels'],
+    ['size', 'Edge length', 'The edge length asked for at every place'],
+  ];
+  if (recipe.value?.sizing.thickness.length)
+    options.push(['thickness', 'Thickness', 'How thick the walls are']);
+  const onField = stageShown.value === 'sizing';
+  const known = options.some(([value]) => value === sliceOverlay.value) ? sliceOverlay.value : 'size';
   return (
     <div class="slice-choice">
       <Segments
         label="Slices show"
-        value={stageShown.value === 'sizing' ? 'size' : sliceOverlay.value}
-        disabled={stageShown.value === 'sizing' ? ['labels'] : []}
-        options={[
-          ['labels', 'Labels'],
-          ['size', 'Edge length', 'The edge length asked for at every place'],
-        ]}
+        value={onField && known === 'labels' ? 'size' : known}
+        disabled={onField ? ['labels'] : []}
+        options={options}
         onChange={(next) => (sliceOverlay.value = next)}
       />
       {sliceLegend.value && <ScaleStrip shown={sliceLegend.value} />}

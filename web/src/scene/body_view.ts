@@ -22,6 +22,7 @@ export class BodyView {
   /** The triangle of the surface that each face is. */
   owners: Uint32Array | null = null;
   private mesh: TetArrays | null = null;
+  private faces: Faces | null = null;
   private readonly opaque = {
     flat: elementMaterial({ smooth: false }),
     smooth: elementMaterial({ smooth: true }),
@@ -50,8 +51,11 @@ export class BodyView {
 
   showSurface({ faces }: SurfaceBody, outline = false): void {
     this.dropModel();
-    this.surface.geometry.dispose();
-    this.surface.geometry = geometryOf(faces);
+    if (this.faces !== faces) {
+      this.faces = faces;
+      this.surface.geometry.dispose();
+      this.surface.geometry = geometryOf(faces);
+    }
     this.surface.material = outline ? this.glass : faces.normals ? this.opaque.smooth : this.opaque.flat;
     this.surface.visible = true;
     this.owners = outline ? null : faces.owners;

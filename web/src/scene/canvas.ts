@@ -14,6 +14,7 @@ export class Canvas {
   private readonly observer: ResizeObserver;
   private readonly panes = new Set<Pane>();
   private frame = 0;
+  private held = false;
 
   constructor(container: HTMLElement) {
     this.container = container;
@@ -40,6 +41,15 @@ export class Canvas {
     this.invalidate();
   }
 
+  /** Draws nothing before something has come: drawing with a shader that is not compiled waits for it. */
+  holdUntil(ready: Promise<void>): void {
+    this.held = true;
+    void ready.then(() => {
+      this.held = false;
+      this.invalidate();
+    });
+  }
+
   invalidate(): void {
     if (this.frame !== 0) return;
     this.frame = requestAnimationFrame(() => {
@@ -50,6 +60,7 @@ export class Canvas {
 
   /** Draws at once, so that the canvas can be read in the same turn. */
   draw(): void {
+    if (this.held) return;
     const frame = this.container.getBoundingClientRect();
     for (const pane of this.panes) {
       const box = pane.element.getBoundingClientRect();

@@ -1,6 +1,6 @@
 /** The numbers of one element, in words: no three.js. */
-import type { StageArrays, StageName } from '../engine/contract';
-import { nameOf } from '../store/input';
+import type { StageArrays, StageName, TetArrays } from '../engine/contract';
+import { nameOf, voxelMm } from '../store/input';
 import { shownResult } from '../store/results';
 import { fractionLabel, type Picked } from '../store/view';
 
@@ -34,6 +34,19 @@ function measureLines(measures: StageArrays['quality'], tet: number): [string, s
   ];
 }
 
+/** Of the corners that lie on a label's boundary the one farthest from the label surface. */
+function distanceLines(
+  measures: StageArrays['quality'],
+  { tets }: TetArrays,
+  tet: number,
+): [string, string][] {
+  const { distance_mm: distances } = measures;
+  if (!distances) return [];
+  const largest = Math.max(...[0, 1, 2, 3].map((corner) => distances[tets[4 * tet + corner]]));
+  if (largest < 0) return [];
+  return [['To the labels', `${largest.toFixed(3)} mm (${(largest / voxelMm.value).toFixed(2)} voxels)`]];
+}
+
 export function describe(stage: StageName, element: number, point?: readonly number[]): Picked | null {
   const at: [string, string][] = point ? [['At', `${point.map((x) => x.toFixed(1)).join(', ')} mm`]] : [];
   if (stage === 'optimise' || stage === 'quality') {
@@ -45,6 +58,7 @@ export function describe(stage: StageName, element: number, point?: readonly num
       lines: [
         ['Label', nameOf(mesh.labels[element])],
         ...(measures ? measureLines(measures, element) : []),
+        ...(measures ? distanceLines(measures, mesh, element) : []),
         ...at,
       ],
     };

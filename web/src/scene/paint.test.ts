@@ -1,5 +1,6 @@
 import { afterEach, describe, expect, it } from 'vitest';
-import { tetMeasures, type StageArrays } from '../engine/contract';
+import { tetMeasures, type StageArrays, type VolumeSummary } from '../engine/contract';
+import { volume } from '../store/input';
 import { colourBy } from '../store/view';
 import { tetPaint } from './paint';
 
@@ -37,5 +38,19 @@ describe('colours of tetrahedra', () => {
     colourBy.value = 'fraction_5';
     const paint = tetPaint(looked);
     expect(paint.kind === 'scale' && [paint.legend.lo, paint.legend.hi]).toEqual([0, 1]);
+  });
+
+  it('show distances to the labels from nothing up, in millimetres or voxels, and none inside', () => {
+    const distance_mm = Float32Array.from([-1, 0, 1, 2]);
+    volume.value = { spacing_mm: [0.5, 2, 2] } as VolumeSummary;
+    for (const [by, unit, hi] of [
+      ['distance_mm', 'mm', 2],
+      ['distance_voxels', 'voxels', 4],
+    ] as const) {
+      colourBy.value = by;
+      const paint = tetPaint({ ...measures, distance_mm });
+      expect(paint.kind === 'points' && [...paint.values]).toEqual([-1, 0, hi / 2, hi]);
+      expect(paint.kind === 'points' && paint.legend).toMatchObject({ unit, lo: 0, hi });
+    }
   });
 });

@@ -37,6 +37,7 @@ import { arrayTexture } from './textures';
 import { followTets, tetCentre, type TetSource } from './tets_view';
 import { Twin } from './twin';
 import { Viewer } from './viewer';
+import { WarmUp } from './warm_up';
 
 /** Offset of the cutting plane along its normal, from the fraction of the body's extent. */
 function planeOffset(viewer: Viewer, normal: Vec3, place: number): number {
@@ -78,6 +79,8 @@ export function mountScene(container: HTMLElement): () => void {
   addScaleBar(viewer, main);
   const stopRegions = addRegions(viewer);
   const slices = addSlices(canvas, viewer, panes);
+  const warmUp = new WarmUp(canvas.renderer, slices.material);
+  canvas.holdUntil(warmUp.ready);
   const body = new BodyView();
   viewer.add(body.group);
   const beside = document.createElement('div');
@@ -255,6 +258,7 @@ export function mountScene(container: HTMLElement): () => void {
     body.dispose();
     other.dispose();
     twin.dispose();
+    warmUp.dispose();
     viewer.dispose();
     canvas.dispose();
     container.replaceChildren();

@@ -14,13 +14,11 @@ import {
   Vector3,
   type Texture,
 } from 'three';
+import { paintColour } from '../geometry/colours';
+import type { Grid } from '../geometry/grid_values';
+import type { Field } from '../store/sizing_fields';
+import type { Legend } from '../store/view';
 import { paletteTexture, scaleTexture } from './textures';
-
-export interface Grid {
-  size: readonly number[];
-  /** 4×4, row-major. */
-  indexToMm: readonly number[];
-}
 
 const vertexShader = /* glsl */ `
 precision highp float;
@@ -37,10 +35,10 @@ precision highp float;
 precision highp int;
 precision highp sampler3D;
 precision highp usampler3D;
-uniform usampler3D labels;
+uniform usampler3D labels, paint;
 uniform sampler3D sizes;
-uniform sampler2D palette, scale;
-uniform mat4 toLabel, toSize;
+uniform sampler2D palette, paintPalette, scale;
+uniform mat4 toLabel, toSize, toPaint;
 uniform vec2 range;
 uniform bool bySize;
 in vec3 vWorld;
@@ -52,23 +50,36 @@ int labelAt(vec3 index) {
   return int(texelFetch(labels, i, 0).r);
 }
 
-void main() {
+vec4 imageColour() {
   vec3 index = (toLabel * vec4(vWorld, 1.0)).xyz;
   int label = labelAt(index);
   vec4 own = texelFetch(palette, ivec2(label & 255, label >> 8), 0);
-  if (!bySize) {
-    outColour = own;
-    return;
-  }
+  if (!bySize) return own;
   vec3 place = ((toSize * vec4(vWorld, 1.0)).xyz + 0.5) / vec3(textureSize(sizes, 0));
-  float x = clamp((texture(sizes, place).r - range.x) / (range.y - range.x), 0.0, 1.0);
+  float value = texture(sizes, place).r;
+  if (value <= 0.0) return vec4(own.rgb, 0.35 * own.a);
+  float x = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
   vec3 colour = texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb;
   // The labels stay visible as outlines in their own colours.
   vec3 right = dFdx(index);
   vec3 up = dFdy(index);
   bool border = labelAt(index + right) != label || labelAt(index - right) != label ||
     labelAt(index + up) != label || labelAt(index - up) != label;
-  outColour = border && label > 0 ? vec4(own.rgb, 1.0) : vec4(colour, label > 0 ? 1.0 : 0.4);
+  return border && label > 0 ? vec4(own.rgb, 1.0) : vec4(colour, label > 0 ? 1.0 : 0.4);
+}
+
+int paintAt(vec3 index) {
+  ivec3 i = ivec3(floor(index + 0.5));
+  bool inside = all(greaterThanEqual(i, ivec3(0))) && all(lessThan(i, textureSize(paint, 0)));
+  return inside ? int(texelFetch(paint, i, 0).r) : 0;
+}
+
+void main() {
+  outColour = imageColour();
+  int painted = paintAt((toPaint * vec4(vWorld, 1.0)).xyz);
+  if (painted == 0) return;
+  vec4 own = texelFetch(paintPalette, ivec2(painted & 255, painted >> 8), 0);
+  outColour = vec4(mix(outColour.rgb, own.rgb, 0.65), max(outColour.a, 0.85));
 }`;
 
 function volumeTexture(
@@ -116,6 +127,9 @@ export class SliceImage {
         scale: { value: scaleTexture('viridis') },
         toLabel: { value: new Matrix4() },
         toSize: { value: new Matrix4() },
+        toPaint: { value: new Matrix4() },
+        paint: { value: volumeTexture(new Uint8Array(1), [1, 1, 1]) },
+        paintPalette: { value: paletteTexture(255, paintColour, new Set()) },
         range: { value: new Vector2(0, 1) },
         bySize: { value: false },
       },
@@ -134,12 +148,28 @@ export class SliceImage {
     this.replace('palette', paletteTexture(largest, colour, hidden));
   }
 
-  setSizes(sizes: Float32Array, grid: Grid, lo: number, hi: number): void {
-    const texture = volumeTexture(sizes, grid.size);
-    if (this.smooth) texture.magFilter = texture.minFilter = LinearFilter;
+  /** A field in colour. Where it is 0 there is none: with `gaps` of that kind nothing may be interpolated. */
+  setField({ values, grid }: Field, { map, lo, hi }: Legend, gaps: boolean): void {
+    const texture = volumeTexture(values, grid.size);
+    if (this.smooth && !gaps) texture.magFilter = texture.minFilter = LinearFilter;
+    this.replace('scale', scaleTexture(map));
     this.replace('sizes', texture);
     this.material.uniforms.toSize.value.copy(inverse(grid.indexToMm));
     this.material.uniforms.range.value.set(lo, hi);
+  }
+
+  /** What is painted over the image; null: nothing. The same labels again have changed in place. */
+  setPaint(labels: Uint8Array | null, grid: Grid): void {
+    const texture = this.material.uniforms.paint.value as Data3DTexture;
+    if (labels && texture.image.data === labels) {
+      texture.needsUpdate = true;
+      return;
+    }
+    this.replace(
+      'paint',
+      labels ? volumeTexture(labels, grid.size) : volumeTexture(new Uint8Array(1), [1, 1, 1]),
+    );
+    this.material.uniforms.toPaint.value.copy(inverse(grid.indexToMm));
   }
 
   showSizes(on: boolean): void {
@@ -172,7 +202,7 @@ export class SliceImage {
     this.material.dispose();
   }
 
-  private replace(name: 'labels' | 'sizes' | 'palette', texture: Texture): void {
+  private replace(name: 'labels' | 'sizes' | 'scale' | 'paint' | 'palette', texture: Texture): void {
     (this.material.uniforms[name].value as Texture).dispose();
     this.material.uniforms[name].value = texture;
   }

@@ -13,7 +13,9 @@ import type { Vec3 } from '../engine/contract';
 import { slicePlaces } from '../store/view';
 import type { Canvas, Pane } from './canvas';
 import { setPositions } from './positions';
-import type { Grid, SliceImage } from './slice_material';
+import type { Grid } from '../geometry/grid_values';
+import type { SliceImage } from './slice_material';
+import { SliceBrush } from './slice_brush';
 import { SliceRegions } from './slice_regions';
 
 /** What is seen of a body in the plane of its uniform `cutPlane`. */
@@ -53,6 +55,7 @@ export class SlicePane {
   private readonly lines: HTMLElement[];
   private readonly pane: Pane;
   private readonly regions: SliceRegions;
+  private readonly brush: SliceBrush;
   private readonly stop: () => void;
   private frame: SliceFrame;
   private grid: Grid;
@@ -93,11 +96,13 @@ export class SlicePane {
       draw: (renderer) => renderer.render(this.scene, this.camera),
     };
     canvas.add(this.pane);
-    this.regions = new SliceRegions(this.root, {
+    const plane = {
       size: () => this.size,
       mmPerPixel: () => this.mmPerPixel,
-      mmAt: (x, y) => this.mmAt(x, y),
-    });
+      mmAt: (x: number, y: number) => this.mmAt(x, y),
+    };
+    this.regions = new SliceRegions(this.root, plane);
+    this.brush = new SliceBrush(this.root, plane);
     this.listen();
     this.stop = effect(() => {
       this.follow(slicePlaces.value);
@@ -137,6 +142,7 @@ export class SlicePane {
   dispose(): void {
     this.stop();
     this.regions.dispose();
+    this.brush.dispose();
     this.canvas.remove(this.pane);
     this.quad.geometry.dispose();
     this.root.remove();
@@ -264,8 +270,8 @@ export class SlicePane {
   }
 
   private listen(): void {
-    const { surface, regions } = this;
-    let held: 'aim' | 'shift' | 'region' | null = null;
+    const { surface, regions, brush } = this;
+    let held: 'aim' | 'shift' | 'region' | 'brush' | null = null;
     const placeOf = (event: MouseEvent): [number, number] => {
       const box = surface.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
@@ -274,12 +280,15 @@ export class SlicePane {
       const at = placeOf(event);
       surface.setPointerCapture(event.pointerId);
       if (event.button !== 0 || event.shiftKey) held = 'shift';
-      else held = regions.take(...at) ? 'region' : 'aim';
+      else held = brush.on ? 'brush' : regions.take(...at) ? 'region' : 'aim';
       if (held === 'aim') this.aim(...at);
+      else if (held === 'brush') brush.take(...at, this.frame.across);
     });
     surface.addEventListener('pointermove', (event) => {
       const at = placeOf(event);
-      if (held === null) surface.style.cursor = regions.cursorAt(...at);
+      if (held === null && brush.on) brush.hover(...at);
+      else if (held === null) surface.style.cursor = regions.cursorAt(...at);
+      else if (held === 'brush') brush.dragTo(...at);
       else if (held === 'region') regions.dragTo(...at);
       else if (held === 'aim') this.aim(...at);
       else if (held === 'shift') {
@@ -290,9 +299,11 @@ export class SlicePane {
       }
     });
     const release = () => {
+      if (held === 'brush') brush.release();
       held = null;
       regions.release();
     };
+    surface.addEventListener('pointerleave', () => brush.leave());
     surface.addEventListener('pointerup', release);
     surface.addEventListener('pointercancel', release);
     surface.addEventListener('contextmenu', (event) => event.preventDefault());
@@ -362,6 +373,10 @@ export class SlicePane {
         break;
       case '0':
         this.setFrame(this.frame);
+        break;
+      case 'Enter':
+        if (!this.brush.on || event.ctrlKey || event.metaKey) return;
+        this.brush.dab(this.centre, this.frame.across);
         break;
       default:
         return;

@@ -1,13 +1,15 @@
 /** The image: three linked slices beside the 3-D view, the same slices as planes in it, and the crosshair of both. */
 import { effect, untracked } from '@preact/signals';
-import { BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh } from 'three';
+import { BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh, type Material } from 'three';
 import type { Vec3 } from '../engine/contract';
 import { robustRange } from '../geometry/faces';
-import { sliceFrames, toIndex, toMm } from '../geometry/orientation';
+import type { Grid } from '../geometry/grid_values';
+import { indexMap, sliceFrames, toMm } from '../geometry/orientation';
 import { volume } from '../store/input';
+import { paintedVoxels } from '../store/painting';
 import { recipe } from '../store/recipe';
 import { shownResult } from '../store/results';
-import { stages } from '../store/run';
+import { sizingFields } from '../store/sizing_fields';
 import {
   colourOf,
   hiddenLabels,
@@ -17,6 +19,7 @@ import {
   sliceOverlay,
   slicePlaces,
   stageShown,
+  type Legend,
 } from '../store/view';
 import type { Canvas } from './canvas';
 import { setPositions } from './positions';
@@ -27,19 +30,25 @@ import type { Viewer } from './viewer';
 /** Along right, front and head: the colours of the cross that turns the view. */
 const axisColours = [0xb5433b, 0x2c7a4b, 0x2b62ab];
 
+const hasValue = (values: Float32Array) => (voxel: number) => values[voxel] > 0;
+
 /** Whether a voxel of a grid lies in a label that is meshed. */
-function meshedVoxels(size: Vec3, indexToMm: readonly number[]): ((voxel: number) => boolean) | undefined {
+function meshedVoxels({ size, indexToMm }: Grid): ((voxel: number) => boolean) | undefined {
   const labels = shownResult('volume')?.labels;
   const known = volume.value;
   if (!labels || !known) return undefined;
   const chosen = new Set(recipe.value?.labels);
+  const m = indexMap(indexToMm, known.index_to_mm);
+  const [nx, ny, nz] = known.size;
   return (voxel) => {
-    const column = voxel % size[0];
-    const row = Math.floor(voxel / size[0]) % size[1];
-    const slice = Math.floor(voxel / (size[0] * size[1]));
-    const [i, j, k] = toIndex(known.index_to_mm, toMm(indexToMm, [column, row, slice])).map(Math.round);
-    if ([i, j, k].some((at, axis) => at < 0 || at >= known.size[axis])) return false;
-    const label = labels[i + known.size[0] * (j + known.size[1] * k)];
+    const x = voxel % size[0];
+    const y = Math.floor(voxel / size[0]) % size[1];
+    const z = Math.floor(voxel / (size[0] * size[1]));
+    const i = Math.round(m[0] * x + m[1] * y + m[2] * z + m[3]);
+    const j = Math.round(m[4] * x + m[5] * y + m[6] * z + m[7]);
+    const k = Math.round(m[8] * x + m[9] * y + m[10] * z + m[11]);
+    if (i < 0 || j < 0 || k < 0 || i >= nx || j >= ny || k >= nz) return false;
+    const label = labels[i + nx * (j + ny * k)];
     return label > 0 && (chosen.size === 0 || chosen.has(label));
   };
 }
@@ -47,6 +56,7 @@ function meshedVoxels(size: Vec3, indexToMm: readonly number[]): ((voxel: number
 const showsPlanes = () => stageShown.value === 'volume' || stageShown.value === 'sizing';
 
 export interface SlicesView {
+  material: Material;
   /** What the slices show of a body: the edges of a mesh, or the outline of a surface. Made once they are looked at. */
   showSections(prepare: (() => () => Section) | null): void;
   dispose(): void;
@@ -116,19 +126,26 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
       canvas.invalidate();
     }),
     effect(() => {
-      const sizes = shownResult('sizing')?.h_mm;
-      const wanted =
-        stageShown.value === 'sizing' || (layout.value === 'slices' && sliceOverlay.value === 'size');
-      const summary = untracked(() => stages.value.sizing.summary);
-      const counts = summary?.counts as { size: Vec3; index_to_mm: number[] } | undefined;
-      image.showSizes(wanted && sizes !== undefined);
+      const painted = paintedVoxels();
+      image.setPaint(painted?.labels ?? null, painted?.grid ?? image.grid);
+      canvas.invalidate();
+    }),
+    effect(() => {
+      const overlay = layout.value === 'slices' ? sliceOverlay.value : 'labels';
+      const wanted = stageShown.value === 'sizing' || overlay !== 'labels';
+      const fields = wanted ? sizingFields() : null;
+      const thick = overlay === 'thickness' && fields !== null && fields.thickness !== null;
+      const field = thick ? fields.thickness : fields?.size;
+      image.showSizes(field != null);
       sliceLegend.value = null;
       canvas.invalidate();
-      if (!wanted || !sizes || !counts) return;
-      const meshed = untracked(() => meshedVoxels(counts.size, counts.index_to_mm));
-      const [lo, hi] = robustRange(sizes, meshed);
-      image.setSizes(sizes, { size: counts.size, indexToMm: counts.index_to_mm }, lo, hi);
-      sliceLegend.value = { title: 'Prescribed edge length', unit: 'mm', map: 'viridis', lo, hi };
+      if (!field) return;
+      const counts = untracked(() => (thick ? hasValue(field.values) : meshedVoxels(field.grid)));
+      const [lo, hi] = robustRange(field.values, counts);
+      const title = thick ? 'Wall thickness' : 'Prescribed edge length';
+      const shown: Legend = { title, unit: 'mm', map: thick ? 'cividis' : 'viridis', lo, hi };
+      image.setField(field, shown, thick);
+      sliceLegend.value = shown;
     }),
     effect(() => {
       moveCross(slicePlaces.value);
@@ -167,6 +184,7 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
   };
 
   return {
+    material: image.material,
     showSections(prepare) {
       dropSections();
       pending = prepare;

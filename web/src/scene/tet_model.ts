@@ -1,6 +1,7 @@
 import {
   BufferGeometry,
   Color,
+  DataTexture,
   DoubleSide,
   GLSL3,
   Group,
@@ -10,11 +11,13 @@ import {
   Vector3,
   Vector4,
   type Texture,
+  type WebGLRenderer,
 } from 'three';
 import type { TetArrays } from '../engine/contract';
 import { chosenBit, shownBit } from '../geometry/tet_faces';
 import { noClip, shadingUniforms } from './element_material';
 import type { TetPaint } from './paint';
+import { nextTask } from './tasks';
 import { shadingFragment } from './shading';
 import { facesVertex, sectionVertex } from './tet_shaders';
 import { arrayTexture, labelTexture, paletteTexture, pointTexture, scaleTexture } from './textures';
@@ -28,33 +31,8 @@ export interface Plane {
   flat: boolean;
 }
 
-const paintCodes = { label: 0, scale: 1, given: 2 } as const;
+const paintCodes = { label: 0, scale: 1, given: 2, points: 4 } as const;
 const plainCode = 3;
-
-function largestLabel(centres: Float32Array): number {
-  let largest = 0;
-  for (let i = 3; i < centres.length; i += 4) largest = Math.max(largest, centres[i]);
-  return largest;
-}
-
-/** From the body's middle to the middle of each label: the way it goes when the labels are pulled apart. */
-function waysApart(centres: Float32Array): Map<number, number[]> {
-  const sums = new Map<number, number[]>();
-  const whole = [0, 0, 0, 0];
-  for (let i = 0; i < centres.length; i += 4) {
-    let sum = sums.get(centres[i + 3]);
-    if (!sum) sums.set(centres[i + 3], (sum = [0, 0, 0, 0]));
-    for (let d = 0; d < 3; d++) {
-      sum[d] += centres[i + d];
-      whole[d] += centres[i + d];
-    }
-    sum[3]++;
-    whole[3]++;
-  }
-  return new Map(
-    [...sums].map(([label, sum]) => [label, [0, 1, 2].map((d) => sum[d] / sum[3] - whole[d] / whole[3])]),
-  );
-}
 
 /**
  * A tetrahedral mesh on the graphics card. Its arrays are uploaded once; cuts, choices, colours and pulling apart
@@ -71,10 +49,13 @@ export class TetModel {
   private plane: Plane | null = null;
   private partly = false;
   private hides = false;
+  private disposed = false;
 
   constructor(mesh: TetArrays) {
     this.mesh = mesh;
-    this.largest = largestLabel(mesh.centres);
+    const ways = new Map<number, Float32Array>();
+    for (let i = 0; i < mesh.ways.length; i += 4) ways.set(mesh.ways[i], mesh.ways.subarray(i + 1, i + 4));
+    this.largest = Math.max(0, ...ways.keys());
     const { faces, centres, extents, tets, neighbours } = mesh;
     this.shared = {
       points: { value: pointTexture(mesh.points) },
@@ -86,7 +67,7 @@ export class TetModel {
       values: { value: arrayTexture(new Float32Array(1), 1) },
       palette: { value: paletteTexture(this.largest, () => '#969696', new Set()) },
       scale: { value: scaleTexture('viridis') },
-      offsets: { value: labelTexture(this.largest, waysApart(centres)) },
+      offsets: { value: labelTexture(this.largest, ways) },
       counts: { value: new Vector2(extents[0], extents[1]) },
       reach: { value: extents[2] },
       range: { value: new Vector2(0, 1) },
@@ -106,9 +87,21 @@ export class TetModel {
     this.update();
   }
 
+  /** Takes the textures to the graphics card one a task, since all of them at once would hold up the page. */
+  async upload(renderer: WebGLRenderer): Promise<void> {
+    this.group.visible = false;
+    for (const { value } of Object.values(this.shared)) {
+      if (this.disposed) return;
+      if (!(value instanceof DataTexture)) continue;
+      renderer.initTexture(value);
+      await nextTask();
+    }
+    this.group.visible = true;
+  }
+
   /** What a click may hit. */
   get pickable(): TetDrawing[] {
-    return [this.solid, this.cap].filter((one) => one.visible);
+    return this.group.visible ? [this.solid, this.cap].filter((one) => one.visible) : [];
   }
 
   /** Another section of the mesh, for a slice: edges only, its plane the uniform `cutPlane`. */
@@ -130,7 +123,7 @@ export class TetModel {
   setPaint(paint: TetPaint, colour: (label: number) => string): void {
     this.replace('palette', paletteTexture(this.largest, colour, new Set()));
     if (paint.kind !== 'label') this.replace('values', arrayTexture(paint.values, 1));
-    if (paint.kind === 'scale') {
+    if (paint.kind === 'scale' || paint.kind === 'points') {
       this.replace('scale', scaleTexture(paint.legend.map));
       this.shared.range.value.set(paint.legend.lo, paint.legend.hi);
     }
@@ -158,6 +151,7 @@ export class TetModel {
   }
 
   dispose(): void {
+    this.disposed = true;
     for (const { value } of Object.values(this.shared)) (value as Partial<Texture>).dispose?.();
     for (const one of [this.solid, this.cap, this.ghost]) {
       one.geometry.dispose();

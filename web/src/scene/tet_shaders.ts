@@ -27,11 +27,15 @@ ivec2 ofLabel(int label) { return ivec2(label & 255, label >> 8); }
 vec3 point(uint i) { return texelFetch(points, at(int(i)), 0).xyz; }
 bool chosen(int tet) { return (texelFetch(mask, at(tet), 0).r & need) == need; }
 
+/** Of the face that is drawn, where points have values; below 0 there is none. */
+float faceValue = -1.0;
+
 vec3 colourOf(int tet, int label) {
   if (tet == singled) return singledColour;
   if (paint == 0) return texelFetch(palette, ofLabel(label), 0).rgb;
   if (paint == 3) return plain;
-  float value = texelFetch(values, at(tet), 0).r;
+  if (paint == 4 && faceValue < 0.0) return plain;
+  float value = paint == 4 ? faceValue : texelFetch(values, at(tet), 0).r;
   if (paint == 2) return texelFetch(palette, ofLabel(int(value)), 0).rgb;
   float x = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
   return texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb;
@@ -79,8 +83,12 @@ void main() {
     return;
   }
   uvec4 corners = texelFetch(tets, at(own), 0);
+  ivec3 turn = opposite[half_ & 3];
   vCorner = vec3(corner == 0, corner == 1, corner == 2);
-  place(mine ? own : other, point(corners[opposite[half_ & 3][corner]]));
+  if (paint == 4 && face < counts.y) {
+    for (int k = 0; k < 3; k++) faceValue = max(faceValue, texelFetch(values, at(int(corners[turn[k]])), 0).r);
+  }
+  place(mine ? own : other, point(corners[turn[corner]]));
 }`;
 
 /** Six vertices a tet: the triangle or quad in which a plane cuts it. */

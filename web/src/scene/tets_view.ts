@@ -58,7 +58,10 @@ export function followTets(
       const shown = source();
       if (!shown) return;
       const model = body.showTets(shown.mesh);
-      if (model) untracked(() => onModel?.(model));
+      if (model) {
+        untracked(() => onModel?.(model));
+        void model.upload(canvas.renderer).then(() => canvas.invalidate());
+      }
       canvas.invalidate();
     }),
     effect(() => {
@@ -77,9 +80,10 @@ export function followTets(
       const shown = source();
       if (!shown || !body.model) return;
       const paint = tetPaint(shown.measures);
-      if (leads) legend.value = paint.kind === 'scale' ? paint.legend : null;
+      const scaled = paint.kind === 'scale' || paint.kind === 'points';
+      if (leads) legend.value = scaled ? paint.legend : null;
       // Two runs are compared on one scale: that of the run that leads.
-      else if (paint.kind === 'scale' && legend.value) paint.legend = legend.value;
+      else if (scaled && legend.value) paint.legend = legend.value;
       body.model.setPaint(paint, colourOf.value);
       canvas.invalidate();
     }),

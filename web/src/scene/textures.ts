@@ -12,13 +12,12 @@ import {
   type TextureDataType,
 } from 'three';
 import { colourTable, rgbOf, type ColourMapName } from '../geometry/colours';
+import { inRows, texelsPerRow } from '../geometry/rows';
 
-/** Rows of this many texels; the shaders count on it. */
-const width = 2048;
 /** Labels stand in rows of this many. */
 const labelsPerRow = 256;
 
-type Texels = Float32Array | Uint32Array | Int32Array | Uint8Array;
+type Texels = Parameters<typeof inRows>[0];
 
 function formatOf(array: Texels, channels: 1 | 4): [PixelFormat, TextureDataType] {
   if (array instanceof Float32Array) return [channels === 1 ? RedFormat : RGBAFormat, FloatType];
@@ -28,11 +27,10 @@ function formatOf(array: Texels, channels: 1 | 4): [PixelFormat, TextureDataType
 }
 
 /** A long array as a texture of rows, one or four numbers a texel. */
-export function arrayTexture(array: Texels, channels: 1 | 4): DataTexture {
-  const rows = Math.max(1, Math.ceil(array.length / channels / width));
-  const padded = new (array.constructor as new (length: number) => Texels)(rows * width * channels);
-  padded.set(array);
-  const texture = new DataTexture(padded as never, width, rows, ...formatOf(array, channels));
+export function arrayTexture(array: ArrayLike<number>, channels: 1 | 4): DataTexture {
+  const data = inRows(array as Texels, channels);
+  const rows = data.length / channels / texelsPerRow;
+  const texture = new DataTexture(data as never, texelsPerRow, rows, ...formatOf(data, channels));
   texture.needsUpdate = true;
   return texture;
 }
@@ -69,7 +67,7 @@ export function paletteTexture(
 }
 
 /** Three numbers a label. */
-export function labelTexture(largest: number, vectors: ReadonlyMap<number, readonly number[]>): DataTexture {
+export function labelTexture(largest: number, vectors: ReadonlyMap<number, ArrayLike<number>>): DataTexture {
   const rows = labelRows(largest);
   const data = new Float32Array(4 * labelsPerRow * rows);
   for (const [label, vector] of vectors) data.set(vector, 4 * label);

@@ -6,26 +6,30 @@ import {
   type Expected,
   type PhantomParams,
   type Recipe,
-  type VolumeFile,
   type VolumeSummary,
 } from '../engine/contract';
-import { decodeFragment, parseCase } from '../link/codec';
-import { autosave, savedCase } from './autosave';
-import { engine, takeTurn, tellError, useEngine } from './engine';
+import { decodeFragment } from '../link/codec';
+import { autosave, savedCase, type SavedCase } from './autosave';
+import { engine, tellError, useEngine } from './engine';
 import { estimateTets } from './estimate';
 import { fitRecipe } from './fit_recipe';
 import type { Example } from './gallery';
 import { awaitedFile, volume } from './input';
 import { amendRecipe, editRecipe, recipe, redo, startRecipe, undo } from './recipe';
-import { activity, announcement, defaults, expectation, forgetResults, schema, tell } from './run';
+import { activity, defaults, expectation, forgetResults, schema, tell } from './run';
 import { preview, previewSoon, runAll } from './runs';
-import { resetView } from './view';
+import { forgetSides, holdSide, type SideFile } from './side_files';
+import { forgetPainting, restorePainting, strokesDone } from './painting';
+import { ownColours, resetView } from './view';
 
 /** A case that a link or a file offers, checked and waiting for the user's word. */
 export interface OfferedCase {
   recipe: Recipe;
   expected: Expected | null;
   origin: 'link' | 'interrupted';
+  colours: SavedCase['colours'];
+  /** Masks and images of sizes that are at hand. */
+  sides: SideFile[];
 }
 
 export const offered = signal<OfferedCase | null>(null);
@@ -63,33 +67,8 @@ export function editPhantom(label: string, change: Partial<PhantomParams>): void
   );
 }
 
-const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|hdr)$/i;
-
-/** A dropped file, with the raw file that its header may name. A dropped case opens like a link. */
-export async function openFiles(files: File[]): Promise<void> {
-  const caseFile = files.find((file) => /\.json$/i.test(file.name));
-  if (caseFile) return openCaseText(await caseFile.text());
-  const main = files.find((file) => headerSuffix.test(file.name)) ?? files[0];
-  if (!main) return;
-  const newest = takeTurn();
-  activity.value = 'opening';
-  announcement.value = `Reading ${main.name}`;
-  try {
-    const siblings: VolumeFile['siblings'] = {};
-    for (const file of files)
-      if (file !== main) siblings[file.name] = new Uint8Array(await file.arrayBuffer());
-    const bytes = new Uint8Array(await main.arrayBuffer());
-    if (engine.busy) await engine.cancel();
-    const summary = await engine.openVolume({ name: main.name, bytes, siblings });
-    if (newest()) takeVolume(summary, main.name);
-  } catch (error) {
-    tellError(error);
-  } finally {
-    if (newest() && activity.value === 'opening') activity.value = 'idle';
-  }
-}
-
-function takeVolume(summary: VolumeSummary, fileName: string): void {
+/** A volume has been read: it is the one that the case waits for, or begins a case. */
+export function takeVolume(summary: VolumeSummary, fileName: string): void {
   const awaited = awaitedFile.value;
   if (awaited && awaited.sha256 && awaited.sha256 !== summary.digest) {
     tell(
@@ -107,6 +86,7 @@ function takeVolume(summary: VolumeSummary, fileName: string): void {
   } else if (defaults.value) {
     const edge = startingEdge(summary);
     const fresh = structuredClone(defaults.value);
+    leaveCase();
     startRecipe({ ...fresh, source, sizing: { ...fresh.sizing, edge_mm: edge } });
     expectation.value = null;
   }
@@ -114,6 +94,13 @@ function takeVolume(summary: VolumeSummary, fileName: string): void {
   forgetResults();
   resetView();
   void preview(true);
+}
+
+/** Forgets what belongs to a case beside its recipe. */
+function leaveCase(): void {
+  forgetSides();
+  forgetPainting();
+  ownColours.value = {};
 }
 
 /** Twice the geometric mean of the spacing: fine enough for the shape, coarse enough for a first look. */
@@ -130,21 +117,6 @@ export async function openFragment(fragment: string): Promise<void> {
   }
 }
 
-async function openCaseText(text: string): Promise<void> {
-  try {
-    const value = parseCase(text);
-    // A report holds its recipe, and is the promise of its mesh.
-    const inner = value.recipe as Record<string, unknown> | undefined;
-    await offerCase(
-      inner && typeof value.digest === 'string'
-        ? { ...inner, expected: { engine: value.engine, digest: value.digest, tets: value.tets } }
-        : value,
-    );
-  } catch (error) {
-    tellError(error);
-  }
-}
-
 /** Takes up the case that the last page left; by itself only where the engine was at rest. */
 export async function resumeCase(): Promise<void> {
   try {
@@ -156,7 +128,8 @@ export async function resumeCase(): Promise<void> {
       const { fitted, left } = fitRecipe(saved.recipe, defaults.value ?? {});
       const accepted = withoutPromise((await engine.checkRecipe(fitted)).recipe);
       const expected = left.length === 0 ? saved.expected : null;
-      offered.value = { recipe: accepted, expected, origin: 'interrupted' };
+      const { colours, sides } = saved;
+      offered.value = { recipe: accepted, expected, origin: 'interrupted', colours, sides };
       if (left.length > 0)
         tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
       if (!interrupted) acceptOffer(false);
@@ -174,13 +147,15 @@ export function keepSaving(): void {
 }
 
 /** Checks a case and holds it for the user's word; nothing of it runs. */
-async function offerCase(value: Record<string, unknown>): Promise<void> {
+export async function offerCase(value: Record<string, unknown>): Promise<void> {
   const { recipe: full } = await engine.checkRecipe(value);
   const promise = (full as Recipe & { expected?: Expected }).expected;
   offered.value = {
     recipe: withoutPromise(full),
     expected: promise?.digest ? promise : null,
     origin: 'link',
+    colours: {},
+    sides: [],
   };
 }
 
@@ -188,7 +163,11 @@ export function acceptOffer(thenRun: boolean): void {
   const offer = offered.value;
   if (!offer) return;
   closeOffer();
+  leaveCase();
   startRecipe(offer.recipe);
+  ownColours.value = offer.colours;
+  offer.sides.forEach(holdSide);
+  restorePainting();
   expectation.value = offer.expected ? { expected: offer.expected, recipe: offer.recipe } : null;
   forgetResults();
   resetView();
@@ -212,14 +191,28 @@ export function closeOffer(): void {
   history.replaceState(null, '', location.pathname + location.search);
 }
 
-export function undoEdit(): void {
+export async function undoEdit(): Promise<void> {
+  await strokesDone();
   undo();
   afterHistory();
 }
 
-export function redoEdit(): void {
+export async function redoEdit(): Promise<void> {
+  await strokesDone();
   redo();
   afterHistory();
+}
+
+/** The user's own colour of a label, as a step of the history. */
+export function editColour(label: number, colour: string): void {
+  const before = ownColours.value;
+  const after = { ...before, [label]: colour };
+  ownColours.value = after;
+  const beside = {
+    undo: () => void (ownColours.value = before),
+    redo: () => void (ownColours.value = after),
+  };
+  editRecipe('Colour of label', () => undefined, `colour ${label}`, undefined, beside);
 }
 
 function afterHistory(): void {

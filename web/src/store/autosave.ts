@@ -3,10 +3,16 @@ import { effect } from '@preact/signals';
 import type { Expected, Recipe, VolumeFile } from '../engine/contract';
 import { recipe } from './recipe';
 import { activity, expectation } from './run';
+import { heldSides, type SideFile } from './side_files';
+import { ownColours } from './view';
 
 export interface SavedCase {
   recipe: Recipe;
   expected: Expected | null;
+  /** Of labels, where they are the user's own. */
+  colours: Readonly<Record<number, string>>;
+  /** Masks and images of sizes. */
+  sides: SideFile[];
   /** Bytes of the volume, for a file source. */
   file: VolumeFile | null;
 }
@@ -45,21 +51,34 @@ async function transact<T>(
 export async function savedCase(): Promise<{ saved: SavedCase; interrupted: boolean } | null> {
   const interrupted = localStorage.getItem(busyKey) !== null;
   localStorage.removeItem(busyKey);
-  const [kept, file] = await Promise.all([
-    transact<Omit<SavedCase, 'file'> | undefined>('readonly', (store) => store.get('recipe')),
+  const [kept, file, sides] = await Promise.all([
+    transact<Omit<SavedCase, 'file' | 'sides'> | undefined>('readonly', (store) => store.get('recipe')),
     transact<{ digest: string; file: VolumeFile } | undefined>('readonly', (store) => store.get('file')),
+    transact<SideFile[] | undefined>('readonly', (store) => store.get('sides')),
   ]);
   if (!kept) return null;
   const digest = kept.recipe.source.file?.sha256;
   if (kept.recipe.source.file && file?.digest !== digest) return null;
-  return { saved: { ...kept, file: digest && file ? file.file : null }, interrupted };
+  // What an earlier version kept has no colours.
+  const { colours = {} } = kept as Partial<typeof kept>;
+  const saved = { ...kept, colours, file: digest && file ? file.file : null, sides: sides ?? [] };
+  return { saved, interrupted };
 }
 
 /** Saves every change from now on. Where the browser allows no storage, the tab works all the same. */
 export function autosave(fileOf: (digest: string) => VolumeFile | undefined): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let savedFile = '';
-  const save = async (current: Recipe, expected: Expected | null) => {
+  let savedSides = '';
+  const saveSides = async () => {
+    const sides = heldSides();
+    const digests = sides.map(({ kind, digest }) => kind + digest).join();
+    if (digests === savedSides) return;
+    await transact('readwrite', (store) => store.put(sides, 'sides'));
+    savedSides = digests;
+  };
+  const save = async (kept: Omit<SavedCase, 'file' | 'sides'>) => {
+    const { recipe: current } = kept;
     const digest = current.source.file?.sha256;
     const file = digest ? fileOf(digest) : undefined;
     if (digest && !file) return;
@@ -67,14 +86,19 @@ export function autosave(fileOf: (digest: string) => VolumeFile | undefined): vo
       await transact('readwrite', (store) => store.put({ digest, file }, 'file'));
       savedFile = digest;
     }
-    await transact('readwrite', (store) => store.put({ recipe: current, expected }, 'recipe'));
+    await saveSides();
+    await transact('readwrite', (store) => store.put(kept, 'recipe'));
   };
   effect(() => {
     const current = recipe.value;
-    const promise = expectation.value;
+    const expected = expectation.value?.expected ?? null;
+    const colours = ownColours.value;
     clearTimeout(timer);
     if (!current || !(current.source.phantom || current.source.file)) return;
-    timer = setTimeout(() => void save(current, promise?.expected ?? null).catch(() => undefined), delayMs);
+    timer = setTimeout(
+      () => void save({ recipe: current, expected, colours }).catch(() => undefined),
+      delayMs,
+    );
   });
   effect(() => {
     if (activity.value === 'idle' || activity.value === 'starting') localStorage.removeItem(busyKey);

@@ -1,29 +1,59 @@
 /** What leaves the page: files of the mesh, the report, the case, a link. */
-import type { ExportFormat, Space } from '../engine/contract';
+import type { ExportFormat, Recipe, Space } from '../engine/contract';
 import { encodeFragment } from '../link/codec';
 import type { ReportPicture } from '../report/report_page';
 import { engine, takeTurn, tellError } from './engine';
 import { nameOf } from './input';
 import { recipe } from './recipe';
 import { activity, announcement, meshedMinimal, meshedRecipe, report } from './run';
+import { heldSides } from './side_files';
 import { command, layout, type Layout } from './view';
+import { packZip } from './zip';
 
-export async function exportMesh(format: ExportFormat, space: Space): Promise<void> {
+/** Runs what writes files, and says so. */
+async function writing(
+  what: string,
+  write: (meshed: Recipe, name: string) => Promise<string>,
+): Promise<void> {
   const meshed = meshedRecipe.value;
   if (!meshed) return;
   const newest = takeTurn();
   activity.value = 'export';
-  announcement.value = `Writing ${format}`;
+  announcement.value = `Writing ${what}`;
   try {
-    const name = caseName();
-    const files = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name);
-    for (const file of files) download(`${name}${file.suffix}`, new Blob([file.bytes]));
-    announcement.value = `${files.length === 1 ? 'File' : `${files.length} files`} written`;
+    announcement.value = await write(meshed, caseName());
   } catch (error) {
     if (newest()) tellError(error);
   } finally {
     if (newest()) activity.value = 'idle';
   }
+}
+
+export function exportMesh(format: ExportFormat, space: Space): Promise<void> {
+  return writing(format, async (meshed, name) => {
+    const files = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name);
+    for (const file of files) download(`${name}${file.suffix}`, new Blob([file.bytes]));
+    return `${files.length === 1 ? 'File' : `${files.length} files`} written`;
+  });
+}
+
+/** Mesh, report and case in one file, with the masks and images that the case is made from. */
+export function exportZip(format: ExportFormat, space: Space): Promise<void> {
+  return writing('zip', async (meshed, name) => {
+    const { minimal } = await shareCase();
+    const page = await reportBlob();
+    const mesh = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name);
+    const text = (value: unknown) => new TextEncoder().encode(JSON.stringify(value, null, 2));
+    const zip = await packZip({
+      ...Object.fromEntries(mesh.map(({ suffix, bytes }) => [`${name}${suffix}`, bytes])),
+      ...Object.fromEntries(heldSides().map(({ file }) => [file.name, file.bytes])),
+      [`${name}.case.json`]: text(minimal),
+      [`${name}.report.json`]: text(report.value),
+      [`${name}.report.html`]: new Uint8Array(await page.arrayBuffer()),
+    });
+    download(`${name}.zip`, new Blob([zip], { type: 'application/zip' }));
+    return 'Zip written';
+  });
 }
 
 /** The view as it stands, as a picture. */
@@ -73,20 +103,24 @@ async function picturesOf(layouts: readonly [Layout, string][]): Promise<ReportP
 }
 
 /** The report as a page with pictures, for whoever has no voxtet. */
-export async function downloadReportPage(): Promise<void> {
+async function reportBlob(): Promise<Blob> {
   const found = report.value;
-  if (!found) return;
+  if (!found) throw new Error('There is no report yet.');
+  const [{ reportPage }, pictures, { url: link }] = await Promise.all([
+    import('../report/report_page'),
+    picturesOf([
+      ['model', 'The mesh'],
+      ['slices', 'Slices of the image with the mesh'],
+    ]),
+    shareCase(),
+  ]);
+  const page = reportPage(found, { title: caseName(), link, pictures, nameOf });
+  return new Blob([page], { type: 'text/html' });
+}
+
+export async function downloadReportPage(): Promise<void> {
   try {
-    const [{ reportPage }, pictures, { url: link }] = await Promise.all([
-      import('../report/report_page'),
-      picturesOf([
-        ['model', 'The mesh'],
-        ['slices', 'Slices of the image with the mesh'],
-      ]),
-      shareCase(),
-    ]);
-    const page = reportPage(found, { title: caseName(), link, pictures, nameOf });
-    download(`${caseName()}.report.html`, new Blob([page], { type: 'text/html' }));
+    download(`${caseName()}.report.html`, await reportBlob());
     announcement.value = 'Report written';
   } catch (error) {
     tellError(error);

@@ -1,4 +1,4 @@
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import type { VolumeSummary } from '../engine/contract';
 
 /** The label volume that the case stands on, once it has been read or generated. */
@@ -11,3 +11,9 @@ export function nameOf(label: number): string {
 
 /** A file that the recipe needs and that has not been dropped in yet. */
 export const awaitedFile = signal<{ name: string; sha256: string } | null>(null);
+
+/** The smallest voxel spacing of the grid that is meshed, mm. */
+export const voxelMm = computed(() => {
+  const known = volume.value;
+  return Math.min(...((known?.prepared ?? known)?.spacing_mm ?? [1]));
+});

@@ -45,6 +45,23 @@ describe('the history of a recipe', () => {
     );
   });
 
+  it('takes along what stands beside the recipe, joined steps last to first', () => {
+    const told: string[] = [];
+    const beside = (name: string) => ({
+      undo: () => void told.push(`undo ${name}`),
+      redo: () => void told.push(`redo ${name}`),
+    });
+    const step = (name: string) => editRecipe('Paint', () => undefined, 'stroke', Infinity, beside(name));
+    step('first');
+    step('second');
+    expect(undoLabel.value).toBe('Paint');
+    undo();
+    redo();
+    expect(told).toEqual(['undo second', 'undo first', 'redo first', 'redo second']);
+    undo();
+    expect(undoLabel.value).toBeNull();
+  });
+
   it('joins quick edits of one control into one step, and slow ones not', () => {
     vi.useFakeTimers();
     const set = (edge: number) => editRecipe('Edge', (draft) => void (draft.sizing.edge_mm = edge), 'edge');

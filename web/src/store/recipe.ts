@@ -4,12 +4,19 @@ import type { Recipe } from '../engine/contract';
 
 enablePatches();
 
+/** The part of a step that stands outside the recipe: colours, painted voxels. Done already when it is handed over. */
+export interface Beside {
+  undo(): void;
+  redo(): void;
+}
+
 interface Step {
   label: string;
   key: string | undefined;
   time: number;
   patches: Patch[];
   inverse: Patch[];
+  beside: Beside | undefined;
 }
 
 const past = signal<Step[]>([]);
@@ -30,6 +37,20 @@ export function startRecipe(next: Recipe): void {
   future.value = [];
 }
 
+function joined(first: Beside | undefined, then: Beside | undefined): Beside | undefined {
+  if (!first || !then) return first ?? then;
+  return {
+    undo() {
+      then.undo();
+      first.undo();
+    },
+    redo() {
+      first.redo();
+      then.redo();
+    },
+  };
+}
+
 /**
  * Edits the recipe as one step of its history. Steps with the same `key` in quick succession are joined;
  * those of one drag however long it takes, with `patienceMs` infinite.
@@ -39,22 +60,24 @@ export function editRecipe(
   change: (draft: Recipe) => void,
   key?: string,
   patienceMs = joinMs,
+  beside?: Beside,
 ): void {
   if (!recipe.value) return;
   const [next, patches, inverse] = produceWithPatches(recipe.value, (draft) => change(draft as Recipe));
-  if (patches.length === 0) return;
+  if (patches.length === 0 && !beside) return;
   const last = past.value.at(-1);
   const time = Date.now();
   if (last && key !== undefined && last.key === key && time - last.time < patienceMs) {
-    const joined = {
+    const both = {
       ...last,
       time,
       patches: [...last.patches, ...patches],
       inverse: [...inverse, ...last.inverse],
+      beside: joined(last.beside, beside),
     };
-    past.value = [...past.value.slice(0, -1), joined];
+    past.value = [...past.value.slice(0, -1), both];
   } else {
-    past.value = [...past.value, { label, key, time, patches, inverse }].slice(-maxSteps);
+    past.value = [...past.value, { label, key, time, patches, inverse, beside }].slice(-maxSteps);
   }
   future.value = [];
   recipe.value = next;
@@ -69,6 +92,7 @@ export function amendRecipe(change: (draft: Recipe) => void): void {
 export function undo(): void {
   const step = past.value.at(-1);
   if (!step || !recipe.value) return;
+  step.beside?.undo();
   recipe.value = applyPatches(recipe.value, step.inverse);
   past.value = past.value.slice(0, -1);
   future.value = [...future.value, { ...step, key: undefined }];
@@ -77,6 +101,7 @@ export function undo(): void {
 export function redo(): void {
   const step = future.value.at(-1);
   if (!step || !recipe.value) return;
+  step.beside?.redo();
   recipe.value = applyPatches(recipe.value, step.patches);
   future.value = future.value.slice(0, -1);
   past.value = [...past.value, step];

@@ -126,7 +126,7 @@ const errorTitles: Record<EngineError['code'], string> = {
   usage: 'These settings cannot be used',
   bad_input: 'This file cannot be read',
   meshing: 'Meshing did not succeed',
-  differs: 'This is not the expected volume',
+  differs: 'This is not the expected file',
   out_of_memory: 'Out of memory',
   cancelled: 'Cancelled',
   internal: 'The engine stopped',

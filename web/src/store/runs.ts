@@ -18,13 +18,18 @@ import {
   stopClock,
 } from './run';
 import { stageInput } from './stage_inputs';
-import { brush, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from './view';
+import { brush, colourBy, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from './view';
 
 let previewTimer: ReturnType<typeof setTimeout> | undefined;
 
 /** The sizing field is on show, and follows the recipe like the surface does. */
 function watchesSizing(): boolean {
-  return stageShown.value === 'sizing' || (layout.value === 'slices' && sliceOverlay.value === 'size');
+  const onSurface = stageShown.value === 'surface' || stageShown.value === 'smooth';
+  return (
+    stageShown.value === 'sizing' ||
+    (layout.value === 'slices' && sliceOverlay.value !== 'labels') ||
+    (onSurface && (colourBy.value === 'target_mm' || colourBy.value === 'thickness_mm'))
+  );
 }
 
 /** The label surface, as soon as it exists. Runs by itself after whatever changes it. */
@@ -89,7 +94,9 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
             : summary;
         const madeFrom = stageInput(current, summary.name);
         setStage(summary.name, { state: 'done', fraction: 1, summary: kept, madeFrom });
-        if (summary.name === 'volume') volume.value = summary.counts as unknown as VolumeSummary;
+        // Whatever follows the volume is made anew with another one, the same again is none.
+        if (summary.name === 'volume' && JSON.stringify(summary.counts) !== JSON.stringify(volume.value))
+          volume.value = summary.counts as unknown as VolumeSummary;
         const changed = shownDigests.value[summary.name] !== summary.digest;
         if (arrays) keepResult(summary.name, summary.digest, arrays);
         // Measures are of one mesh.

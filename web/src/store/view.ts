@@ -3,7 +3,8 @@ import type { ErrorPlace, LookedUpArray, StageName, TetMeasure, Vec3 } from '../
 import { labelColour, type ColourMapName } from '../geometry/colours';
 import { volume } from './input';
 
-export type ColourBy = 'label' | 'target_mm' | TetMeasure | LookedUpArray;
+export type DistanceUnit = 'distance_mm' | 'distance_voxels';
+export type ColourBy = 'label' | 'target_mm' | 'thickness_mm' | DistanceUnit | TetMeasure | LookedUpArray;
 
 /** The label whose share an array holds, or null. */
 export function fractionLabel(name: string): number | null {
@@ -71,8 +72,9 @@ export type Layout = 'model' | 'slices' | 'compare';
 export const layout = signal<Layout>('model');
 /** The crosshair: along each image axis, the fraction of the way from the first voxel to the last. */
 export const slicePlaces = signal<Vec3>([0.5, 0.5, 0.5]);
-/** What slices show: the labels, or the edge length asked for. */
-export const sliceOverlay = signal<'labels' | 'size'>('labels');
+/** What slices show: the labels, the edge length asked for, or how thick the walls are. */
+export type SliceOverlay = 'labels' | 'size' | 'thickness';
+export const sliceOverlay = signal<SliceOverlay>('labels');
 /** How far the labels are pulled apart: 1 doubles the distances of their middles. */
 export const explode = signal(0);
 export const hiddenLabels = signal<ReadonlySet<number>>(new Set());
@@ -103,7 +105,6 @@ export function resetView(): void {
   regionShown.value = null;
   marked.value = null;
   hiddenLabels.value = new Set();
-  ownColours.value = {};
   colourBy.value = 'label';
   cut.value = { ...cut.value, on: false, place: 0.5 };
   slicePlaces.value = [0.5, 0.5, 0.5];

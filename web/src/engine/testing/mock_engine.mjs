@@ -21,6 +21,9 @@ const defaults = {
     labels: [],
     regions: [],
     distances: [],
+    thickness: [],
+    masks: [],
+    images: [],
     edge_min_mm: 0.1,
     edge_max_mm: 50,
     gradation: 0.3,
@@ -157,6 +160,7 @@ class Session {
   recipe = structuredClone(defaults);
   file = null;
   done = new Set();
+  sides = new Map();
   mesh = null;
   exported = [];
 
@@ -202,6 +206,11 @@ class Session {
     this.done.clear();
     return JSON.stringify({ ok: true, value: this.summary() });
   }
+  loadSideVolume(kind, name, bytes) {
+    this.sides.set(name, bytes);
+    const labels = kind === 'mask' ? [1] : [];
+    return JSON.stringify({ ok: true, value: { name, digest: hash(String(bytes)), labels } });
+  }
   setRecipe(text) {
     try {
       const minimal = JSON.parse(text);
@@ -224,6 +233,11 @@ class Session {
         error: { code: 'usage', stage: 'volume', message: 'no volume has been loaded', where: {} },
       });
     }
+    const missing = this.recipe.sizing.masks.find(({ name }) => !this.sides.has(name));
+    if (missing && stage !== 'volume') {
+      const message = `sizing.masks[0]: the file '${missing.name}' has not been loaded`;
+      return JSON.stringify({ ok: false, error: { code: 'bad_input', stage: 'sizing', message, where: {} } });
+    }
     this.mesh ??= ballMesh(10);
     const summaries = [];
     for (const name of stages.slice(0, stages.indexOf(stage) + 1)) {
@@ -240,7 +254,7 @@ class Session {
         counts: this.counts(name),
       });
     }
-    return JSON.stringify({ ok: true, value: summaries });
+    return JSON.stringify({ ok: true, value: summaries.at(-1) });
   }
   counts(name) {
     if (name === 'volume') return this.summary();

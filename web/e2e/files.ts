@@ -1,0 +1,48 @@
+/** Small files as a person might have them, made on the spot. */
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdtempSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { writeNrrd } from '../src/geometry/nrrd';
+
+const folder = mkdtempSync(join(tmpdir(), 'voxtet-e2e-'));
+
+function kept(name: string, bytes: Uint8Array): string {
+  const path = join(folder, name);
+  writeFileSync(path, bytes);
+  return path;
+}
+
+/** A mask of 40 mm a side around the origin of the patient's space, with one label. */
+export function maskFile(name: string): string {
+  const grid = { size: [8, 8, 8], indexToMm: [5, 0, 0, -20, 0, 5, 0, -20, 0, 0, 5, -20, 0, 0, 0, 1] };
+  return kept(name, writeNrrd(grid, new Uint8Array(512).fill(7)));
+}
+
+/** A NIfTI-1 image of one edge length over 400 mm a side. */
+export function sizeImage(name: string, edgeMm: number): string {
+  const size = 10;
+  const bytes = Buffer.alloc(352 + 4 * size ** 3);
+  bytes.writeInt32LE(348, 0);
+  [3, size, size, size, 1, 1, 1, 1].forEach((n, i) => bytes.writeInt16LE(n, 40 + 2 * i));
+  bytes.writeInt16LE(16, 70); // float32
+  bytes.writeInt16LE(32, 72);
+  [1, 40, 40, 40].forEach((x, i) => bytes.writeFloatLE(x, 76 + 4 * i));
+  bytes.writeFloatLE(352, 108);
+  bytes.writeFloatLE(1, 112);
+  bytes.writeInt8(2, 123); // mm
+  bytes.writeInt16LE(1, 254); // sform: scanner
+  [40, 0, 0, -200, 0, 40, 0, -200, 0, 0, 40, -200].forEach((x, i) => bytes.writeFloatLE(x, 280 + 4 * i));
+  bytes.write('n+1\0', 344, 'latin1');
+  for (let voxel = 0; voxel < size ** 3; voxel++) bytes.writeFloatLE(edgeMm, 352 + 4 * voxel);
+  return kept(name, bytes);
+}
+
+/** The same labels as a DICOM segmentation object and as NRRD, written without us; null where pydicom is missing. */
+export function dicomSegmentation(): { dicom: string; nrrd: string } | null {
+  const script = join(dirname(fileURLToPath(import.meta.url)), 'make_dicom_seg.py');
+  if (spawnSync('/usr/bin/python3', ['-c', 'import pydicom, numpy']).status !== 0) return null;
+  execFileSync('/usr/bin/python3', [script, folder]);
+  return { dicom: join(folder, 'heart.dcm'), nrrd: join(folder, 'heart.nrrd') };
+}

@@ -1,0 +1,60 @@
+/** Sizes beyond labels and regions: walls by their thickness, distances as colours. */
+import { expect, idle, link, meshed, openAndRun, sampled, smallHeart, stage, test } from './support';
+
+test('the distance to the labels is a colour and a number of the element that is clicked', async ({
+  page,
+}) => {
+  await openAndRun(page, smallHeart);
+  const labels = await sampled(page, 'model');
+  await page.getByLabel('Colour by').selectOption('distance_mm');
+  await expect(page.locator('.legend')).toContainText('Distance to the label surface mm');
+  expect(await sampled(page, 'model')).not.toEqual(labels);
+  const model = page.locator('.pane.model .pane-surface');
+  const box = (await model.boundingBox())!;
+  await model.click({ position: { x: box.width * 0.5, y: box.height * 0.6 } });
+  await expect(page.locator('.picked')).toContainText(/To the labels\s*0\.\d+ mm \(0\.\d+ voxels\)/);
+});
+
+test('a wall is sized by its thickness, which is seen on slices and surface before meshing', async ({
+  page,
+}) => {
+  await page.goto(link({ source: smallHeart.source, labels: [1, 2], sizing: { edge_mm: 6 } }));
+  await page.getByRole('button', { name: 'Open', exact: true }).click();
+  await idle(page);
+  const before = await sampled(page, 'model');
+  await page.getByRole('button', { name: 'Wall', exact: true }).click();
+  const wall = page.getByRole('group', { name: 'Wall', exact: true });
+  await wall.getByRole('button', { name: 'RV myocardium' }).click();
+  const inside = page.getByRole('group', { name: 'Inside of it' });
+  await inside.getByRole('button', { name: 'LV blood' }).click();
+  await inside.getByRole('button', { name: 'RV blood' }).click();
+  await page.getByLabel('Colour by').selectOption('thickness_mm');
+  await expect(page.locator('.legend')).toContainText('Wall thickness mm');
+  await expect(page.getByText(/Measured: .* mm/)).toBeVisible();
+  const thickness = await sampled(page, 'model');
+  expect(thickness).not.toEqual(before);
+  await page.getByLabel('Colour by').selectOption('target_mm');
+  await expect(page.locator('.legend')).toContainText('Prescribed edge length mm');
+  expect(await sampled(page, 'model')).not.toEqual(thickness);
+
+  await page.getByRole('button', { name: 'Slices', exact: true }).click();
+  const overlay = page.getByRole('group', { name: 'Slices show' });
+  const shown: unknown[] = [];
+  for (const name of ['Labels', 'Edge length', 'Thickness']) {
+    await overlay.getByRole('button', { name }).click();
+    const now = await sampled(page, 'coronal');
+    for (const other of shown) expect(now).not.toEqual(other);
+    shown.push(now);
+  }
+  await expect(page.getByRole('img', { name: /Wall thickness from/ })).toBeVisible();
+
+  await page.getByRole('group', { name: 'Size by' }).getByRole('button', { name: 'Layers' }).click();
+  await page.getByLabel('LV myocardium, RV myocardium: Elements across').fill('2');
+  await page.getByTestId('run').click();
+  await meshed(page);
+  await expect(page.getByTestId('layers').locator('tbody tr')).toHaveCount(1);
+  await page.getByRole('button', { name: 'Remove LV myocardium, RV myocardium' }).click();
+  await expect(stage(page, 'sizing')).toHaveAttribute('data-state', 'stale');
+  await page.keyboard.press('Control+z');
+  await expect(stage(page, 'sizing')).toHaveAttribute('data-state', 'done');
+});

@@ -1,0 +1,36 @@
+import type { ComponentChildren } from 'preact';
+import { Icon } from './icons';
+
+/** One thing of a list: its name and what it asks for; its fields while it is open. */
+export function FoldedItem(props: {
+  name: string;
+  note: string;
+  open: boolean;
+  onToggle(): void;
+  onRemove(): void;
+  children?: ComponentChildren;
+}) {
+  const { name, note, open } = props;
+  return (
+    <div class={open ? 'region open' : 'region'}>
+      <div class="region-head">
+        <button type="button" class="region-name" aria-expanded={open} onClick={props.onToggle}>
+          <span class="region-title" title={name}>
+            {name}
+          </span>
+          <span class="region-edge">{note}</span>
+        </button>
+        <button
+          type="button"
+          class="icon-button small"
+          aria-label={`Remove ${name}`}
+          title="Remove"
+          onClick={props.onRemove}
+        >
+          <Icon name="trash" size={14} />
+        </button>
+      </div>
+      {open && <div class="region-fields">{props.children}</div>}
+    </div>
+  );
+}
