@@ -22,8 +22,8 @@ constexpr double kPointsPerTet = 0.17, kPointsPerTriangle = 0.25;
 
 // By how much a refined surface is denser than wished, measured on hearts, aorta, torso and mickey.nrrd:
 constexpr double kRadiusPerEdge = 1 / 1.3;  ///< circumradius of its triangles
-constexpr double kByBend = 1.6;             ///< where the middle of a triangle is as far off as allowed
-constexpr double kByThinness = 0.4;         ///< where a layer is as thin as an edge
+constexpr double kByBend = 0.4;             ///< where the middle of a triangle is as far off as allowed
+constexpr double kByThinness = 0.1;         ///< where a layer is as thin as an edge
 constexpr double kMostOffset = 2, kMostThin = 2.5;  ///< beyond, the surface is as dense whatever is wished
 constexpr double kCoarsened = 0.25;                 ///< part of the excess that local operations leave
 
