@@ -53,6 +53,10 @@ test('a wall is sized by its thickness, which is seen on slices and surface befo
   await page.getByTestId('run').click();
   await meshed(page);
   await expect(page.getByTestId('layers').locator('tbody tr')).toHaveCount(1);
+  await page.getByLabel('Exactly so many').check();
+  await page.getByTestId('run').click();
+  await meshed(page);
+  await expect(page.getByTestId('layers').locator('tbody tr')).toContainText(/9\d\.?\d* %|100 %/);
   await page.getByRole('button', { name: 'Remove LV myocardium, RV myocardium' }).click();
   await expect(stage(page, 'sizing')).toHaveAttribute('data-state', 'stale');
   await page.keyboard.press('Control+z');

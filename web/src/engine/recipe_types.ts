@@ -51,6 +51,8 @@ export interface ThicknessSize {
   /** None: the cavities of the background. */
   inner: number[];
   layers: number;
+  /** Layers by the size of the elements alone, or sheets laid across the wall. */
+  layering: 'size' | 'exact';
   edge_thin_mm: number;
   edge_thick_mm: number;
   thin_mm: number;
@@ -86,6 +88,7 @@ export interface Recipe {
     masks: MaskSize[];
     /** Edge lengths in mm, in files of their own. */
     images: FileSource[];
+    curvature: { labels: number[]; edges_per_turn: number; edge_min_mm: number }[];
     edge_min_mm: number;
     edge_max_mm: number;
     gradation: number;
@@ -103,4 +106,6 @@ export interface Recipe {
   optimise: { rounds: number; min_dihedral_deg: number; insertion_deg: number; slide: number };
   lookup: { labels: number[]; samples_min: number; samples_max: number };
   quality: { histogram_bins: number; sample_spacing_voxels: number };
+  /** What meshing may take, by forecast; 0: no limit. */
+  limits: { tets: number; memory_mb: number; seconds: number };
 }

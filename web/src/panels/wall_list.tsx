@@ -16,6 +16,7 @@ function newWall(current: Recipe): ThicknessSize {
     wall: [current.labels[0] ?? labels[0] ?? 1],
     inner: [],
     layers: 0,
+    layering: 'size',
     edge_thin_mm: Number((edge_mm / 2).toPrecision(2)),
     edge_thick_mm: edge_mm,
     thin_mm: 0,
@@ -148,6 +149,14 @@ function WallFields({ wall, index, name }: { wall: ThicknessSize; index: number;
         />
       ) : (
         <RangeFields wall={wall} name={name} set={set} />
+      )}
+      {wall.layers > 0 && (
+        <CheckField
+          label="Exactly so many"
+          hint="Sheets across the wall as inner surfaces: so many layers everywhere, as far as voxels allow"
+          checked={wall.layering === 'exact'}
+          onChange={(exact) => set('Exact layers', { layering: exact ? 'exact' : 'size' })}
+        />
       )}
       {range && (
         <p class="facts">

@@ -24,6 +24,7 @@ const defaults = {
     thickness: [],
     masks: [],
     images: [],
+    curvature: [],
     edge_min_mm: 0.1,
     edge_max_mm: 50,
     gradation: 0.3,
@@ -41,6 +42,7 @@ const defaults = {
   optimise: { rounds: 4, min_dihedral_deg: 35, insertion_deg: 33, slide: 0.1 },
   lookup: { labels: [], samples_min: 4, samples_max: 64 },
   quality: { histogram_bins: 64, sample_spacing_voxels: 0.25 },
+  limits: { tets: 0, memory_mb: 0, seconds: 0 },
 };
 
 const phantomDefaults = {
