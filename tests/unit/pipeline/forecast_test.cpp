@@ -112,6 +112,23 @@ TEST(FitSizes, SaysWhereEdgeLengthsDoNotDecide) {
   EXPECT_FALSE(fit_sizes(session, {}, ctx).ok());
 }
 
+TEST(ForecastJson, HoldsTheForecastAndTheSizesThatFit) {
+  Session session;
+  run_to(Stage::kSizing, small_heart(), session);
+  RunContext ctx;
+  const Result<nlohmann::json> alone = forecast_json(session, 0, ctx);
+  ASSERT_TRUE(alone.ok());
+  EXPECT_EQ(alone->at("tets").get<double>(), std::round(forecast_case(session, ctx)->mesh.tets));
+  EXPECT_FALSE(alone->contains("fitting"));
+  const double wanted = 2 * alone->at("tets").get<double>();
+  const Result<nlohmann::json> both = forecast_json(session, wanted, ctx);
+  ASSERT_TRUE(both.ok());
+  const nlohmann::json& fitting = both->at("fitting");
+  EXPECT_NEAR(fitting.at("forecast").at("tets").get<double>(), wanted, 0.015 * wanted);
+  EXPECT_LT(fitting.at("edge_mm").get<double>(), small_heart().sizing.edge_mm);
+  EXPECT_EQ(fitting.at("sizing").at("edge_mm"), fitting.at("edge_mm"));
+}
+
 TEST(Limits, RefuseBeforeMeshingAndNameTheEdgeLengthThatFits) {
   Session session;
   Recipe recipe = small_heart();
