@@ -29,8 +29,8 @@ LabelVolume volume() {
   LabelVolume volume;
   volume.size = {15, 3, 3};
   volume.index_to_mm(0, 3) = -0.5;
-  volume.labels.assign(45, 0);
-  for (int at = 0; at < 45; ++at) volume.labels[static_cast<std::size_t>(at)] = at % 15 < 13 ? 3 : 0;
+  volume.labels.assign(135, 0);
+  for (int at = 0; at < 135; ++at) volume.labels[static_cast<std::size_t>(at)] = at % 15 < 13 ? 3 : 0;
   return volume;
 }
 
