@@ -1,3 +1,4 @@
+import { existsSync } from 'node:fs';
 /** Pictures for the docs, the gallery and the examples, from the app as it is. */
 import { mkdir, readdir, readFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
@@ -71,6 +72,7 @@ test('examples', async ({ page }) => {
   for (const entry of await readdir(examples, { withFileTypes: true })) {
     if (!entry.isDirectory()) continue;
     const folder = join(examples, entry.name);
+    if (!existsSync(join(folder, 'case.json'))) continue;
     await openCut(page, JSON.parse(await readFile(join(folder, 'case.json'), 'utf8')), 'light');
     await page.locator('main').screenshot({ path: join(folder, 'picture.png') });
     await page.goto('about:blank');
