@@ -1,5 +1,5 @@
-import { existsSync } from 'node:fs';
 /** Pictures for the docs, the gallery and the examples, from the app as it is. */
+import { existsSync } from 'node:fs';
 import { mkdir, readdir, readFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
