@@ -36,6 +36,11 @@ TriangleShape measure_triangle(const TriangleCorners& p) {
   return shape;
 }
 
+double longest_edge_mm(const TriangleCorners& t) {
+  return std::sqrt(
+      std::max({(t[0] - t[1]).squaredNorm(), (t[1] - t[2]).squaredNorm(), (t[2] - t[0]).squaredNorm()}));
+}
+
 double sharpest_cosine(const TriangleCorners& t) {
   double a = (t[1] - t[2]).squaredNorm(), b = (t[2] - t[0]).squaredNorm(), c = (t[0] - t[1]).squaredNorm();
   if (a > b) std::swap(a, b);

@@ -19,6 +19,9 @@ struct TriangleShape {
 
 TriangleShape measure_triangle(const TriangleCorners& p);
 
+/// Length of the longest edge, mm.
+double longest_edge_mm(const TriangleCorners& t);
+
 /// Cosine of the smallest angle of a triangle; 1 when two corners coincide.
 double sharpest_cosine(const TriangleCorners& t);
 

@@ -13,6 +13,7 @@
 #include "geometry/closest_point.h"
 #include "geometry/parallel.h"
 #include "geometry/surface_measures.h"
+#include "geometry/triangle_measures.h"
 
 namespace voxtet {
 namespace {
@@ -47,11 +48,6 @@ class Boundaries {
   std::map<Label, ClosestPointTree> trees_;
   std::optional<ClosestPointTree> whole_;
 };
-
-double longest_edge(const std::array<Eigen::Vector3d, 3>& p) {
-  return std::sqrt(
-      std::max({(p[1] - p[0]).squaredNorm(), (p[2] - p[1]).squaredNorm(), (p[0] - p[2]).squaredNorm()}));
-}
 
 /// A point and the closest triangle to it.
 struct Sample {
@@ -113,7 +109,7 @@ class DirectedDistance {
     std::vector<double> longest;
     for (const auto& [label, part] : from_.trees())
       for (const auto& [a, b, c] : part.triangles())
-        longest.push_back(longest_edge({part.points()[a], part.points()[b], part.points()[c]}));
+        longest.push_back(longest_edge_mm({part.points()[a], part.points()[b], part.points()[c]}));
     double spacing = params_.spacing_mm;
     while (true) {
       double samples = 0;
@@ -134,7 +130,7 @@ class DirectedDistance {
     for (const Triangle& v : part.triangles()) {
       if (cancelled_) return;
       const Eigen::Vector3d &a = corners[v[0]].point, &b = corners[v[1]].point, &c = corners[v[2]].point;
-      const double longest = longest_edge({a, b, c});
+      const double longest = longest_edge_mm({a, b, c});
       const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
       const double weight = triangle_area_mm2(a, b, c) / (3.0 * n * n);
       for (const std::uint32_t corner : v) weights[corner] += weight;

@@ -39,7 +39,7 @@ class AdaptPasses {
   /// Cells of the search as large as edges are long.
   void fit_cells();
   /// Each vertex goes to its nearest neighbour that takes it and is nearer than `shortest`:
-  /// collapse(v, neighbour, length, longest) tells whether it did.
+  /// collapse(v, neighbour, longest), `longest` a bound on edges, tells whether it did.
   template <class Collapse>
   bool coarsen(double shortest, Collapse&& collapse);
   bool refine();

@@ -17,16 +17,14 @@ namespace {
 constexpr double kLeastTurnCosine = 0.5;
 /// Least cosine between facets and the reference's normals.
 constexpr double kNormalCosine = 0.5, kNormalCosineOfSlivers = -0.3;
-double longest_edge(const std::vector<Corners>& facets) {
-  double longest2 = 0;
-  for (const Corners& p : facets)
-    longest2 = std::max(
-        {longest2, (p[0] - p[1]).squaredNorm(), (p[1] - p[2]).squaredNorm(), (p[2] - p[0]).squaredNorm()});
-  return std::sqrt(longest2);
-}
-
 /// Improvements of an angle's cosine below this are not worth a change.
 constexpr double kCosineStep = 1e-3;
+
+double longest_edge_mm(const std::vector<Corners>& facets) {
+  double longest = 0;
+  for (const Corners& p : facets) longest = std::max(longest, voxtet::longest_edge_mm(p));
+  return longest;
+}
 
 }  // namespace
 
@@ -62,13 +60,8 @@ bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t h
   change_ = &change;
   demand_ = demand;
   removed_in_.resize(mesh_.slot_count(), 0);
-  old_corners_.clear();
-  old_normals_.clear();
-  for (const std::uint32_t t : change.removed) {
-    removed_in_[t] = attempt_;
-    old_corners_.push_back(mesh_.corners(mesh_.triangle(t)));
-    old_normals_.push_back(normals_[t]);
-  }
+  for (const std::uint32_t t : change.removed) removed_in_[t] = attempt_;
+  look_at_old(change);
   reach_mm_ = demand == Demand::kNearer ? std::max(limits.reach_mm, limits.nearer_mm) : limits.reach_mm;
   const bool moves = change.moved != kNone;
   const Eigen::Vector3d before = moves ? mesh_.point(change.moved) : Eigen::Vector3d::Zero();
@@ -91,6 +84,15 @@ bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t h
   }
   if (limits.verify) verify_from_scratch();
   return true;
+}
+
+void ComplexEditor::look_at_old(const Change& change) {
+  old_corners_.clear();
+  old_normals_.clear();
+  for (const std::uint32_t t : change.removed) {
+    old_corners_.push_back(mesh_.corners(mesh_.triangle(t)));
+    old_normals_.push_back(normals_[t]);
+  }
 }
 
 Reason ComplexEditor::check(const Change& change, const Eigen::Vector3d& before) {
@@ -132,8 +134,9 @@ Reason ComplexEditor::check_shapes(const Change& change) {
 Reason ComplexEditor::check_contacts(const Change& change) {
   new_boxes_.clear();
   for (const Corners& p : new_corners_) new_boxes_.push_back(box_of(p));
-  gap_mm_ = limits.gap_share > 0 ? limits.gap_share * local_size(change) : 0;
-  gap_growth_ = std::max(1.0, longest_edge(new_corners_) / longest_edge(old_corners_));
+  const double longest = longest_edge_mm(new_corners_);
+  gap_mm_ = limits.gap_share > 0 ? limits.gap_share * std::min(least_wish(change), longest) : 0;
+  gap_growth_ = limits.adapted ? std::max(1.0, longest / longest_edge_mm(old_corners_)) : 1;
   wide_boxes_.clear();
   for (const FloatBox& box : new_boxes_) wide_boxes_.push_back(box.grown(gap_mm_));
   FloatBox all = wide_boxes_.front();
@@ -159,15 +162,11 @@ Reason ComplexEditor::check_contacts(const Change& change) {
   return Reason::kNo;
 }
 
-/// The wish where edges reach it, else the longest edge.
-double ComplexEditor::local_size(const Change& change) const {
-  double wish = 1e300, longest2 = 0;
-  for (std::size_t i = 0; i < change.added.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) {
-      wish = std::min(wish, size(change.added[i].corners[k]));
-      longest2 = std::max(longest2, (new_corners_[i][k] - new_corners_[i][(k + 1) % 3]).squaredNorm());
-    }
-  return std::min(wish, std::sqrt(longest2));
+double ComplexEditor::least_wish(const Change& change) const {
+  double wish = 1e300;
+  for (const Facet& facet : change.added)
+    for (const std::uint32_t v : facet.corners) wish = std::min(wish, size(v));
+  return wish;
 }
 
 Reason ComplexEditor::check_pair(const Facet& facet, std::size_t i, const Triangle& other,
@@ -247,7 +246,7 @@ bool ComplexEditor::gap_allowed(std::size_t i, const Corners& corners, const Eig
   if (now >= gap_mm_ * gap_mm_) return true;
   double before = 1e300;
   for (const Corners& old : old_corners_) before = std::min(before, corner_distance2(old, corners));
-  return now >= (limits.breaches ? before * gap_growth_ * gap_growth_ : before);
+  return now >= before * gap_growth_ * gap_growth_;
 }
 
 /// Another path than the checks take: everything around, CGAL's own intersections.

@@ -26,8 +26,9 @@ struct EditLimits {
   double crease_cosine = 0.5;  ///< angles between two facets inside a surface
   double junction_cosine = 0.9;  ///< angles between two facets where curves run
   double gap_share = 0;          ///< least distance of sheets that face each other, in wished edge lengths
-  bool breaches = false;  ///< the complex may be beyond its reach somewhere: there it must not go farther;
-                          ///< where sheets are nearer than the gap, edges grow no faster than it
+  /// The complex is adapted already: it may be beyond its reach somewhere, where it must not go farther, and
+  /// where sheets are nearer than the gap edges grow no faster than it.
+  bool adapted = false;
   bool verify = false;
 };
 
@@ -109,6 +110,7 @@ class ComplexEditor {
   std::uint64_t violations() const { return violations_; }
 
  private:
+  void look_at_old(const Change& change);
   Reason check(const Change& change, const Eigen::Vector3d& before);
   Reason check_shapes(const Change& change);
   Reason check_envelope(const Change& change) const;
@@ -117,7 +119,7 @@ class ComplexEditor {
   Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double content2,
                         std::uint32_t hint) const;
   Reason check_contacts(const Change& change);
-  double local_size(const Change& change) const;
+  double least_wish(const Change& change) const;
   Reason check_pair(const Facet& facet, std::size_t i, const Triangle& other, const Corners& corners,
                     const Eigen::Vector3d& normal, PairId pair, bool boxes_meet);
   bool on_curves(std::uint32_t u, std::uint32_t w) const {

@@ -26,7 +26,7 @@ Eigen::Vector3d barycentric(const Eigen::Vector3d& on, const Corners& p) {
 Reason ComplexEditor::check_envelope(const Change& change) const {
   PairId met = kNone;
   double limit2 = reach_mm_ * reach_mm_;
-  bool looked_back = !limits.breaches || demand_ == Demand::kNearer;
+  bool looked_back = !limits.adapted || demand_ == Demand::kNearer;
   for (std::size_t i = 0; i < change.added.size(); ++i) {
     // The moved vertex itself needs to be looked at once for a pair.
     const std::uint32_t moved = change.added[i].pair == met ? kNone : change.moved;
@@ -65,9 +65,7 @@ std::uint32_t ComplexEditor::nearest_hint(const Facet& facet, const Corners& p) 
 /// to their places, and each edge inside the change is left to one of its two facets.
 ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved,
                                                     double content2, std::uint32_t hint) const {
-  const double longest2 =
-      std::max({(p[0] - p[1]).squaredNorm(), (p[1] - p[2]).squaredNorm(), (p[2] - p[0]).squaredNorm()});
-  const int n = static_cast<int>(std::ceil(std::sqrt(longest2) / limits.lattice_mm));
+  const int n = static_cast<int>(std::ceil(longest_edge_mm(p) / limits.lattice_mm));
   Breach worst;
   if (hint == kNone) {
     worst.distance2 = kNowhere;

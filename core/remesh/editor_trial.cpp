@@ -35,12 +35,7 @@ void ComplexEditor::undo_trial() {
   trying_ = false;
   for (auto step = trial_.rbegin(); step != trial_.rend(); ++step) {
     const Change& back = step->back;
-    old_corners_.clear();
-    old_normals_.clear();
-    for (const std::uint32_t t : back.removed) {
-      old_corners_.push_back(mesh_.corners(mesh_.triangle(t)));
-      old_normals_.push_back(normals_[t]);
-    }
+    look_at_old(back);
     const Eigen::Vector3d before = back.moved == kNone ? Eigen::Vector3d::Zero() : mesh_.point(back.moved);
     if (back.moved != kNone) {
       mesh_.set_point(back.moved, back.position);

@@ -38,10 +38,12 @@ class Improver : public AdaptPasses {
   template <class Operation>
   bool with_healing(Operation&& operation);
   bool heal(double limit_cosine);
+
+  const double trial_cosine_ = cosine_of_deg(kTrialAngleDeg);
 };
 
 bool Improver::run() {
-  editor_.limits.breaches = true;
+  editor_.limits.adapted = true;
   editor_.limits.gap_share = kRefinedGapShare;
   editor_.limits.lattice_mm = kLatticeVoxels * params_.voxel_mm;
   fit_cells();
@@ -145,8 +147,7 @@ bool Improver::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach
 template <class Operation>
 bool Improver::with_healing(Operation&& operation) {
   const double strict = editor_.limits.angle_cosine;
-  static const double kTrialCosine = cosine_of_deg(kTrialAngleDeg);
-  editor_.limits.angle_cosine = std::max(strict, kTrialCosine);
+  editor_.limits.angle_cosine = std::max(strict, trial_cosine_);
   editor_.begin_trial();
   const bool healed = operation() && heal(strict);
   editor_.limits.angle_cosine = strict;

@@ -174,9 +174,10 @@ Result<SurfaceMesh> improve(const SurfaceMesh& surface, const LabelVolume& volum
                             const SurfaceMesh& reference, const SizingField& sizing,
                             const RemeshParams& params, RunContext& ctx) {
   constexpr double kAngleShare = 0.975, kDistanceShare = 0.9;  // of what refinement aims at
+  constexpr double kLeastDihedralDeg = 30;                     // what refined surfaces have nearly everywhere
   AdaptParams adapt = adapt_params(volume, params);
   adapt.min_angle_deg = kAngleShare * params.facet_angle_deg;
-  adapt.min_dihedral_deg = 30;
+  adapt.min_dihedral_deg = kLeastDihedralDeg;
   adapt.envelope_voxels = kDistanceShare * params.max_distance_voxels;
   AdaptRecord record;
   Result<SurfaceMesh> improved = improve_surface(surface, reference, sizing, adapt, ctx, &record);

@@ -1,35 +1,24 @@
-import { useRef, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import type { MaskSize, Recipe, SideKind } from '../engine/contract';
 import { openSizeFiles } from '../store/open_files';
 import { paintedName } from '../store/painting';
 import { editRecipe } from '../store/recipe';
 import { awaitedSides } from '../store/side_files';
 import { NumberField } from './fields';
+import { FileInput } from './file_input';
 import { FoldedItem } from './folded_item';
 import { Icon } from './icons';
 
 function SizeFileButton({ kind, label, title }: { kind: SideKind; label: string; title: string }) {
-  const input = useRef<HTMLInputElement>(null);
   return (
-    <>
-      <button type="button" class="button small" title={title} onClick={() => input.current?.click()}>
-        <Icon name="plus" size={13} /> {label}
-      </button>
-      <input
-        ref={input}
-        type="file"
-        multiple
-        hidden
-        aria-hidden="true"
-        tabIndex={-1}
-        data-testid={`${kind}-input`}
-        onChange={(event) => {
-          const files = [...(event.currentTarget.files ?? [])];
-          event.currentTarget.value = '';
-          void openSizeFiles(kind, files);
-        }}
-      />
-    </>
+    <FileInput
+      class="button small"
+      title={title}
+      testId={`${kind}-input`}
+      onFiles={(files) => void openSizeFiles(kind, files)}
+    >
+      <Icon name="plus" size={13} /> {label}
+    </FileInput>
   );
 }
 

@@ -1,4 +1,3 @@
-import { useRef } from 'preact/hooks';
 import type { PhantomKind, PhantomParams, Recipe, Vec3, VolumeSummary } from '../engine/contract';
 import { obliqueness, orientationLetters } from '../geometry/orientation';
 import { editPhantom, openPhantom } from '../store/actions';
@@ -7,6 +6,7 @@ import { previewSoon } from '../store/runs';
 import { volume } from '../store/input';
 import { dialogShown } from './dialog_shown';
 import { CheckField, NumberField, SelectField, VectorField } from './fields';
+import { FileInput } from './file_input';
 import { short } from './format';
 import { Icon } from './icons';
 
@@ -21,31 +21,14 @@ const bodies: readonly (readonly [PhantomKind, string])[] = [
 ];
 
 export function FileButton({ label, primary }: { label: string; primary?: boolean }) {
-  const input = useRef<HTMLInputElement>(null);
   return (
-    <>
-      <button
-        type="button"
-        class={primary ? 'button primary' : 'button'}
-        onClick={() => input.current?.click()}
-      >
-        <Icon name="file" /> {label}
-      </button>
-      <input
-        ref={input}
-        type="file"
-        multiple
-        hidden
-        aria-hidden="true"
-        tabIndex={-1}
-        data-testid="file-input"
-        onChange={(event) => {
-          const files = [...(event.currentTarget.files ?? [])];
-          event.currentTarget.value = '';
-          void openFiles(files);
-        }}
-      />
-    </>
+    <FileInput
+      class={primary ? 'button primary' : 'button'}
+      testId="file-input"
+      onFiles={(files) => void openFiles(files)}
+    >
+      <Icon name="file" /> {label}
+    </FileInput>
   );
 }
 
