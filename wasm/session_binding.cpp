@@ -8,12 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "geometry/digest.h"
 #include "io/read_volume.h"
 #include "io/write_mesh.h"
 #include "lookup/look_up_labels.h"
-#include "pipeline/forecast.h"
 #include "pipeline/field_volume.h"
+#include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
 #include "quality/measure_quality.h"
@@ -187,22 +186,20 @@ class SessionBinding {
 
  private:
   std::string load_mask(const VolumeFile& file) {
-    const Result<LabelVolume> mask = read_volume(file);
-    if (!mask) return reply(mask.error());
     if (Status loaded = session_.load_mask(file); !loaded) return reply(loaded.error());
+    const auto& [mask, digest] = session_.masks().at(file.name);
     std::vector<bool> found(std::numeric_limits<Label>::max() + std::size_t{1});
-    for (const Label label : mask->labels) found[label] = true;
+    for (const Label label : mask.labels) found[label] = true;
     json labels = json::array();
     for (std::size_t label = 1; label < found.size(); ++label)
       if (found[label]) labels.push_back(label);
-    return reply({{"name", file.name}, {"digest", digest_of(*mask)}, {"labels", labels}});
+    return reply({{"name", file.name}, {"digest", digest}, {"labels", labels}});
   }
 
   std::string load_size_image(const VolumeFile& file) {
-    const Result<ScalarVolume> image = read_scalar_volume(file);
-    if (!image) return reply(image.error());
     if (Status loaded = session_.load_size_image(file); !loaded) return reply(loaded.error());
-    return reply({{"name", file.name}, {"digest", digest_of(*image)}, {"labels", json::array()}});
+    const std::string& digest = session_.size_images().at(file.name).digest;
+    return reply({{"name", file.name}, {"digest", digest}, {"labels", json::array()}});
   }
 
   /// Keeps what was made for a view alive until the next one is asked for.

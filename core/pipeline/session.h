@@ -49,6 +49,13 @@ struct StageRecord {
 /// A case being meshed. Results stay valid until a run replaces them; each is null before its stage has run.
 class Session {
  public:
+  /// A volume beside the one that is meshed, and the digest of it.
+  template <class Volume>
+  struct SideVolume {
+    Volume volume;
+    std::string digest;
+  };
+
   /// Takes the volume of a file; the recipe's source becomes that file. Nothing changes on failure.
   Status load_volume(const VolumeFile& file);
 
@@ -56,6 +63,9 @@ class Session {
   /// is. A file of the same name is replaced.
   Status load_mask(const VolumeFile& file);
   Status load_size_image(const VolumeFile& file);
+  /// By the file's name: those that were taken.
+  const std::map<std::string, SideVolume<LabelVolume>>& masks() const { return masks_; }
+  const std::map<std::string, SideVolume<ScalarVolume>>& size_images() const { return images_; }
 
   /// Replaces the recipe. A `file` source keeps the volume that load_volume gave, and must match its digest.
   Status set_recipe(const Recipe& recipe);
@@ -104,12 +114,6 @@ class Session {
   void forget(Stage stage);
 
   Recipe recipe_;
-  /// A volume beside the one that is meshed, and the digest of it.
-  template <class Volume>
-  struct SideVolume {
-    Volume volume;
-    std::string digest;
-  };
   std::map<std::string, SideVolume<LabelVolume>> masks_;
   std::map<std::string, SideVolume<ScalarVolume>> images_;
   std::shared_ptr<const LabelVolume> file_volume_;

@@ -92,7 +92,9 @@ test('a mask and an image of sizes are dropped on the case; a link of it waits f
 
   await page.getByRole('button', { name: 'Share' }).click();
   await expect(page.getByRole('dialog')).toContainText('box.nrrd, sizes.nii are not in the link');
-  const url = await page.getByTestId('share-link').inputValue();
+  const shared = page.getByTestId('share-link');
+  await expect(shared).toHaveValue(/#c1=/);
+  const url = await shared.inputValue();
   await page.goto('about:blank');
   await page.goto(url);
   await expect(page.getByRole('dialog')).toContainText('box.nrrd, sizes.nii, to be dropped in');

@@ -49,10 +49,14 @@ export function keepSizingShown(): void {
   });
 }
 
+/** A preview ends what the engine is at, so it waits for what the user has asked for: a file read or written. */
 export function previewSoon(): void {
   clearTimeout(previewTimer);
   if (activity.value === 'run') return;
-  previewTimer = setTimeout(() => void preview(false), 350);
+  previewTimer = setTimeout(() => {
+    if (activity.value === 'opening' || activity.value === 'export') previewSoon();
+    else void preview(false);
+  }, 350);
 }
 
 export function runAll(): Promise<void> {
