@@ -31,7 +31,7 @@ constexpr double kSeedSeparation = 0.25;  ///< between first points, in units of
 struct Repair {
   bool thorough;              ///< with a closer look around labels whose topology differs
   double separation;          ///< between points added where the surface missed something
-  double least_pinch_radius;  ///< of a facet that is refined to open a pinch
+  double least_facet_radius;  ///< of a facet that is refined to open a pinch or a channel
   double turned_cosine;       ///< of the largest angle between reference and surface
 };
 /// One after the other, until there is nothing to repair.
@@ -116,14 +116,17 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   DelaunayRefiner refiner(field, sizing,
                           {params.facet_angle_deg, params.max_distance_voxels * voxel, 1 / kEdgePerRadius});
   refiner.insert(seeds.points, kSeedSeparation * voxel);
+  MissedPlaces places(reference, field);
   const std::vector<Edge> junctions = junction_edges(reference);
   auto repair = kRepairs.begin();
   for (;;) {
     if (!refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count()))))
       return cancelled_error("remesh");
     CellComplex cells = refiner.cells();
-    drop_fragments(cells, field, pieces);
+    std::vector<InterfaceFacet> flawed;
+    drop_fragments(cells, field, pieces, &flawed);
     const std::vector<InterfaceFacet> pinches = facets_at_pinches(cells);
+    flawed.insert(flawed.end(), pinches.begin(), pinches.end());
     mend_pinches(cells, field);
     relabel_cells(cells);
     drop_fragments(cells, field, pieces);
@@ -136,14 +139,13 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
           repair->thorough ? differing_labels(wanted, label_topology(merged)) : std::vector<Label>{};
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
-      const std::vector<Eigen::Vector3d> elsewhere = missed_places(
-          reference, merged, field,
-          {params.missed_voxels * voxel, repair->separation * voxel, broken, repair->turned_cosine});
+      const std::vector<Eigen::Vector3d> elsewhere = places.of(
+          merged, {params.missed_voxels * voxel, repair->separation * voxel, broken, repair->turned_cosine});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
       if (repair->thorough && broken.empty() && missed.empty()) break;
-      // Pinches first, because new points do away with cells.
-      for (const InterfaceFacet& facet : pinches)
-        added += refiner.request(facet.cell, facet.corner, repair->least_pinch_radius * voxel);
+      // These first, because new points do away with cells.
+      for (const InterfaceFacet& facet : flawed)
+        added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);
       added += refiner.insert(missed, repair->separation * voxel);
     }
     if (added > 0) continue;

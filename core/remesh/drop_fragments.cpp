@@ -47,15 +47,49 @@ void add_voxels(const CellComplex& cells, std::uint32_t cell, const LabelField& 
       }
 }
 
-/// Whether a group of cells holds a whole piece of the voxels, or enough of one to stay.
-bool is_piece(const CellComplex& cells, const std::vector<std::uint32_t>& group, const LabelField& field,
-              const VoxelPieces& pieces) {
+/// The voxels of its label whose centres lie in a group of cells, each once.
+std::vector<std::size_t> voxels_in(const CellComplex& cells, const std::vector<std::uint32_t>& group,
+                                   const LabelField& field) {
   std::vector<std::size_t> voxels;
   for (const std::uint32_t c : group) add_voxels(cells, c, field, voxels);
   std::sort(voxels.begin(), voxels.end());
   voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+  return voxels;
+}
+
+/// Whether voxels are a whole piece, or enough of one to stay.
+bool is_piece(const std::vector<std::size_t>& voxels, const VoxelPieces& pieces) {
   if (voxels.empty()) return false;
   return voxels.size() >= kCrumbVoxels || 2 * voxels.size() >= pieces.sizes[pieces.ids[voxels.front()]];
+}
+
+/// Whether a label goes on beyond a cell of another, apart from a group, with at most `depth` more such cells
+/// between.
+bool leads_on(const CellComplex& cells, std::uint32_t lid, Label label,
+              const std::vector<std::uint32_t>& group, int depth) {
+  for (const std::uint32_t n : cells.neighbours[lid]) {
+    if (cells.label_or_background(n) == label) {
+      if (std::find(group.begin(), group.end(), n) == group.end()) return true;
+    } else if (depth > 0 && n != CellComplex::kNone && leads_on(cells, n, label, group, depth - 1)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Facets of a group towards a lid, beyond which its label goes on.
+std::vector<InterfaceFacet> lids_of(const CellComplex& cells, const std::vector<std::uint32_t>& group) {
+  constexpr int kThickness = 3;  // of a lid, in cells
+  std::vector<InterfaceFacet> lids;
+  const Label label = cells.labels[group.front()];
+  for (const std::uint32_t c : group)
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const std::uint32_t lid = cells.neighbours[c][i];
+      if (lid != CellComplex::kNone && cells.labels[lid] != label &&
+          leads_on(cells, lid, label, group, kThickness - 1))
+        lids.push_back({c, i});
+    }
+  return lids;
 }
 
 }  // namespace
@@ -85,7 +119,8 @@ Label label_around(const CellComplex& cells, const std::vector<std::uint32_t>& g
   return best;
 }
 
-std::size_t drop_fragments(CellComplex& cells, const LabelField& field, const VoxelPieces& pieces) {
+std::size_t drop_fragments(CellComplex& cells, const LabelField& field, const VoxelPieces& pieces,
+                           std::vector<InterfaceFacet>* torn) {
   std::vector<std::vector<std::uint32_t>> fragments;
   std::vector<std::size_t> largest(65536, 0);
   std::vector<std::uint8_t> seen(cells.labels.size(), 0);
@@ -107,7 +142,12 @@ std::size_t drop_fragments(CellComplex& cells, const LabelField& field, const Vo
   std::size_t changed = 0;
   for (const std::vector<std::uint32_t>& fragment : fragments) {
     if (fragment.size() == largest[cells.labels[fragment.front()]]) continue;
-    if (is_piece(cells, fragment, field, pieces)) continue;
+    const std::vector<std::size_t> voxels = voxels_in(cells, fragment, field);
+    if (is_piece(voxels, pieces)) continue;
+    if (torn && !voxels.empty()) {
+      const std::vector<InterfaceFacet> lids = lids_of(cells, fragment);
+      torn->insert(torn->end(), lids.begin(), lids.end());
+    }
     const Label label = label_around(cells, fragment);
     for (const std::uint32_t c : fragment) cells.labels[c] = label;
     changed += fragment.size();

@@ -7,6 +7,7 @@
 
 #include "geometry/label_components.h"
 #include "remesh/cell_complex.h"
+#include "remesh/interface_edges.h"
 #include "remesh/label_field.h"
 
 namespace voxtet::remesh {
@@ -21,7 +22,10 @@ VoxelPieces find_pieces(const LabelField& field);
 /// that most facets of their rim lead to: those that hold no voxel centre of the label, and those that hold
 /// fewer than kCrumbVoxels and belong to a larger piece of the voxels. Groups of more than a few hundred
 /// cells and the largest of each label stay. Returns how many cells changed.
-std::size_t drop_fragments(CellComplex& cells, const LabelField& field, const VoxelPieces& pieces);
+/// `torn` receives where those that hold voxel centres were torn off: their facets towards a few cells beyond
+/// which the label goes on, for example at the mouths of a channel.
+std::size_t drop_fragments(CellComplex& cells, const LabelField& field, const VoxelPieces& pieces,
+                           std::vector<InterfaceFacet>* torn = nullptr);
 
 inline constexpr std::size_t kCrumbVoxels = 8;
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <new>
+#include <numeric>
 #include <utility>
 
 #include "geometry/triangle_measures.h"
@@ -16,7 +17,7 @@ constexpr const char* kStage = "remesh";
 constexpr double kContentVoxels = 0.1;  ///< a sample this near to a triangle may be its
 constexpr double kShort = 0.72;         ///< in wished lengths; refined surfaces have few natural edges below
 constexpr double kRefinedGapShare = 0.4;  ///< EditLimits::gap_share; where sheets are near, edges stay short
-constexpr double kTrialAngleDeg = 18;     ///< below this an angle is not worth opening again
+constexpr double kTrialAngleDeg = 10;     ///< below this an angle is not worth opening again
 constexpr double kLatticeVoxels = 0.6, kFineLatticeVoxels = 0.5;
 constexpr double kLeastReachVoxels = 0.45;  ///< nearer than this is near enough
 constexpr double kNearShare = 0.4;          ///< of the envelope: samples that need no closer look
@@ -31,14 +32,19 @@ class Improver : public AdaptPasses {
   bool run();
 
  private:
-  bool coarsen_to(double shortest, bool healing);
-  bool relocate_touched();
+  bool coarsen_to(double shortest);
+  bool relocate_touched(bool with_curves);
   bool come_nearer();
+  bool bring_near(std::uint32_t t, double reach_mm);
   bool bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach);
-  template <class Operation>
-  bool with_healing(Operation&& operation);
+  bool is_nearer();
+  template <class Operation, class Demanded>
+  bool tried(Operation&& operation, Demanded&& demanded);
+  template <class Operation, class Demanded>
+  bool with_healing(Operation&& operation, Demanded&& demanded);
   bool heal(double limit_cosine);
 
+  std::vector<bool> changed_;  ///< vertices, by the last round; none before the first
   const double trial_cosine_ = cosine_of_deg(kTrialAngleDeg);
 };
 
@@ -47,30 +53,31 @@ bool Improver::run() {
   editor_.limits.gap_share = kRefinedGapShare;
   editor_.limits.lattice_mm = kLatticeVoxels * params_.voxel_mm;
   fit_cells();
-  for (const bool healing : {true, false}) {
-    if (!step(healing ? 0.8 : 0.9)) return false;
-    if (!coarsen_to(0.5 * kShort, healing) || !coarsen_to(kShort, healing) || !relocate_touched())
-      return false;
+  for (const bool first : {true, false}) {
+    if (!step(first ? 0.8 : 0.9)) return false;
+    if (!coarsen_to(0.5 * kShort) || !coarsen_to(kShort) || !relocate_touched(first)) return false;
     if (!open_angles(editor_.limits.angle_cosine) || !open_folds()) return false;
   }
   return come_nearer();
 }
 
-bool Improver::coarsen_to(double shortest, bool healing) {
+bool Improver::coarsen_to(double shortest) {
   return coarsen(shortest, [&](std::uint32_t v, std::uint32_t other, double longest) {
     const auto collapse = [&] { return operations_.collapse(v, other, longest); };
-    return collapse() || (healing && with_healing(collapse));
+    // What could not be healed cannot be now, if nothing around has changed.
+    const bool news = changed_.empty() || changed_[v] || changed_[other];
+    return collapse() || (news && with_healing(collapse, [] { return true; }));
   });
 }
 
-/// Vertices around what changed, and around junction curves, whose vertices refinement puts beside the
-/// reference's; each round nearer to the labels' volumes.
-bool Improver::relocate_touched() {
+/// Vertices around what changed, and at first around junction curves, whose vertices refinement puts beside
+/// the reference's; each round nearer to the labels' volumes.
+bool Improver::relocate_touched(bool with_curves) {
   constexpr int kRounds = 2;
   const ComplexMesh& mesh = editor_.mesh();
   std::vector<bool> touched = operations_.take_touched();
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
-    if (alive(v) && mesh.stratum(v) == Stratum::kCurve) {
+    if (with_curves && alive(v) && mesh.stratum(v) == Stratum::kCurve) {
       touched[v] = true;
       for (const std::uint32_t other : operations_.neighbours(v)) touched[other] = true;
     }
@@ -81,26 +88,49 @@ bool Improver::relocate_touched() {
       if (touched[v] && alive(v)) operations_.relocate(v);
     }
   }
+  changed_ = std::move(touched);
   return true;
 }
 
-/// Facets beyond the envelope; in a narrow one only those that are far.
+/// Facets beyond the envelope; in a narrow one only those that are far. Again around those that were, which
+/// an operation on another may have taken as far as that one was.
 bool Improver::come_nearer() {
-  constexpr int kMostSteps = 6;
+  constexpr int kPasses = 4;
   const ComplexMesh& mesh = editor_.mesh();
   const double reach_mm = std::max(editor_.limits.reach_mm, kLeastReachVoxels * params_.voxel_mm);
-  const double most_mm = 2 * reach_mm;  // beyond, another sheet may have been taken for the triangle's
   editor_.limits.lattice_mm = kFineLatticeVoxels * params_.voxel_mm;
-  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
-    if (t % 4096 == 0 && ctx_.cancelled()) return false;
-    for (int step = 0; step < kMostSteps && mesh.alive(t); ++step) {
-      if (editor_.well_sampled(t, kNearShare * reach_mm)) break;
-      const ComplexEditor::Breach breach = editor_.farthest(t);
-      if (breach.distance2 <= reach_mm * reach_mm || breach.distance2 > most_mm * most_mm) break;
-      if (!bring_nearer(t, breach)) break;
+  std::vector<std::uint32_t> queue(mesh.slot_count());
+  std::iota(queue.begin(), queue.end(), 0U);
+  for (int pass = 0; pass < kPasses && !queue.empty(); ++pass) {
+    std::vector<std::uint32_t> around;
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      if (i % 4096 == 0 && ctx_.cancelled()) return false;
+      if (!mesh.alive(queue[i])) continue;
+      const Triangle corners = mesh.triangle(queue[i]);
+      if (!bring_near(queue[i], reach_mm)) continue;
+      for (const std::uint32_t v : corners)
+        around.insert(around.end(), mesh.star(v).begin(), mesh.star(v).end());
     }
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    queue.swap(around);
   }
   return true;
+}
+
+/// Step by step; whether there was any.
+bool Improver::bring_near(std::uint32_t t, double reach_mm) {
+  constexpr int kMostSteps = 6;
+  const double most_mm = 2 * reach_mm;  // beyond, another sheet may have been taken for the triangle's
+  bool any = false;
+  for (int step = 0; step < kMostSteps && editor_.mesh().alive(t); ++step) {
+    if (editor_.well_sampled(t, kNearShare * reach_mm)) break;
+    const ComplexEditor::Breach breach = editor_.farthest(t);
+    if (breach.distance2 <= reach_mm * reach_mm || breach.distance2 > most_mm * most_mm) break;
+    if (!bring_nearer(t, breach)) break;
+    any = true;
+  }
+  return any;
 }
 
 /// Shifts of corners, flips, splits and collapses, whichever brings what is farthest nearer; first those that
@@ -117,7 +147,10 @@ bool Improver::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach
   std::sort(by_length.begin(), by_length.end());
   editor_.limits.nearer_mm = kNearerShare * std::sqrt(breach.distance2);
   for (const bool healing : {false, true}) {
-    const auto attempt = [&](auto&& operation) { return healing ? with_healing(operation) : operation(); };
+    const auto nearer = [&] { return is_nearer(); };
+    const auto attempt = [&](auto&& operation) {
+      return healing ? with_healing(operation, nearer) : tried(operation, nearer);
+    };
     const auto shift = [&](std::uint32_t v, const Eigen::Vector3d& by) {
       return attempt([&] { return operations_.shift(v, by, Demand::kNearer); });
     };
@@ -142,20 +175,37 @@ bool Improver::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach
   return false;
 }
 
-/// An operation that may leave poorer angles than allowed, if they can be opened again; else it is taken
-/// back.
-template <class Operation>
-bool Improver::with_healing(Operation&& operation) {
-  const double strict = editor_.limits.angle_cosine;
-  editor_.limits.angle_cosine = std::max(strict, trial_cosine_);
+/// Whether all that the trial made is: the operations themselves look at samples that have changed hosts, and
+/// not at those that have kept them.
+bool Improver::is_nearer() {
+  const double limit = editor_.limits.nearer_mm;
+  bool nearer = true;
+  editor_.for_trial_triangles(
+      [&](std::uint32_t t) { nearer = nearer && editor_.farthest(t).distance2 <= limit * limit; });
+  return nearer;
+}
+
+/// An operation that is taken back unless what is demanded holds after it.
+template <class Operation, class Demanded>
+bool Improver::tried(Operation&& operation, Demanded&& demanded) {
   editor_.begin_trial();
-  const bool healed = operation() && heal(strict);
-  editor_.limits.angle_cosine = strict;
-  if (healed)
+  const bool good = operation() && demanded();
+  if (good)
     editor_.keep_trial();
   else
     editor_.undo_trial();
-  return healed;
+  return good;
+}
+
+/// An operation that may leave poorer angles than allowed, if they can be opened again; else it is taken
+/// back.
+template <class Operation, class Demanded>
+bool Improver::with_healing(Operation&& operation, Demanded&& demanded) {
+  const double strict = editor_.limits.angle_cosine;
+  editor_.limits.angle_cosine = std::max(strict, trial_cosine_);
+  const bool good = tried(operation, [&] { return heal(strict) && demanded(); });
+  editor_.limits.angle_cosine = strict;
+  return good;
 }
 
 /// Opens the angles of what the trial made, down to the limit or to what it found.

@@ -9,17 +9,28 @@
 namespace voxtet::remesh {
 
 std::vector<Edge> junction_edges(const SurfaceMesh& surface) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * surface.triangles.size());
-  for (const Triangle& t : surface.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      edges.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
-  std::sort(edges.begin(), edges.end());
+  // The higher ends of all edges, by their lower ends.
+  std::vector<std::uint32_t> start(surface.points.size() + 2, 0);
+  const auto for_edges = [&](auto&& visit) {
+    for (const Triangle& t : surface.triangles)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+        visit(std::min(a, b), std::max(a, b));
+      }
+  };
+  for_edges([&](std::uint32_t low, std::uint32_t) { ++start[low + 2]; });
+  for (std::size_t p = 2; p < start.size(); ++p) start[p] += start[p - 1];
+  std::vector<std::uint32_t> highs(start.back());
+  for_edges([&](std::uint32_t low, std::uint32_t high) { highs[start[low + 1]++] = high; });
   std::vector<Edge> out;
-  for (auto e = edges.begin(); e != edges.end();) {
-    const auto next = std::find_if(e, edges.end(), [&](const Edge& other) { return other != *e; });
-    if (next - e > 2) out.push_back(*e);
-    e = next;
+  for (std::uint32_t low = 0; low < surface.points.size(); ++low) {
+    const auto last = highs.begin() + start[low + 1];
+    std::sort(highs.begin() + start[low], last);
+    for (auto e = highs.begin() + start[low]; e != last;) {
+      const auto next = std::find_if(e, last, [&](std::uint32_t other) { return other != *e; });
+      if (next - e > 2) out.push_back({low, *e});
+      e = next;
+    }
   }
   return out;
 }

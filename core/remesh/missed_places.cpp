@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "geometry/closest_point.h"
 #include "geometry/surface_measures.h"
@@ -25,19 +27,58 @@ bool beside_any(const Sides& sides, const std::vector<Label>& labels) {
          std::binary_search(labels.begin(), labels.end(), sides[1]);
 }
 
-/// Ids of triangles (every `stride`-th, and every other one beside the listed labels) grouped by their two
-/// labels.
-std::vector<std::uint32_t> by_pair(const SurfaceMesh& surface, std::size_t stride,
-                                   const std::vector<Label>& labels) {
+/// Triangles for which `wanted` holds, grouped by their two labels.
+template <class Wanted>
+std::vector<std::uint32_t> by_pair(const SurfaceMesh& surface, Wanted&& wanted) {
   std::vector<std::uint32_t> ids;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    if (t % stride == 0 || (t % kThoroughStride == 0 && beside_any(surface.sides[t], labels)))
-      ids.push_back(static_cast<std::uint32_t>(t));
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+    if (wanted(t)) ids.push_back(t);
   std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
     return pair_of(surface.sides[a]) < pair_of(surface.sides[b]);
   });
   return ids;
 }
+
+/// Every so many-th triangle is a sample, whatever its labels.
+std::size_t stride_of(const SurfaceMesh& reference) {
+  return std::max<std::size_t>(1, reference.triangles.size() / kMostSamples);
+}
+
+/// By triangle, a number that stands for its corners' places, whatever their order and numbers.
+std::vector<std::uint64_t> names_of(const SurfaceMesh& surface) {
+  std::vector<std::uint64_t> of_point;
+  for (const Eigen::Vector3d& p : surface.points) {
+    std::uint64_t name = 0;
+    for (const double x : p) {  // splitmix64 (Steele et al. 2014)
+      name = (name ^ std::bit_cast<std::uint64_t>(x)) + 0x9e3779b97f4a7c15;
+      name = (name ^ (name >> 30)) * 0xbf58476d1ce4e5b9;
+      name = (name ^ (name >> 27)) * 0x94d049bb133111eb;
+      name ^= name >> 31;
+    }
+    of_point.push_back(name);
+  }
+  std::vector<std::uint64_t> names;
+  for (const auto& [a, b, c] : surface.triangles) names.push_back(of_point[a] + of_point[b] + of_point[c]);
+  return names;
+}
+
+/// Triangles by name.
+class NamedTriangles {
+ public:
+  explicit NamedTriangles(const std::vector<std::uint64_t>& names) {
+    for (std::uint32_t t = 0; t < names.size(); ++t) sorted_.push_back({names[t], t});
+    std::sort(sorted_.begin(), sorted_.end());
+  }
+
+  std::optional<std::uint32_t> find(std::uint64_t name) const {
+    const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{name, std::uint32_t{0}});
+    if (at == sorted_.end() || at->first != name) return std::nullopt;
+    return at->second;
+  }
+
+ private:
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted_;
+};
 
 Eigen::Vector3d cross_of(const SurfaceMesh& surface, const Triangle& t) {
   return triangle_cross(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
@@ -50,6 +91,11 @@ bool is_turned(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double cosine
 Eigen::Vector3d centroid(const SurfaceMesh& surface, std::uint32_t t) {
   const auto [a, b, c] = surface.triangles[t];
   return (surface.points[a] + surface.points[b] + surface.points[c]) / 3;
+}
+
+double distance_to(const SurfaceMesh& surface, std::uint32_t t, const Eigen::Vector3d& point) {
+  const auto [a, b, c] = surface.triangles[t];
+  return (closest_on_triangle(point, surface.points[a], surface.points[b], surface.points[c]) - point).norm();
 }
 
 /// The point near a triangle's centroid, along its normal, where the field changes between its two labels.
@@ -70,46 +116,66 @@ std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint3
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> missed_places(const SurfaceMesh& reference, const SurfaceMesh& surface,
-                                           const LabelField& field, const MissedCriteria& criteria) {
+MissedPlaces::MissedPlaces(const SurfaceMesh& reference, const LabelField& field)
+    : reference_(reference), field_(field) {
+  const std::size_t stride = stride_of(reference);
+  samples_ = by_pair(reference, [&](std::uint32_t t) { return t % stride == 0 || t % kThoroughStride == 0; });
+  followed_by_.assign(samples_.size(), 0);
+}
+
+std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const MissedCriteria& criteria) {
   const double limit = criteria.limit_mm, separation2 = criteria.separation_mm * criteria.separation_mm;
-  const std::size_t stride = std::max<std::size_t>(1, reference.triangles.size() / kMostSamples);
-  const std::vector<std::uint32_t> samples = by_pair(reference, stride, criteria.thorough);
-  const std::vector<std::uint32_t> ids = by_pair(surface, 1, {});
+  const std::size_t stride = stride_of(reference_);
+  const std::vector<std::uint32_t> ids = by_pair(surface, [](std::uint32_t) { return true; });
+  const std::vector<std::uint64_t> names = names_of(surface);
+  const NamedTriangles named(names);
   std::vector<Eigen::Vector3d> missed;
-  std::vector<Triangle> triangles;
-  auto from = ids.begin();
-  for (auto s = samples.begin(); s != samples.end();) {
-    const std::uint32_t pair = pair_of(reference.sides[*s]);
-    const bool thorough = beside_any(reference.sides[*s], criteria.thorough);
-    const auto last =
-        std::find_if(s, samples.end(), [&](std::uint32_t t) { return pair_of(reference.sides[t]) != pair; });
-    while (from != ids.end() && pair_of(surface.sides[*from]) < pair) ++from;
-    triangles.clear();
-    for (; from != ids.end() && pair_of(surface.sides[*from]) == pair; ++from)
-      triangles.push_back(surface.triangles[*from]);
+  std::size_t from = 0;
+  for (std::size_t s = 0; s < samples_.size();) {
+    const Sides& sides = reference_.sides[samples_[s]];
+    const bool thorough = beside_any(sides, criteria.thorough);
+    while (from < ids.size() && pair_of(surface.sides[ids[from]]) < pair_of(sides)) ++from;
+    std::size_t to = from;
+    while (to < ids.size() && surface.sides[ids[to]] == sides) ++to;
+    const auto follows = [&](std::uint32_t sample, std::uint32_t t, double distance_mm) {
+      return distance_mm <= limit &&
+             (!thorough || distance_mm <= kTurnedShare * limit ||
+              !is_turned(cross_of(reference_, reference_.triangles[sample]),
+                         cross_of(surface, surface.triangles[t]), criteria.turned_cosine));
+    };
     const std::size_t known = missed.size();
-    const auto add = [&](std::uint32_t t) {
-      const std::optional<Eigen::Vector3d> p = onto_field(reference, t, field, limit);
+    const auto add = [&](std::uint32_t sample) {
+      const std::optional<Eigen::Vector3d> p = onto_field(reference_, sample, field_, limit);
       const auto close = [&](const Eigen::Vector3d& q) { return (q - *p).squaredNorm() < separation2; };
       if (p && std::none_of(missed.begin() + static_cast<std::ptrdiff_t>(known), missed.end(), close))
         missed.push_back(*p);
     };
-    if (triangles.empty()) {
-      for (; s != last; ++s) add(*s);
-      continue;
-    }
-    const ClosestPointTree tree(surface.points, triangles);
+    std::optional<ClosestPointTree> tree;
     std::uint32_t hint = 0;
-    const double content = thorough ? kTurnedShare * limit : limit;
-    for (; s != last; ++s) {
-      const ClosestPointTree::Hit hit = tree.closest(centroid(reference, *s), hint, content);
+    for (; s < samples_.size() && reference_.sides[samples_[s]] == sides; ++s) {
+      const std::uint32_t sample = samples_[s];
+      if (!thorough && sample % stride != 0) continue;
+      if (from == to) {
+        add(sample);
+        continue;
+      }
+      const Eigen::Vector3d middle = centroid(reference_, sample);
+      const std::optional<std::uint32_t> last = named.find(followed_by_[s]);
+      if (last && surface.sides[*last] == sides &&
+          follows(sample, *last, distance_to(surface, *last, middle)))
+        continue;
+      if (!tree) {
+        std::vector<Triangle> triangles;
+        for (std::size_t i = from; i < to; ++i) triangles.push_back(surface.triangles[ids[i]]);
+        tree.emplace(surface.points, triangles);
+      }
+      const ClosestPointTree::Hit hit = tree->closest(middle, hint, thorough ? kTurnedShare * limit : limit);
       hint = hit.triangle;
-      const bool lid = thorough && hit.distance_mm > kTurnedShare * limit &&
-                       is_turned(cross_of(reference, reference.triangles[*s]),
-                                 cross_of(surface, triangles[hit.triangle]), criteria.turned_cosine);
-      if (lid || hit.distance_mm > limit) add(*s);
+      const std::uint32_t closest = ids[from + hit.triangle];
+      followed_by_[s] = names[closest];
+      if (!follows(sample, closest, hit.distance_mm)) add(sample);
     }
+    from = to;
   }
   return missed;
 }

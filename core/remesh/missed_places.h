@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 #include "remesh/junction_points.h"
@@ -20,12 +21,24 @@ struct MissedCriteria {
   double turned_cosine = 0.3;  ///< of that angle
 };
 
-/// Samples of `reference` (triangles' centroids, evenly through its list) that are farther than the limit
-/// from the triangles of `surface` between the same two labels, each moved along its normal onto the field's
-/// interface of the two labels, where that is within the limit; left out where it is not. In the order of the
-/// reference.
-std::vector<Eigen::Vector3d> missed_places(const SurfaceMesh& reference, const SurfaceMesh& surface,
-                                           const LabelField& field, const MissedCriteria& criteria);
+/// Where surfaces, one better than the other, miss a reference. Holds the reference and its field.
+class MissedPlaces {
+ public:
+  MissedPlaces(const SurfaceMesh& reference, const LabelField& field);
+
+  /// Samples of the reference (triangles' centroids, evenly through its list) that are farther than the limit
+  /// from the triangles of `surface` between the same two labels, each moved along its normal onto the
+  /// field's interface of the two labels, where that is within the limit; left out where it is not. Grouped
+  /// by labels, in the order of the reference. A triangle that has followed a sample and is still there is
+  /// looked at first, and will do.
+  std::vector<Eigen::Vector3d> of(const SurfaceMesh& surface, const MissedCriteria& criteria);
+
+ private:
+  const SurfaceMesh& reference_;
+  const LabelField& field_;
+  std::vector<std::uint32_t> samples_;      ///< triangles that may be samples, by their two labels
+  std::vector<std::uint64_t> followed_by_;  ///< by sample, what names the triangle that was last closest
+};
 
 /// Points on the junction curves of `reference` (its junction_edges): middles of edges that are farther than
 /// the limit from the junction curves of `surface`, then what is closest to middles of the surface's junction

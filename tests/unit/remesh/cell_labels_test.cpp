@@ -214,7 +214,9 @@ TEST(DropFragments, DropsWhatHoldsNoVoxelOfItsLabelUnlessItIsAllThatThereIs) {
     const auto label_of = [&](int i, int j, int k) {
       return cells.labels[6 * static_cast<std::size_t>(i + 20 * (j + 20 * k))];
     };
-    EXPECT_EQ(drop_fragments(cells, field, find_pieces(field)), 12U);
+    std::vector<InterfaceFacet> torn;
+    EXPECT_EQ(drop_fragments(cells, field, find_pieces(field), &torn), 12U);
+    EXPECT_TRUE(torn.empty()) << "neither holds a voxel of its label";
     EXPECT_EQ(label_of(12, 14, 6), 0);
     EXPECT_EQ(label_of(13, 13, 3), 0);
     EXPECT_EQ(label_of(17, 17, 17), 1);
@@ -231,6 +233,29 @@ TEST(DropFragments, GivesACrumbToTheLabelWithMostOfItsRim) {
   for (std::uint32_t c = 0; c < cells.labels.size(); ++c)
     if (cells.labels[c] == 5) group.push_back(c);
   EXPECT_EQ(label_around(cells, group), 3);
+}
+
+TEST(DropFragments, TellsTheMouthOfAChannelThatWasClosedByALid) {
+  // A channel one voxel wide leads from a face of the body to its middle; a layer of cells closes it.
+  const LabelVolume volume = test::make_volume(10, 10, 10, [](int i, int j, int k) {
+    const bool body = i > 1 && i < 8 && j > 1 && j < 8 && k > 1 && k < 8;
+    return body && !(j == 5 && k == 5 && i < 5) ? 1 : 0;
+  });
+  const LabelField field = field_of(volume);
+  constexpr int kLid = 5;
+  CellComplex cells = test::lattice_complex(20, 0.5, -0.6, [&](int i, int j, int k) {
+    const auto at = [](int n) { return (n - 1) / 2; };  // two cubes a voxel
+    const bool body = at(i) > 1 && at(i) < 8 && at(j) > 1 && at(j) < 8 && at(k) > 1 && at(k) < 8;
+    return body && !(at(j) == 5 && at(k) == 5 && at(i) < 5 && i != kLid) ? 1 : 0;
+  });
+  std::vector<InterfaceFacet> torn;
+  EXPECT_GT(drop_fragments(cells, field, find_pieces(field), &torn), 0U);
+  ASSERT_FALSE(torn.empty());
+  for (const InterfaceFacet& facet : torn) {
+    const std::uint32_t lid = cells.neighbours[facet.cell][facet.corner];
+    EXPECT_EQ(static_cast<int>(lid / 6 % 20), kLid);
+    EXPECT_EQ(static_cast<int>(facet.cell / 6 % 20), kLid + 1);
+  }
 }
 
 }  // namespace

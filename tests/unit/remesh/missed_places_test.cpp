@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/label_bodies.h"
@@ -30,17 +31,21 @@ SurfaceMesh both(Label second) {
   return surface;
 }
 
+std::vector<Vector3d> missed_by(const SurfaceMesh& surface, const LabelVolume& volume,
+                                const SurfaceMesh& reference) {
+  const LabelField field(volume, reference);
+  return MissedPlaces(reference, field).of(surface, {kLimit, kSeparation});
+}
+
 TEST(MissedPlaces, AreNoneOfASurfaceThatIsTheReference) {
   const SurfaceMesh reference = both(1);
-  EXPECT_TRUE(missed_places(reference, reference, LabelField(two_balls(1), reference), {kLimit, kSeparation})
-                  .empty());
+  EXPECT_TRUE(missed_by(reference, two_balls(1), reference).empty());
 }
 
 TEST(MissedPlaces, CoverABodyThatTheSurfaceLacks) {
   for (const Label second : std::vector<Label>{1, 2, 65535}) {
     const SurfaceMesh reference = both(second), one = test::sphere(kFirst, kRadius, 3, 1, 0);
-    const std::vector<Vector3d> missed =
-        missed_places(reference, one, LabelField(two_balls(second), reference), {kLimit, kSeparation});
+    const std::vector<Vector3d> missed = missed_by(one, two_balls(second), reference);
     EXPECT_GT(missed.size(), 100U) << second;
     Vector3d low = missed.front(), high = missed.front();
     for (std::size_t p = 0; p < missed.size(); ++p) {
@@ -59,18 +64,31 @@ TEST(MissedPlaces, AreWhereTheSurfaceIsFartherThanTheLimit) {
   const Vector3d top = kFirst + Vector3d(0, 0, kRadius);
   for (Vector3d& p : dented.points)
     if ((p - top).norm() < 1.5) p.z() -= 1;
-  const std::vector<Vector3d> missed =
-      missed_places(reference, dented, LabelField(two_balls(1), reference), {kLimit, kSeparation});
+  const std::vector<Vector3d> missed = missed_by(dented, two_balls(1), reference);
   ASSERT_FALSE(missed.empty());
   for (const Vector3d& p : missed) EXPECT_LT((p - top).norm(), 2);
+}
+
+TEST(MissedPlaces, AreTheSameWhateverSurfaceWasLookedAtBefore) {
+  const SurfaceMesh reference = both(2), one = test::sphere(kFirst, kRadius, 3, 1, 0);
+  SurfaceMesh dented = reference, shuffled = reference;
+  for (Vector3d& p : dented.points)
+    if (p.z() > kFirst.z() + 0.8 * kRadius) p.z() -= 1;
+  std::reverse(shuffled.triangles.begin(), shuffled.triangles.end());
+  std::reverse(shuffled.sides.begin(), shuffled.sides.end());
+  const LabelField field(two_balls(2), reference);
+  MissedPlaces places(reference, field);
+  for (const SurfaceMesh* surface :
+       std::vector<const SurfaceMesh*>{&reference, &dented, &one, &shuffled, &one, &dented, &reference})
+    EXPECT_EQ(places.of(*surface, {kLimit, kSeparation}),
+              MissedPlaces(reference, field).of(*surface, {kLimit, kSeparation}));
 }
 
 TEST(MissedPlaces, DoNotTakeTheInterfaceOfOtherLabelsForTheirOwn) {
   const SurfaceMesh reference = both(1);
   SurfaceMesh wrong = reference;
   for (std::size_t t = wrong.sides.size() / 2; t < wrong.sides.size(); ++t) wrong.sides[t] = {3, 0};
-  const std::vector<Vector3d> missed =
-      missed_places(reference, wrong, LabelField(two_balls(1), reference), {kLimit, kSeparation});
+  const std::vector<Vector3d> missed = missed_by(wrong, two_balls(1), reference);
   EXPECT_GT(missed.size(), 100U);
   for (const Vector3d& p : missed) EXPECT_NEAR((p - kSecond).norm(), kRadius, 0.15);
 }
@@ -87,14 +105,14 @@ TEST(MissedPlaces, AreTheWallsOfANarrowTunnelWhoseLidsAreNear) {
   const SurfaceMesh reference = test::label_surface(volume), lidded = test::label_surface(plate(false));
   const LabelField field(volume, reference);
   constexpr double kWide = 1.5;  // farther than any wall is from a lid
-  EXPECT_TRUE(missed_places(reference, lidded, field, {kWide, 0.2}).empty());
-  const std::vector<Vector3d> missed = missed_places(reference, lidded, field, {kWide, 0.2, {1}});
+  EXPECT_TRUE(MissedPlaces(reference, field).of(lidded, {kWide, 0.2}).empty());
+  const std::vector<Vector3d> missed = MissedPlaces(reference, field).of(lidded, {kWide, 0.2, {1}});
   EXPECT_GE(missed.size(), 4U) << "one a wall";
   for (const Vector3d& p : missed) {
     EXPECT_LT((p - Vector3d(6, 6, p.z())).norm(), 1) << p.transpose();
     EXPECT_TRUE(p.z() > 2.4 && p.z() < 4.6) << p.transpose();
   }
-  EXPECT_TRUE(missed_places(reference, lidded, field, {kWide, 0.2, {2}}).empty()) << "another label";
+  EXPECT_TRUE(MissedPlaces(reference, field).of(lidded, {kWide, 0.2, {2}}).empty()) << "another label";
 }
 
 /// A slab of two labels that meet at x = `border`.
