@@ -35,7 +35,7 @@ class Improver : public AdaptPasses {
   bool coarsen_to(double shortest);
   bool relocate_touched(bool with_curves);
   bool come_nearer();
-  bool bring_near(std::uint32_t t, double reach_mm);
+  bool approach(std::uint32_t t, double reach_mm);
   bool bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach);
   bool is_nearer();
   template <class Operation, class Demanded>
@@ -107,7 +107,7 @@ bool Improver::come_nearer() {
       if (i % 4096 == 0 && ctx_.cancelled()) return false;
       if (!mesh.alive(queue[i])) continue;
       const Triangle corners = mesh.triangle(queue[i]);
-      if (!bring_near(queue[i], reach_mm)) continue;
+      if (!approach(queue[i], reach_mm)) continue;
       for (const std::uint32_t v : corners)
         around.insert(around.end(), mesh.star(v).begin(), mesh.star(v).end());
     }
@@ -119,7 +119,7 @@ bool Improver::come_nearer() {
 }
 
 /// Step by step; whether there was any.
-bool Improver::bring_near(std::uint32_t t, double reach_mm) {
+bool Improver::approach(std::uint32_t t, double reach_mm) {
   constexpr int kMostSteps = 6;
   const double most_mm = 2 * reach_mm;  // beyond, another sheet may have been taken for the triangle's
   bool any = false;
