@@ -2,6 +2,7 @@
 import { effect, untracked } from '@preact/signals';
 import { stageNames, type Recipe, type StageName, type VolumeSummary } from '../engine/contract';
 import { engine, takeTurn, tellError } from './engine';
+import { forecastUnderWay } from './forecast';
 import { awaitedFile, volume } from './input';
 import { recipe } from './recipe';
 import { dropResults, isKept, keepResult, showResult, shownDigests } from './results';
@@ -69,13 +70,18 @@ export async function runTo(last: StageName): Promise<void> {
   await runStages(last, 'run', false);
 }
 
+/** Ends what the engine is at; a forecast from this very surface is waited for, since its stages are wanted. */
+async function freeEngine(surface: string): Promise<void> {
+  const forecasting = forecastUnderWay();
+  if (forecasting?.surface === surface) await forecasting.done;
+  else if (engine.busy) await engine.cancel();
+}
+
 async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean): Promise<void> {
   const current = recipe.value;
   if (!current || !(current.source.phantom || current.source.file) || awaitedFile.value) return;
   const newest = takeTurn();
   const names = stageNames.slice(0, stageNames.indexOf(last) + 1);
-  if (engine.busy) await engine.cancel();
-  if (!newest()) return;
   activity.value = kind;
   marked.value = null;
   if (kind === 'run') {
@@ -84,6 +90,8 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
     startClock();
   }
   try {
+    await freeEngine(stageInput(current, 'smooth'));
+    if (!newest()) return;
     const result = await engine.run(JSON.stringify(current), current.source, last, {
       onProgress(stage, fraction) {
         if (newest()) setStage(stage, { state: 'running', fraction });
