@@ -117,7 +117,9 @@ test('surfaces are sized by curvature; sizes and limits come back with link and 
   await open(page);
   const before = await foretold(page);
   await page.getByRole('button', { name: 'Curvature', exact: true }).click();
-  await page.getByRole('group', { name: 'Surfaces of' }).getByRole('button', { name: 'LV myocardium' }).click();
+  const surfaces = page.getByRole('group', { name: 'Surfaces of' });
+  await expect(surfaces.getByRole('button')).toHaveCount(smallHeart.labels.length);
+  await surfaces.getByRole('button', { name: 'LV myocardium' }).click();
   await page.getByLabel('LV myocardium: Edges to a full turn').fill('40');
   await page.getByLabel('LV myocardium: Smallest edge').fill('1');
   await expect.poll(() => foretold(page)).toBeGreaterThan(1.1 * before);

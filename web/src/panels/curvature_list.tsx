@@ -1,6 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { CurvatureSize, Recipe } from '../engine/contract';
-import { nameOf } from '../store/input';
+import { nameOf, volume } from '../store/input';
+import { carriersOf } from '../store/labels';
 import { editRecipe } from '../store/recipe';
 import { NumberField } from './fields';
 import { FoldedItem } from './folded_item';
@@ -15,7 +16,15 @@ function newCurvature(current: Recipe): CurvatureSize {
   };
 }
 
-function CurvatureFields({ wish, index, name }: { wish: CurvatureSize; index: number; name: string }) {
+/** Only the surfaces of regions of the mesh are there to bend. */
+function unmeshed(current: Recipe): number[] {
+  const all = volume.value?.labels.map(({ label }) => label) ?? [];
+  const carriers = carriersOf(current.merge, current.labels.length > 0 ? current.labels : all);
+  return all.filter((label) => !carriers.includes(label));
+}
+
+function CurvatureFields(props: { current: Recipe; wish: CurvatureSize; index: number; name: string }) {
+  const { current, wish, index, name } = props;
   const set = (label: string, change: Partial<CurvatureSize>) =>
     editRecipe(
       label,
@@ -28,6 +37,7 @@ function CurvatureFields({ wish, index, name }: { wish: CurvatureSize; index: nu
         legend="Surfaces of"
         hint="Labels whose surfaces count. None: all."
         chosen={wish.labels}
+        taken={unmeshed(current)}
         onChange={(labels) => set('Labels of curvature', { labels })}
       />
       <NumberField
@@ -83,7 +93,7 @@ export function CurvatureList({ current }: { current: Recipe }) {
             onToggle={() => setShown(shown === index ? null : index)}
             onRemove={() => remove(index)}
           >
-            <CurvatureFields wish={wish} index={index} name={name} />
+            <CurvatureFields current={current} wish={wish} index={index} name={name} />
           </FoldedItem>
         );
       })}

@@ -24,7 +24,12 @@ export function ForecastNote() {
     beyond.length > 0 ? 'A run would be refused.' : '',
   ].join(' ');
   return (
-    <span class={caution ? 'forecast caution' : 'forecast'} aria-busy={!fresh} title={words} data-testid="forecast">
+    <span
+      class={caution ? 'forecast caution' : 'forecast'}
+      aria-busy={!fresh}
+      title={words}
+      data-testid="forecast"
+    >
       <span class="sr">{words}</span>
       <span aria-hidden="true">
         {first}

@@ -15,7 +15,6 @@ import { Icon } from './icons';
 function RunButton() {
   const now = activity.value;
   const numbers = forecast.value?.numbers;
-  const current = upToDate.value && report.value !== null;
   const run = () => {
     if (numbers && numbers.peak_mb > tightMemoryMb && exceeded.value.length === 0) {
       const parts = forecastParts(numbers, []).join(', ');
@@ -46,7 +45,7 @@ function RunButton() {
   }
   return (
     <>
-      {now === 'preview' || now === 'opening' ? (
+      {(now === 'preview' || now === 'opening') && (
         <span key="note" class="elapsed">
           {now === 'preview' ? 'Surface…' : 'Reading…'}
           <button
@@ -59,8 +58,6 @@ function RunButton() {
             <Icon name="cross" size={13} />
           </button>
         </span>
-      ) : (
-        !current && <ForecastNote key="note" />
       )}
       <button
         type="button"
@@ -94,6 +91,7 @@ export function Header() {
         </span>
       )}
       <span class="spacer" />
+      {hasCase && !(upToDate.value && report.value) && <ForecastNote />}
       <div class="group">
         <button
           type="button"

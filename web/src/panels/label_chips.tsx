@@ -6,10 +6,10 @@ export function LabelChips(props: {
   hint: string;
   chosen: readonly number[];
   /** Labels that are not to choose from. */
-  taken?: readonly number[];
+  taken: readonly number[];
   onChange(labels: number[]): void;
 }) {
-  const { legend, hint, chosen, taken = [] } = props;
+  const { legend, hint, chosen, taken } = props;
   const labels = volume.value?.labels.map(({ label }) => label) ?? [];
   return (
     <fieldset class="label-chips" title={hint}>

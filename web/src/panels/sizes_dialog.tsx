@@ -62,7 +62,8 @@ export function SizesDialog({ close }: { close(): void }) {
           <>
             <strong>Edge length {short(fitting.sizing.edge_mm)} mm</strong>
             <span>
-              {short(fitting.factor)} times every edge length: {forecastParts(fitting.forecast, []).join(', ')}.
+              {short(fitting.factor)} times every edge length:{' '}
+              {forecastParts(fitting.forecast, []).join(', ')}.
             </span>
           </>
         )}

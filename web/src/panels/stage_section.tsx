@@ -77,8 +77,10 @@ export function StageSection({ current }: { current: Recipe }) {
         ))}
       </details>
       <details class="more">
-        <summary>Limits{exceeded.value.length > 0 && <span class="tag">{exceeded.value.length} exceeded</span>}</summary>
-        <p class="facts">What is forecast to take more is not meshed. 0: no limit.</p>
+        <summary>
+          Limits{exceeded.value.length > 0 && <span class="tag caution">exceeded</span>}
+        </summary>
+        <p class="facts">A case that is forecast to take more is not meshed. 0: no limit.</p>
         <StageFields group="limits" title="Limits" current={current} />
         {exceeded.value.map((beyond) => (
           <p key={beyond.field} class="stale">

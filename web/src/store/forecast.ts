@@ -26,7 +26,7 @@ const surfaceOf = (current: Recipe) => stageInput(current, 'smooth');
 /** All that a forecast depends on: what the adapted surface does. */
 const inputOf = (current: Recipe) => stageInput(current, 'remesh');
 
-/** The forecast of the recipe as it stands; `fresh` is false while sizes have changed and the engine has not answered yet. */
+/** The forecast of the recipe's surface; `fresh` where it is also that of its sizes. */
 export const forecast = computed<(Pick<Answer, 'numbers' | 'problem'> & { fresh: boolean }) | null>(() => {
   const [current, last] = [recipe.value, answer.value];
   if (!current || !last || last.surface !== surfaceOf(current)) return null;
@@ -84,7 +84,8 @@ function ask(): void {
     (error: unknown) => {
       // Whatever has overtaken it calls for another when it is done.
       if (error instanceof EngineError && error.code === 'cancelled') return null;
-      return { surface, input, numbers: null, problem: error instanceof Error ? error.message : String(error) };
+      const problem = error instanceof Error ? error.message : String(error);
+      return { surface, input, numbers: null, problem };
     },
   );
   asked = {
@@ -96,7 +97,7 @@ function ask(): void {
   };
 }
 
-/** The end of the forecast under way, or nothing where there is none; its surface is that of the recipe it was asked for. */
+/** The end of the forecast under way, and the surface that it is made from. */
 export function forecastUnderWay(): Readonly<typeof asked> {
   return asked;
 }
