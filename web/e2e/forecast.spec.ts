@@ -35,6 +35,12 @@ test('the forecast follows the sizes, is right about the mesh, and goes when the
   expect(Math.abs(found / wished - 1)).toBeLessThan(0.3);
   await undo(page).click();
   await expect.poll(() => foretold(page)).toBe(coarse);
+  // A forecast of other sizes has cost nothing of the mesh.
+  await page.getByRole('button', { name: 'Redo' }).click();
+  await expect(note(page)).toHaveCount(0);
+  await page.getByTestId('run').click();
+  await expect(stage(page, 'optimise')).toHaveAttribute('data-kept', 'true');
+  await idle(page);
 });
 
 test('the forecast changes while a region is being dragged', async ({ page }) => {
