@@ -4,7 +4,7 @@ import { EngineError, type Forecast, type Recipe } from '../engine/contract';
 import { useEngine } from './engine';
 import { exceeded, exceededOf, fitSizes, forecast, keepForecast, rounded, useSizes } from './forecast';
 import { editRecipe, recipe, startRecipe, undo } from './recipe';
-import { activity, blankStages, setStage, stages } from './run';
+import { activity, blankStages, previewDue, setStage, stages } from './run';
 import { runTo } from './runs';
 import { stageInput } from './stage_inputs';
 
@@ -110,6 +110,27 @@ describe('the forecast', () => {
     activity.value = 'idle';
     await wait();
     expect(questions).toHaveLength(2);
+  });
+
+  it('that takes long leaves an edit to its preview first', async () => {
+    activity.value = 'idle';
+    await wait();
+    await vi.advanceTimersByTimeAsync(1000);
+    questions[0].answer(of(1000));
+    await wait();
+    previewDue.value = true;
+    edge(3);
+    await wait();
+    expect(questions).toHaveLength(1);
+    previewDue.value = false;
+    await wait();
+    questions[1].answer(of(500));
+    await wait();
+    previewDue.value = true;
+    edge(4);
+    await wait();
+    expect(questions).toHaveLength(3);
+    previewDue.value = false;
   });
 
   it('is waited for by a run from the same surface, and ended by one from another', async () => {

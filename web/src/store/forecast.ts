@@ -3,7 +3,7 @@ import { computed, effect, signal } from '@preact/signals';
 import { EngineError, type FittingSizes, type Forecast, type Recipe } from '../engine/contract';
 import { engine } from './engine';
 import { editRecipe, recipe } from './recipe';
-import { activity, stages } from './run';
+import { activity, previewDue, stages } from './run';
 import { awaitedSides } from './side_files';
 import { stageInput } from './stage_inputs';
 
@@ -16,8 +16,11 @@ interface Answer {
 }
 
 const answer = signal<Answer | null>(null);
-/** While a region is dragged, the engine is asked again as often as this. */
+/** From an edit to the question. */
 const pauseMs = 80;
+/** A forecast that takes longer would hold up the preview that the same edit calls for. */
+const shortMs = 250;
+let lastMs = 0;
 let timer: ReturnType<typeof setTimeout> | undefined;
 /** What the engine is asked at the moment. */
 let asked: { surface: string; done: Promise<void> } | null = null;
@@ -59,7 +62,8 @@ function mayAsk(current: Recipe): boolean {
   return (
     activity.value === 'idle' &&
     stages.value.smooth.madeFrom === surfaceOf(current) &&
-    awaitedSides.value.length === 0
+    awaitedSides.value.length === 0 &&
+    (!previewDue.value || lastMs < shortMs)
   );
 }
 
@@ -79,6 +83,7 @@ function ask(): void {
   const current = recipe.peek();
   if (!current || asked || !mayAsk(current)) return;
   const [surface, input] = [surfaceOf(current), inputOf(current)];
+  const begin = performance.now();
   const done = engine.forecast(JSON.stringify(current), current.source).then(
     (numbers) => ({ surface, input, numbers, problem: '' }),
     (error: unknown) => {
@@ -92,6 +97,7 @@ function ask(): void {
     surface,
     done: done.then((found) => {
       asked = null;
+      lastMs = performance.now() - begin;
       if (found) answer.value = found;
     }),
   };

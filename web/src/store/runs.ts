@@ -12,6 +12,7 @@ import {
   lastCancelMs,
   meshedMinimal,
   meshedRecipe,
+  previewDue,
   report,
   setStage,
   stages,
@@ -22,6 +23,11 @@ import { stageInput } from './stage_inputs';
 import { brush, colourBy, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from './view';
 
 let previewTimer: ReturnType<typeof setTimeout> | undefined;
+
+function forgetPreview(): void {
+  clearTimeout(previewTimer);
+  previewDue.value = false;
+}
 
 /** The sizing field is on show, and follows the recipe like the surface does. */
 function watchesSizing(): boolean {
@@ -35,7 +41,7 @@ function watchesSizing(): boolean {
 
 /** The label surface, as soon as it exists. Runs by itself after whatever changes it. */
 export async function preview(fit: boolean): Promise<void> {
-  clearTimeout(previewTimer);
+  forgetPreview();
   await runStages(watchesSizing() ? 'sizing' : 'smooth', 'preview', fit);
 }
 
@@ -52,8 +58,9 @@ export function keepSizingShown(): void {
 
 /** A preview ends what the engine is at, so it waits for what the user has asked for: a file read or written. */
 export function previewSoon(): void {
-  clearTimeout(previewTimer);
+  forgetPreview();
   if (activity.value === 'run') return;
+  previewDue.value = true;
   previewTimer = setTimeout(() => {
     if (activity.value === 'opening' || activity.value === 'export') previewSoon();
     else void preview(false);
@@ -66,7 +73,7 @@ export function runAll(): Promise<void> {
 
 /** Runs up to a stage; those whose input has not changed are kept. */
 export async function runTo(last: StageName): Promise<void> {
-  clearTimeout(previewTimer);
+  forgetPreview();
   await runStages(last, 'run', false);
 }
 
@@ -156,7 +163,7 @@ function finishRun(
 
 export async function cancelRun(): Promise<void> {
   const newest = takeTurn();
-  clearTimeout(previewTimer);
+  forgetPreview();
   for (const name of stageNames) {
     const { state, summary } = stages.value[name];
     if (state === 'running' || state === 'waiting') {
