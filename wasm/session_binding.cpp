@@ -120,11 +120,12 @@ class SessionBinding {
     return reply(stage_json(session_, *last));
   }
 
-  /// What meshing will take, after the stages up to sizing; with `elements` > 0 also the edge lengths that
-  /// give so many tetrahedra, as "fitting".
+  /// What meshing will take; with `elements` > 0 also the edge lengths that give so many tetrahedra, as
+  /// "fitting". Where only sizes have changed, a mesh of the earlier ones stays: they may come back.
   std::string forecast(double elements) {
     RunContext ctx;
-    if (Status done = session_.run(Stage::kSizing, ctx); !done) return reply(done.error());
+    if (!session_.may_size())
+      if (Status done = session_.run(Stage::kSizing, ctx); !done) return reply(done.error());
     const Result<json> found = forecast_json(session_, elements, ctx);
     return found ? reply(*found) : reply(found.error());
   }

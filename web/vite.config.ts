@@ -55,7 +55,26 @@ export default defineConfig({
   base: './',
   plugins: [contentPolicyMeta(), ownDicomFiles()],
   worker: { format: 'es' },
-  build: { target: 'es2022', assetsInlineLimit: 0, chunkSizeWarningLimit: 900 },
+  build: {
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 900,
+    modulePreload: { polyfill: false },
+    // What the page and the views share is one chunk: several small ones compress worse.
+    rolldownOptions: {
+      output: {
+        codeSplitting: {
+          groups: [
+            {
+              name: 'shared',
+              test: /src\/(store|link|geometry|engine|report)\/|node_modules\/(@?preact|immer|comlink)/,
+              tags: ['$initial'],
+            },
+          ],
+        },
+      },
+    },
+  },
   server: {
     host: '127.0.0.1',
     headers: {

@@ -137,21 +137,20 @@ nlohmann::json numbers_json(const Forecast& forecast) {
           {"seconds", forecast.seconds}};
 }
 
-bool is_sized(const Session& session) {
-  return session.sizing() && session.smooth() && session.volume();
-}
-
 }  // namespace
 
 Result<Forecast> forecast_case(const Session& session, RunContext& ctx) {
-  if (!is_sized(session)) return usage("no sizes yet: run the stage sizing");
-  return CaseForecaster(session).forecast(*session.sizing(), ctx);
+  if (!session.may_size()) return usage("no sizes yet: run the stage sizing");
+  if (session.is_current(Stage::kSizing)) return CaseForecaster(session).forecast(*session.sizing(), ctx);
+  const Result<SizingField> sizing = session.size_by(session.recipe().sizing, ctx);
+  if (!sizing) return sizing.error();
+  return CaseForecaster(session).forecast(*sizing, ctx);
 }
 
 Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, RunContext& ctx) {
   constexpr double kLeastPart = 0.99, kMostPart = 0.998;
   constexpr int kMostTries = 16;
-  if (!is_sized(session)) return usage("no sizes yet: run the stage sizing");
+  if (!session.may_size()) return usage("no sizes yet: run the stage sizing");
   if (!(limits.tets > 0 || limits.memory_mb > 0 || limits.seconds > 0))
     return usage("limits: found none, expected at least one that sizes are to keep");
   const CaseForecaster forecaster(session);

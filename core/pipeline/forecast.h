@@ -23,12 +23,13 @@ struct FittingSizes {
   Forecast forecast;
 };
 
-/// Needs a session whose stage sizing has run. Errors: kUsage without; kCancelled.
+/// Of the recipe as it stands, beside what stages have given for another. Needs Session::may_size(). Errors:
+/// kUsage without; those of sizing; kCancelled.
 Result<Forecast> forecast_case(const Session& session, RunContext& ctx);
 
 /// The smallest common factor on the recipe's edge lengths with which the forecast is within the limits:
 /// within 1 % below the one that binds. Numbers of layers, images of sizes and the bounds edge_min_mm and
-/// edge_max_mm stay. Needs a session whose stage sizing has run. Errors: kUsage without, and where no limit
+/// edge_max_mm stay. Needs Session::may_size(). Errors: kUsage without, and where no limit
 /// is set or none of the factors from 1/64 to 64 will do; kCancelled.
 Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, RunContext& ctx);
 

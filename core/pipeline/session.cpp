@@ -193,12 +193,20 @@ Status Session::run_volume(RunContext& ctx) {
   return std::monostate{};
 }
 
-Status Session::measure_walls(RunContext& ctx) {
+std::string Session::key_of_walls() const {
   Sha256 sha;
   sha.update(key_of(Stage::kSmooth));
   for (const ThicknessSize& wish : recipe_.sizing.thickness)
     sha.update(nlohmann::json{wish.wall, wish.inner, wish.layering}.dump());
-  const std::string key = sha.hex();
+  return sha.hex();
+}
+
+bool Session::may_size() const {
+  return smooth_ && walls_key_ == key_of_walls();
+}
+
+Status Session::measure_walls(RunContext& ctx) {
+  const std::string key = key_of_walls();
   if (key == walls_key_) return std::monostate{};
   walls_.clear();
   walls_key_.clear();
@@ -308,7 +316,7 @@ Status Session::run(Stage last, RunContext& ctx) {
   collect(last, order);
   // What the recipe no longer describes goes, so that results never mix two cases.
   for (int i = 0; i < kStageCount; ++i)
-    if (record(static_cast<Stage>(i)).key != key_of(static_cast<Stage>(i))) forget(static_cast<Stage>(i));
+    if (!is_current(static_cast<Stage>(i))) forget(static_cast<Stage>(i));
   for (const Stage stage : order) {
     StageRecord& record = records_[static_cast<std::size_t>(stage)];
     record.cached = !record.key.empty();

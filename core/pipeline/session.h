@@ -94,14 +94,19 @@ class Session {
   const TetMesh* mesh() const { return optimised_ ? &*optimised_ : filled(); }
   const LabelLookUp* lookup() const { return lookup_ ? &*lookup_ : nullptr; }
   const QualityReport* quality() const { return quality_ ? &*quality_ : nullptr; }
-  /// The field of other sizes than the recipe's, whose masks, images and walls hold. Needs kSmooth, and walls
-  /// measured.
+  /// Whether the result of a stage is at hand, and that of the recipe as it stands.
+  bool is_current(Stage stage) const { return record(stage).key == key_of(stage); }
+  /// Whether what stages before kSizing gave, and walls measured, are those of the recipe as it stands.
+  bool may_size() const;
+  /// The field of sizes with the recipe's masks, images and walls, beside what stages have given. Needs
+  /// may_size().
   Result<SizingField> size_by(const SizingParams& sizing, RunContext& ctx) const;
   const StageRecord& record(Stage stage) const { return records_[static_cast<std::size_t>(stage)]; }
   std::vector<std::string> warnings() const;  ///< of all results at hand, in the order of stages
 
  private:
   std::string key_of(Stage stage) const;
+  std::string key_of_walls() const;
   Status run_stage(Stage stage, RunContext& ctx);
   Status run_volume(RunContext& ctx);
   /// Measures the walls of the recipe, which takes seconds: only where those that stand are not the same.

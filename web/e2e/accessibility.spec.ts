@@ -19,12 +19,17 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await page.getByRole('button', { name: 'Pin this run' }).click();
     await page.getByRole('button', { name: 'Sphere', exact: true }).click();
     await page.getByRole('button', { name: 'Wall', exact: true }).click();
+    await page.getByRole('button', { name: 'Curvature', exact: true }).click();
     await page.getByText('Stage parameters').click();
+    await page.getByText('Limits', { exact: true }).click();
+    await page.getByLabel('Limits: Most tetrahedra').fill('10');
+    await expect(page.locator('.panel.left .stale')).toContainText('limits.tets');
     await page.getByText('Shape of the tetrahedra').click();
     await page.getByRole('button', { name: 'Cut', exact: true }).click();
     await page.getByLabel('Colour by').selectOption('size_log2');
     await page.locator('.worst button').first().click();
     expect(await serious()).toEqual([]);
+    await page.getByLabel('Limits: Most tetrahedra').fill('0');
     await page.getByTestId('run').click();
     await meshed(page);
     for (const layout of ['Slices', 'Compare']) {
@@ -40,7 +45,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await page.getByRole('button', { name: /Mask of sizes/ }).click();
     await page.getByRole('button', { name: /^mask.nrrd/ }).click();
     expect(await serious()).toEqual([]);
-    for (const name of ['Share', 'Export', 'Examples…', 'Keys']) {
+    for (const name of ['Share', 'Export', 'Examples…', 'Keys', 'By number…']) {
       await page.getByRole('button', { name }).first().click();
       await expect(page.getByRole('dialog')).toBeVisible();
       expect(await serious()).toEqual([]);

@@ -57,7 +57,9 @@ test('a region is dragged and resized on a slice, in one step of undo each, and 
   const radius = page.getByLabel('Region 1: Radius');
   const right = page.getByLabel('Centre R');
   const [before, size] = [Number(await right.inputValue()), Number(await radius.inputValue())];
-  const forecast = await page.locator('.estimate').innerText();
+  const forecast = page.getByTestId('forecast');
+  await expect(forecast).toHaveAttribute('aria-busy', 'false');
+  const foretold = await forecast.innerText();
   const box = (await page.locator('.pane.axial .pane-surface').boundingBox())!;
   const outline = (await page.locator('.pane.axial .slice-regions .chosen:not(.band)').boundingBox())!;
   const middle = { x: outline.x + outline.width / 2, y: outline.y + outline.height / 2 };
@@ -74,7 +76,7 @@ test('a region is dragged and resized on a slice, in one step of undo each, and 
   await page.mouse.move(edge.x + 20, edge.y, { steps: 5 });
   await page.mouse.up();
   expect(Number(await radius.inputValue())).toBeGreaterThan(size + 2);
-  await expect(page.locator('.estimate')).not.toHaveText(forecast);
+  await expect(forecast).not.toHaveText(foretold);
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(radius).toHaveValue(String(size));
   await page.getByRole('button', { name: 'Undo' }).click();

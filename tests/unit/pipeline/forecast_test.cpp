@@ -74,6 +74,31 @@ TEST(Forecast, GrowsAsElementsShrinkAndFeelsTheSurface) {
   EXPECT_GT(forecast_tets(recipe), 1.1 * coarse);
 }
 
+TEST(Forecast, OfOtherSizesLeavesTheMeshThatIsAtHand) {
+  Recipe recipe = small_heart();
+  recipe.sizing.thickness.push_back({{1, 2}, {}, 2});
+  Session session;
+  run_to(Stage::kOptimise, recipe, session);
+  const TetMesh* mesh = session.mesh();
+  Recipe other = recipe;
+  other.sizing.thickness[0].layers = 3;
+  other.sizing.gradation = 0.2;
+  ASSERT_TRUE(session.set_recipe(other).ok());
+  RunContext ctx;
+  ASSERT_TRUE(session.may_size());
+  const Result<Forecast> forecast = forecast_case(session, ctx);
+  ASSERT_TRUE(forecast.ok()) << forecast.error().message;
+  EXPECT_EQ(forecast->mesh.tets, forecast_tets(other));
+  run_to(Stage::kOptimise, recipe, session);
+  EXPECT_EQ(session.mesh(), mesh);
+  EXPECT_TRUE(session.record(Stage::kOptimise).cached);
+
+  other.sizing.thickness[0].wall = {1};
+  ASSERT_TRUE(session.set_recipe(other).ok());
+  EXPECT_FALSE(session.may_size()) << "another wall has not been measured";
+  EXPECT_FALSE(forecast_case(session, ctx).ok());
+}
+
 TEST(FitSizes, FindsTheEdgeLengthThatGivesSoManyElements) {
   const std::vector<Recipe> recipes = five_recipes();
   for (const auto& [recipe, factor] : {std::pair{recipes[0], 3.0}, {recipes[2], 0.8}, {recipes[4], 2.0}}) {

@@ -57,6 +57,7 @@ class Workers {
       setRecipe: (json) => session.setRecipe(json),
       run: (stage, onProgress) =>
         stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress),
+      forecast: (elements) => session.forecast(elements),
       arrays: (stage) => {
         const reply = session.arrays(stage);
         return Comlink.transfer(reply, transferables(reply));
@@ -133,6 +134,15 @@ describe('EngineClient', () => {
     };
     expect(await arraysOf([5, 6])).toEqual(['centroid_label', 'majority_label', 'fraction_5', 'fraction_6']);
     expect(await arraysOf([])).toEqual([]);
+  });
+
+  it('foretells what meshing will take, and the sizes for a number of tetrahedra', async () => {
+    const client = start();
+    const found = await client.forecast(JSON.stringify(phantom), phantom.source);
+    expect(found).toMatchObject({ tets: 125_000 });
+    expect(found.fitting).toBeUndefined();
+    const { fitting } = await client.forecast(JSON.stringify(phantom), phantom.source, 1_000_000);
+    expect(fitting?.sizing.edge_mm).toBeCloseTo(1, 6);
   });
 
   it('gives a mask to every new worker that needs it, and only once to each', async () => {

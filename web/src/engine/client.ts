@@ -203,6 +203,14 @@ export class EngineClient {
     });
   }
 
+  /** What meshing will take; with `elements` above 0 also the sizes that give so many tetrahedra. */
+  forecast(recipeJson: string, source: Recipe['source'], elements = 0) {
+    return this.job(async (generation) => {
+      await this.prepare(generation, recipeJson, source);
+      return this.answer(generation, 'forecast', generation.api.forecast(elements));
+    });
+  }
+
   /** Files of the mesh of this recipe; stages that the worker no longer holds run again. */
   exportMesh(
     recipeJson: string,

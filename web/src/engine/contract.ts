@@ -191,6 +191,24 @@ export interface Schema {
   fields: SchemaField[];
 }
 
+/** What meshing will take, as foretold from the sizing field. */
+export interface Forecast {
+  tets: number;
+  points: number;
+  triangles: number;
+  /** At the most, in MB; and of all stages. */
+  peak_mb: number;
+  seconds: number;
+}
+
+/** Edge lengths of the recipe, all times one factor, and what they will take. */
+export interface FittingSizes {
+  factor: number;
+  edge_mm: number;
+  sizing: Recipe['sizing'];
+  forecast: Forecast;
+}
+
 export const exportFormats = ['vtu', 'xdmf', 'msh', 'medit', 'carp', 'inp', 'feb', 'stl', 'ply'] as const;
 export type ExportFormat = (typeof exportFormats)[number];
 export type Space = 'ras' | 'lps';
@@ -277,6 +295,8 @@ export interface EngineApi {
   loadSideVolume(kind: SideKind, file: VolumeFile): Reply<SideSummary>;
   setRecipe(json: string): Reply<{ recipe: Recipe; minimal: Record<string, unknown> }>;
   run(stage: StageName, onProgress: (stage: StageName, fraction: number) => void): Reply<StageSummary>;
+  /** After the stages up to sizing. With `elements` above 0 also the sizes that give so many tetrahedra. */
+  forecast(elements: number): Reply<Forecast & { fitting?: FittingSizes }>;
   arrays(stage: StageName): Reply<Partial<StageArrays[StageName]>>;
   /** `name`: of the files without their suffixes, since some name one another. */
   exportMesh(format: ExportFormat, space: Space, name: string): Reply<ExportedFile[]>;

@@ -64,6 +64,13 @@ export interface MaskSize extends FileSource {
   edges: { label: number; edge_mm: number }[];
 }
 
+/** Size by the curvature of the surfaces of these labels; none: all. */
+export interface CurvatureSize {
+  labels: number[];
+  edges_per_turn: number;
+  edge_min_mm: number;
+}
+
 export interface Expected {
   engine: string;
   digest: string;
@@ -88,7 +95,7 @@ export interface Recipe {
     masks: MaskSize[];
     /** Edge lengths in mm, in files of their own. */
     images: FileSource[];
-    curvature: { labels: number[]; edges_per_turn: number; edge_min_mm: number }[];
+    curvature: CurvatureSize[];
     edge_min_mm: number;
     edge_max_mm: number;
     gradation: number;

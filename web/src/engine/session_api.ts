@@ -26,6 +26,7 @@ export interface Session {
   loadSideVolume(kind: string, name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
   setRecipe(json: string): string;
   run(stage: string, onProgress: (stage: string, fraction: number) => void): string;
+  forecast(elements: number): string;
   view(stage: string, array: string): View | undefined;
   exportMesh(format: string, space: string, name: string): string;
   exportBytes(index: number): Uint8Array;
@@ -129,6 +130,8 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
         return JSON.parse(reply);
       });
     },
+
+    forecast: (elements) => guarded('forecast', () => JSON.parse(session.forecast(elements))),
 
     arrays: (stage) =>
       guarded(stage, () => {

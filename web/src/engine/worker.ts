@@ -59,6 +59,7 @@ const api: EngineApi = {
       (onProgress as unknown as Comlink.ProxyMethods)[Comlink.releaseProxy]();
     }
   },
+  forecast: (elements) => current().forecast(elements),
   arrays: (stage) => handOver(current().arrays(stage)),
   exportMesh: (format, space, name) => handOver(current().exportMesh(format, space, name)),
   report: () => current().report(),

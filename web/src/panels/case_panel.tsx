@@ -1,7 +1,10 @@
 import type { Recipe } from '../engine/contract';
+import { forecast } from '../store/forecast';
 import { awaitedFile, volume } from '../store/input';
 import { editRecipe, recipe } from '../store/recipe';
 import { activity } from '../store/run';
+import { CurvatureList } from './curvature_list';
+import { dialogShown } from './dialog_shown';
 import { NumberField } from './fields';
 import { LabelTable } from './label_table';
 import { LookUpFields } from './look_up_fields';
@@ -45,11 +48,23 @@ function SizingSection({ current }: { current: Recipe }) {
   );
   return (
     <section class="section">
-      <h2>Element size</h2>
+      <div class="section-head">
+        <h2>Element size</h2>
+        <button
+          type="button"
+          class="button small"
+          title="Which edge lengths give so many tetrahedra?"
+          disabled={!forecast.value || activity.value !== 'idle'}
+          onClick={() => (dialogShown.value = 'sizes')}
+        >
+          By number…
+        </button>
+      </div>
       {number('Edge length', 'edge_mm', 'mm', 0.1)}
       {number('Growth per mm', 'gradation', '', 0.05)}
       <RegionList current={current} />
       <WallList current={current} />
+      <CurvatureList current={current} />
       <PaintSection />
       <SizeFiles current={current} />
       <details class="more">

@@ -1,3 +1,3 @@
 import { signal } from '@preact/signals';
 
-export const dialogShown = signal<'export' | 'share' | 'examples' | 'keys' | null>(null);
+export const dialogShown = signal<'export' | 'share' | 'examples' | 'keys' | 'sizes' | null>(null);

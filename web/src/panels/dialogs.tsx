@@ -19,6 +19,7 @@ import { whole } from './format';
 import { Gallery } from './gallery';
 import { Icon } from './icons';
 import { KeyList } from './key_list';
+import { SizesDialog } from './sizes_dialog';
 
 const formatNotes: Record<ExportFormat, [string, string]> = {
   vtu: ['VTU', 'ParaView, PyVista: tetrahedra and labels, mm'],
@@ -208,6 +209,11 @@ function OfferDialog() {
   ];
   if (sizing.thickness.length > 0)
     rows.push(['Walls', sizing.thickness.map(({ wall }) => `labels ${wall.join(', ')}`).join('; ')]);
+  if (sizing.curvature.length > 0)
+    rows.push([
+      'Curvature',
+      sizing.curvature.map(({ edges_per_turn }) => `${edges_per_turn} edges to a turn`).join('; '),
+    ]);
   const sideFiles = filesOf({ ...offer.recipe, source: {} });
   if (sideFiles.length > 0)
     rows.push([
@@ -276,6 +282,7 @@ export function Dialogs() {
         </Dialog>
       )}
       {dialogShown.value === 'share' && <ShareDialog close={close} />}
+      {dialogShown.value === 'sizes' && <SizesDialog close={close} />}
     </>
   );
 }

@@ -1,24 +1,26 @@
-import { expectedTets, redoEdit, undoEdit } from '../store/actions';
+import { redoEdit, undoEdit } from '../store/actions';
 import { cancelRun, runAll } from '../store/runs';
 import { caseName } from '../store/exchange';
+import { exceeded, forecast } from '../store/forecast';
 import { volume } from '../store/input';
 import { recipe, redoLabel, undoLabel } from '../store/recipe';
 import { activity, elapsedSeconds, report, upToDate } from '../store/run';
 import { dark, theme } from '../store/view';
 import { dialogShown } from './dialog_shown';
-import { about, seconds } from './format';
+import { ForecastNote, tightMemoryMb } from './forecast_note';
+import { forecastParts } from './forecast_text';
+import { seconds } from './format';
 import { Icon } from './icons';
-
-/** Above this the page asks for a second click: a mesh of that size may not fit into a tab. */
-const manyTets = 4_000_000;
 
 function RunButton() {
   const now = activity.value;
-  const estimate = expectedTets();
-  const current = upToDate.value && report.value !== null;
+  const numbers = forecast.value?.numbers;
   const run = () => {
-    const question = `About ${about(estimate ?? 0)} tetrahedra are to be expected. That may not fit into this tab. Run all the same?`;
-    if (estimate !== null && estimate > manyTets && !window.confirm(question)) return;
+    if (numbers && numbers.peak_mb > tightMemoryMb && exceeded.value.length === 0) {
+      const parts = forecastParts(numbers, []).join(', ');
+      const question = `The forecast is ${parts}. That may not fit into this tab. Run all the same?`;
+      if (!window.confirm(question)) return;
+    }
     void runAll();
   };
   if (now === 'run' || now === 'export') {
@@ -43,7 +45,7 @@ function RunButton() {
   }
   return (
     <>
-      {now === 'preview' || now === 'opening' ? (
+      {(now === 'preview' || now === 'opening') && (
         <span key="note" class="elapsed">
           {now === 'preview' ? 'Surface…' : 'Reading…'}
           <button
@@ -56,13 +58,6 @@ function RunButton() {
             <Icon name="cross" size={13} />
           </button>
         </span>
-      ) : (
-        estimate !== null &&
-        !current && (
-          <span key="note" class={estimate > manyTets ? 'estimate caution' : 'estimate'}>
-            about {about(estimate)} tetrahedra
-          </span>
-        )
       )}
       <button
         type="button"
@@ -96,6 +91,7 @@ export function Header() {
         </span>
       )}
       <span class="spacer" />
+      {hasCase && !(upToDate.value && report.value) && <ForecastNote />}
       <div class="group">
         <button
           type="button"

@@ -2,10 +2,12 @@ import type { Recipe, SchemaField } from '../engine/contract';
 import { previewSoon } from '../store/runs';
 import { editRecipe } from '../store/recipe';
 import { schema } from '../store/run';
+import { exceeded } from '../store/forecast';
 import { CheckField, NumberField, SelectField } from './fields';
+import { refusal } from './forecast_text';
 import { choiceWords, fieldUnit, fieldWords } from './stage_words';
 
-type StageGroup = 'volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'optimise' | 'quality';
+type StageGroup = 'volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'optimise' | 'quality' | 'limits';
 
 const groups: readonly (readonly [StageGroup, string])[] = [
   ['volume', 'Volume'],
@@ -50,6 +52,18 @@ function StageField(props: { group: StageGroup; title: string; field: SchemaFiel
   );
 }
 
+function StageFields({ group, title, current }: { group: StageGroup; title: string; current: Recipe }) {
+  return (
+    <>
+      {schema.value?.fields
+        .filter(({ path }) => path.startsWith(`${group}.`))
+        .map((field) => (
+          <StageField key={field.path} group={group} title={title} field={field} current={current} />
+        ))}
+    </>
+  );
+}
+
 export function StageSection({ current }: { current: Recipe }) {
   return (
     <section class="section">
@@ -58,12 +72,20 @@ export function StageSection({ current }: { current: Recipe }) {
         {groups.map(([group, title]) => (
           <fieldset key={group} class="stage-fields">
             <legend>{title}</legend>
-            {schema.value?.fields
-              .filter(({ path }) => path.startsWith(`${group}.`))
-              .map((field) => (
-                <StageField key={field.path} group={group} title={title} field={field} current={current} />
-              ))}
+            <StageFields group={group} title={title} current={current} />
           </fieldset>
+        ))}
+      </details>
+      <details class="more">
+        <summary>
+          Limits{exceeded.value.length > 0 && <span class="tag caution">exceeded</span>}
+        </summary>
+        <p class="facts">A case that is forecast to take more is not meshed. 0: no limit.</p>
+        <StageFields group="limits" title="Limits" current={current} />
+        {exceeded.value.map((beyond) => (
+          <p key={beyond.field} class="stale">
+            {refusal(beyond)}
+          </p>
         ))}
       </details>
     </section>

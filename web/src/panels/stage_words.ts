@@ -29,6 +29,9 @@ const words: Record<string, string> = {
   'optimise.insertion_deg': 'Insert vertices below',
   'optimise.slide': 'Slide on the surface',
   'quality.sample_spacing_voxels': 'Sample spacing',
+  'limits.tets': 'Most tetrahedra',
+  'limits.memory_mb': 'Most memory',
+  'limits.seconds': 'Most time',
 };
 
 const units: Record<string, string> = { deg: '°', voxel: 'vx' };

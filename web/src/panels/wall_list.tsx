@@ -8,6 +8,7 @@ import { CheckField, NumberField, Segments } from './fields';
 import { FoldedItem } from './folded_item';
 import { short } from './format';
 import { Icon } from './icons';
+import { LabelChips } from './label_chips';
 
 function newWall(current: Recipe): ThicknessSize {
   const labels = volume.value?.labels.map(({ label }) => label) ?? [];
@@ -22,42 +23,6 @@ function newWall(current: Recipe): ThicknessSize {
     thin_mm: 0,
     thick_mm: 0,
   };
-}
-
-/** Labels to choose from, as small switches. */
-function LabelChips(props: {
-  legend: string;
-  hint: string;
-  chosen: readonly number[];
-  taken: readonly number[];
-  onChange(labels: number[]): void;
-}) {
-  const { legend, hint, chosen, taken } = props;
-  const labels = volume.value?.labels.map(({ label }) => label) ?? [];
-  return (
-    <fieldset class="label-chips" title={hint}>
-      <legend>{legend}</legend>
-      <div class="label-chip-row">
-        {labels
-          .filter((label) => !taken.includes(label))
-          .map((label) => (
-            <button
-              type="button"
-              key={label}
-              class="label-chip"
-              aria-pressed={chosen.includes(label)}
-              onClick={() => {
-                const without = chosen.filter((one) => one !== label);
-                const next = without.length < chosen.length ? without : [...chosen, label];
-                props.onChange(next.sort((a, b) => a - b));
-              }}
-            >
-              {nameOf(label)}
-            </button>
-          ))}
-      </div>
-    </fieldset>
-  );
 }
 
 /** The thickness of all walls as it has been measured, mm. */

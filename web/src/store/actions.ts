@@ -11,7 +11,6 @@ import {
 import { decodeFragment } from '../link/codec';
 import { autosave, savedCase, type SavedCase } from './autosave';
 import { engine, tellError, useEngine } from './engine';
-import { estimateTets } from './estimate';
 import { fitRecipe } from './fit_recipe';
 import type { Example } from './gallery';
 import { awaitedFile, volume } from './input';
@@ -217,11 +216,6 @@ export function editColour(label: number, colour: string): void {
 
 function afterHistory(): void {
   if (recipe.value?.source.phantom || recipe.value?.source.file) previewSoon();
-}
-
-/** Tetrahedra to expect of the recipe as it stands, or nothing before a volume is known. */
-export function expectedTets(): number | null {
-  return recipe.value && volume.value ? estimateTets(recipe.value, volume.value) : null;
 }
 
 function withoutPromise(full: Recipe): Recipe {

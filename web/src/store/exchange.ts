@@ -3,6 +3,7 @@ import type { ExportFormat, Recipe, Space } from '../engine/contract';
 import { encodeFragment } from '../link/codec';
 import type { ReportPicture } from '../report/report_page';
 import { engine, takeTurn, tellError } from './engine';
+import { forecastUnderWay } from './forecast';
 import { nameOf } from './input';
 import { recipe } from './recipe';
 import { activity, announcement, meshedMinimal, meshedRecipe, report } from './run';
@@ -20,6 +21,9 @@ async function writing(
   const newest = takeTurn();
   activity.value = 'export';
   announcement.value = `Writing ${what}`;
+  // What waits in the engine's queue could not be cancelled.
+  await forecastUnderWay()?.done;
+  if (!newest()) return;
   try {
     announcement.value = await write(meshed, caseName());
   } catch (error) {

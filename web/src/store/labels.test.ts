@@ -27,10 +27,18 @@ describe('merged labels', () => {
     const size = (label: number) => ({ label, edge_mm: 1, slope: 1 });
     const draft = {
       merge: [[1, 5]],
-      sizing: { labels: [size(1), size(5), size(3)], distances: [size(5), size(2)] },
+      sizing: {
+        labels: [size(1), size(5), size(3)],
+        distances: [size(5), size(2)],
+        curvature: [{ labels: [] }, { labels: [2, 5] }, { labels: [3] }],
+      },
     } as unknown as Recipe;
     dropIdleSizes(draft, [1, 2, 5]);
-    expect(draft.sizing).toEqual({ labels: [size(1)], distances: [size(2)] });
+    expect(draft.sizing).toEqual({
+      labels: [size(1)],
+      distances: [size(2)],
+      curvature: [{ labels: [] }, { labels: [2] }],
+    });
   });
 
   it('lose what is no longer chosen and groups that become empty', () => {

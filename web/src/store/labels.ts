@@ -21,6 +21,11 @@ export function carrierOf(groups: Groups, label: number): number {
   return Math.min(...(groups.find((group) => group.includes(label)) ?? [label]));
 }
 
+/** The labels that regions of the mesh carry. */
+export function carriersOf(groups: Groups, chosen: readonly number[]): number[] {
+  return chosen.filter((label) => carrierOf(groups, label) === label);
+}
+
 /** The groups once `label` shares the region of `other`; with itself as the other, it has its own. */
 export function groupedWith(groups: Groups, label: number, other: number): number[][] {
   const left = groups.map((group) => group.filter((one) => one !== label));
@@ -32,8 +37,13 @@ export function groupedWith(groups: Groups, label: number, other: number): numbe
 
 /** Takes away sizes wished for labels that have no region of their own among those chosen. */
 export function dropIdleSizes(draft: Recipe, chosen: readonly number[]): void {
-  const carries = ({ label }: { label: number }) =>
-    chosen.includes(label) && carrierOf(draft.merge, label) === label;
-  draft.sizing.labels = draft.sizing.labels.filter(carries);
-  draft.sizing.distances = draft.sizing.distances.filter(carries);
+  const carriers = carriersOf(draft.merge, chosen);
+  const carries = ({ label }: { label: number }) => carriers.includes(label);
+  const { sizing } = draft;
+  sizing.labels = sizing.labels.filter(carries);
+  sizing.distances = sizing.distances.filter(carries);
+  // A wish for no label at all is one for all labels.
+  sizing.curvature = sizing.curvature
+    .filter(({ labels }) => labels.length === 0 || labels.some((label) => carriers.includes(label)))
+    .map((wish) => ({ ...wish, labels: wish.labels.filter((label) => carriers.includes(label)) }));
 }

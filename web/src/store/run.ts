@@ -40,6 +40,8 @@ export interface Notice {
 export const schema = signal<Schema | null>(null);
 export const defaults = signal<Recipe | null>(null);
 export const activity = signal<Activity>('starting');
+/** A preview begins as soon as the user pauses. */
+export const previewDue = signal(false);
 export const stages = signal<Record<StageName, StageStatus>>(blankStages());
 export const report = signal<Report | null>(null);
 /** The recipe of the mesh that is shown, and only its fields that differ from the defaults. */

@@ -2,6 +2,7 @@
 import { effect, untracked } from '@preact/signals';
 import { stageNames, type Recipe, type StageName, type VolumeSummary } from '../engine/contract';
 import { engine, takeTurn, tellError } from './engine';
+import { forecastUnderWay } from './forecast';
 import { awaitedFile, volume } from './input';
 import { recipe } from './recipe';
 import { dropResults, isKept, keepResult, showResult, shownDigests } from './results';
@@ -11,6 +12,7 @@ import {
   lastCancelMs,
   meshedMinimal,
   meshedRecipe,
+  previewDue,
   report,
   setStage,
   stages,
@@ -21,6 +23,11 @@ import { stageInput } from './stage_inputs';
 import { brush, colourBy, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from './view';
 
 let previewTimer: ReturnType<typeof setTimeout> | undefined;
+
+function forgetPreview(): void {
+  clearTimeout(previewTimer);
+  previewDue.value = false;
+}
 
 /** The sizing field is on show, and follows the recipe like the surface does. */
 function watchesSizing(): boolean {
@@ -34,7 +41,7 @@ function watchesSizing(): boolean {
 
 /** The label surface, as soon as it exists. Runs by itself after whatever changes it. */
 export async function preview(fit: boolean): Promise<void> {
-  clearTimeout(previewTimer);
+  forgetPreview();
   await runStages(watchesSizing() ? 'sizing' : 'smooth', 'preview', fit);
 }
 
@@ -51,8 +58,9 @@ export function keepSizingShown(): void {
 
 /** A preview ends what the engine is at, so it waits for what the user has asked for: a file read or written. */
 export function previewSoon(): void {
-  clearTimeout(previewTimer);
+  forgetPreview();
   if (activity.value === 'run') return;
+  previewDue.value = true;
   previewTimer = setTimeout(() => {
     if (activity.value === 'opening' || activity.value === 'export') previewSoon();
     else void preview(false);
@@ -65,8 +73,15 @@ export function runAll(): Promise<void> {
 
 /** Runs up to a stage; those whose input has not changed are kept. */
 export async function runTo(last: StageName): Promise<void> {
-  clearTimeout(previewTimer);
+  forgetPreview();
   await runStages(last, 'run', false);
+}
+
+/** Ends what the engine is at; a forecast from this very surface is waited for, since its stages are wanted. */
+async function freeEngine(surface: string): Promise<void> {
+  const forecasting = forecastUnderWay();
+  if (forecasting?.surface === surface) await forecasting.done;
+  else if (engine.busy) await engine.cancel();
 }
 
 async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean): Promise<void> {
@@ -74,8 +89,6 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
   if (!current || !(current.source.phantom || current.source.file) || awaitedFile.value) return;
   const newest = takeTurn();
   const names = stageNames.slice(0, stageNames.indexOf(last) + 1);
-  if (engine.busy) await engine.cancel();
-  if (!newest()) return;
   activity.value = kind;
   marked.value = null;
   if (kind === 'run') {
@@ -84,6 +97,8 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
     startClock();
   }
   try {
+    await freeEngine(stageInput(current, 'smooth'));
+    if (!newest()) return;
     const result = await engine.run(JSON.stringify(current), current.source, last, {
       onProgress(stage, fraction) {
         if (newest()) setStage(stage, { state: 'running', fraction });
@@ -148,7 +163,7 @@ function finishRun(
 
 export async function cancelRun(): Promise<void> {
   const newest = takeTurn();
-  clearTimeout(previewTimer);
+  forgetPreview();
   for (const name of stageNames) {
     const { state, summary } = stages.value[name];
     if (state === 'running' || state === 'waiting') {

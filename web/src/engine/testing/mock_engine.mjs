@@ -258,6 +258,25 @@ class Session {
     }
     return JSON.stringify({ ok: true, value: summaries.at(-1) });
   }
+  forecast(elements) {
+    const { sizing } = this.recipe;
+    const of = (edge) => ({
+      tets: Math.round(1e6 / edge ** 3),
+      points: 100,
+      triangles: 100,
+      peak_mb: 70,
+      seconds: 2,
+    });
+    if (!elements) return JSON.stringify({ ok: true, value: of(sizing.edge_mm) });
+    const edge_mm = Math.cbrt(1e6 / elements);
+    const fitting = {
+      factor: edge_mm / sizing.edge_mm,
+      edge_mm,
+      sizing: { ...sizing, edge_mm },
+      forecast: of(edge_mm),
+    };
+    return JSON.stringify({ ok: true, value: { ...of(sizing.edge_mm), fitting } });
+  }
   counts(name) {
     if (name === 'volume') return this.summary();
     if (name === 'sizing')

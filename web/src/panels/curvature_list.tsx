@@ -1,0 +1,102 @@
+import { useState } from 'preact/hooks';
+import type { CurvatureSize, Recipe } from '../engine/contract';
+import { nameOf, volume } from '../store/input';
+import { carriersOf } from '../store/labels';
+import { editRecipe } from '../store/recipe';
+import { NumberField } from './fields';
+import { FoldedItem } from './folded_item';
+import { Icon } from './icons';
+import { LabelChips } from './label_chips';
+
+function newCurvature(current: Recipe): CurvatureSize {
+  return {
+    labels: [],
+    edges_per_turn: 20,
+    edge_min_mm: Number((current.sizing.edge_mm / 4).toPrecision(2)),
+  };
+}
+
+/** Only the surfaces of regions of the mesh are there to bend. */
+function unmeshed(current: Recipe): number[] {
+  const all = volume.value?.labels.map(({ label }) => label) ?? [];
+  const carriers = carriersOf(current.merge, current.labels.length > 0 ? current.labels : all);
+  return all.filter((label) => !carriers.includes(label));
+}
+
+function CurvatureFields(props: { current: Recipe; wish: CurvatureSize; index: number; name: string }) {
+  const { current, wish, index, name } = props;
+  const set = (label: string, change: Partial<CurvatureSize>) =>
+    editRecipe(
+      label,
+      (draft) => void Object.assign(draft.sizing.curvature[index], change),
+      `curvature ${index} ${label}`,
+    );
+  return (
+    <>
+      <LabelChips
+        legend="Surfaces of"
+        hint="Labels whose surfaces count. None: all."
+        chosen={wish.labels}
+        taken={unmeshed(current)}
+        onChange={(labels) => set('Labels of curvature', { labels })}
+      />
+      <NumberField
+        label="Edges to a full turn"
+        owner={name}
+        path="sizing.curvature.edges_per_turn"
+        step={1}
+        value={wish.edges_per_turn}
+        onChange={(edges_per_turn) => set('Edges to a full turn', { edges_per_turn })}
+      />
+      <NumberField
+        label="Smallest edge"
+        owner={name}
+        unit="mm"
+        path="sizing.curvature.edge_min_mm"
+        step={0.1}
+        value={wish.edge_min_mm}
+        onChange={(edge_min_mm) => set('Smallest edge of curvature', { edge_min_mm })}
+      />
+    </>
+  );
+}
+
+/** Surfaces that are sized by how sharply they bend. */
+export function CurvatureList({ current }: { current: Recipe }) {
+  const [shown, setShown] = useState<number | null>(null);
+  const wishes = current.sizing.curvature;
+  const add = () => {
+    editRecipe('Add curvature', (draft) => void draft.sizing.curvature.push(newCurvature(current)));
+    setShown(wishes.length);
+  };
+  const remove = (index: number) => {
+    setShown(null);
+    editRecipe('Remove curvature', (draft) => void draft.sizing.curvature.splice(index, 1));
+  };
+  return (
+    <div class="regions">
+      <div class="regions-head">
+        <h3>Bends</h3>
+        <button type="button" class="button small" onClick={add}>
+          <Icon name="plus" size={13} /> Curvature
+        </button>
+      </div>
+      {wishes.length === 0 && <p class="hint">Smaller elements where a surface bends sharply.</p>}
+      {wishes.map((wish, index) => {
+        const name = wish.labels.length > 0 ? wish.labels.map(nameOf).join(', ') : 'All surfaces';
+        return (
+          <FoldedItem
+            key={index}
+            name={name}
+            note={`${wish.edges_per_turn} to a turn`}
+            open={shown === index}
+            onToggle={() => setShown(shown === index ? null : index)}
+            onRemove={() => remove(index)}
+          >
+            <CurvatureFields current={current} wish={wish} index={index} name={name} />
+          </FoldedItem>
+        );
+      })}
+    </div>
+  );
+}

@@ -1,0 +1,18 @@
+import { expect, it } from 'vitest';
+import { amount, forecastParts, refusal } from './forecast_text';
+
+const numbers = { tets: 48_251, points: 1, triangles: 1, peak_mb: 67.1, seconds: 1.97 };
+
+it('says what a run will take, no more exactly than is known', () => {
+  expect(forecastParts(numbers, [])).toEqual(['about 48,000 tetrahedra', '67 MB', '2 s']);
+  expect(amount('seconds', 0.2)).toBe('1 s');
+  expect(amount('seconds', 89.6)).toBe('90 s');
+  expect(amount('seconds', 150)).toBe('3 min');
+});
+
+it('names the limit that would refuse a case, as it was set', () => {
+  const beyond = { field: 'tets' as const, found: 48_251, limit: 12_345 };
+  expect(forecastParts(numbers, [beyond])[0]).toBe('about 48,000 tetrahedra (limit 12,345)');
+  expect(refusal(beyond)).toBe('limits.tets: the forecast is about 48,000 tetrahedra, the limit 12,345.');
+  expect(refusal({ field: 'memory_mb', found: 67.1, limit: 50 })).toContain('about 67 MB, the limit 50 MB');
+});
