@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <utility>
 
@@ -50,7 +50,9 @@ std::vector<std::uint64_t> names_of(const SurfaceMesh& surface) {
   for (const Eigen::Vector3d& p : surface.points) {
     std::uint64_t name = 0;
     for (const double x : p) {  // splitmix64 (Steele et al. 2014)
-      name = (name ^ std::bit_cast<std::uint64_t>(x)) + 0x9e3779b97f4a7c15;
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &x, sizeof bits);
+      name = (name ^ bits) + 0x9e3779b97f4a7c15;
       name = (name ^ (name >> 30)) * 0xbf58476d1ce4e5b9;
       name = (name ^ (name >> 27)) * 0x94d049bb133111eb;
       name ^= name >> 31;
