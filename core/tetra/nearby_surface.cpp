@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <set>
+#include <utility>
+
+#include "tetra/edge_groups.h"
 
 namespace voxtet::tetra {
 namespace {
@@ -61,26 +65,56 @@ class CellMarks {
   std::vector<std::uint8_t> marked_;
 };
 
+/// Adds the edges of curves of the kinds that are asked for.
+void add_curves(const SurfaceMesh& surface, std::map<BoundaryKind, std::vector<Triangle>>& asked) {
+  const EdgeGroups edges(surface);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges[e].size() < 3) continue;
+    BoundaryKind kind;
+    for (const TriangleUse& use : edges[e]) kind.push_back(surface.sides[use.triangle]);
+    if (const auto group = asked.find(ascending(std::move(kind))); group != asked.end())
+      group->second.push_back({edges[e][0].low, edges[e][0].high, edges[e][0].high});
+  }
+}
+
 }  // namespace
+
+BoundaryKind ascending(BoundaryKind kind) {
+  std::sort(kind.begin(), kind.end());
+  kind.erase(std::unique(kind.begin(), kind.end()), kind.end());
+  return kind;
+}
 
 NearbySurface::NearbySurface(const SurfaceMesh& surface, std::span<const BoundaryPlace> places,
                              double reach_mm) {
   if (places.empty()) return;
   const CellMarks marks(places, reach_mm);
-  std::map<Sides, std::vector<Triangle>> triangles;
-  for (const BoundaryPlace& place : places) triangles[place.sides];
+  std::map<BoundaryKind, std::vector<Triangle>> asked;
+  SurfaceMesh at_curves;
+  std::set<Sides> meeting;
+  for (const BoundaryPlace& place : places) {
+    asked[place.kind];
+    if (place.kind.size() > 1) meeting.insert(place.kind.begin(), place.kind.end());
+  }
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
     if (!marks.near(surface.points[a], surface.points[b], surface.points[c])) continue;
-    if (const auto group = triangles.find(surface.sides[t]); group != triangles.end())
+    if (const auto group = asked.find({surface.sides[t]}); group != asked.end())
       group->second.push_back(surface.triangles[t]);
+    if (meeting.count(surface.sides[t]) == 0) continue;
+    at_curves.triangles.push_back(surface.triangles[t]);
+    at_curves.sides.push_back(surface.sides[t]);
   }
-  for (const auto& [sides, group] : triangles)
-    if (!group.empty()) trees_.try_emplace(sides, surface.points, group);
+  if (!at_curves.triangles.empty()) {
+    at_curves.points = surface.points;
+    add_curves(at_curves, asked);
+  }
+  for (const auto& [kind, group] : asked)
+    if (!group.empty()) trees_.try_emplace(kind, surface.points, group);
 }
 
-const ClosestPointTree* NearbySurface::between(const Sides& sides) const {
-  const auto found = trees_.find(sides);
+const ClosestPointTree* NearbySurface::of(const BoundaryKind& kind) const {
+  const auto found = trees_.find(kind);
   return found == trees_.end() ? nullptr : &found->second;
 }
 

@@ -11,24 +11,29 @@
 
 namespace voxtet::tetra {
 
-/// A point on the boundary between two labels.
+/// What a point of the boundary lies on: a surface, between one pair of labels, or the curve where surfaces
+/// between these pairs meet; ascending.
+using BoundaryKind = std::vector<Sides>;
+/// Sorted, each pair once.
+BoundaryKind ascending(BoundaryKind kind);
+
 struct BoundaryPlace {
   Eigen::Vector3d at;
-  Sides sides;
+  BoundaryKind kind;
 };
 
 /// Closest points on a surface near given places. Linear in the surface, with little work for each triangle:
 /// made for places that are few.
 class NearbySurface {
  public:
-  /// Triangles within `reach_mm` of a place with the same sides are found; others may be.
+  /// What is of a place's kind and within `reach_mm` of it is found; more may be.
   NearbySurface(const SurfaceMesh& surface, std::span<const BoundaryPlace> places, double reach_mm);
 
-  /// The triangles between two labels; null where none are near.
-  const ClosestPointTree* between(const Sides& sides) const;
+  /// The triangles of a surface, or the edges of a curve as triangles without area; null where none are near.
+  const ClosestPointTree* of(const BoundaryKind& kind) const;
 
  private:
-  std::map<Sides, ClosestPointTree> trees_;
+  std::map<BoundaryKind, ClosestPointTree> trees_;
 };
 
 }  // namespace voxtet::tetra

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "tetra/edge_removal.h"
-#include "tetra/face_removal.h"
+#include "tetra/compound_improvement.h"
+#include "tetra/local_swaps.h"
 #include "tetra/tet_complex.h"
 #include "tetra/vertex_insertion.h"
 #include "tetra/vertex_smoothing.h"
@@ -31,11 +31,10 @@ constexpr std::size_t kAlwaysAllowed = 200;
 /// A vertex inside of a layer makes two of it: only where nothing else helps.
 constexpr double kLayerInsertionDeg = 25;
 constexpr std::size_t kTetsPerQuestion = 256;
-
-struct Counts {
-  std::size_t edges = 0, faces = 0, moved = 0, inserted = 0, slid = 0, flipped = 0;
-  bool operator==(const Counts&) const = default;
-};
+/// Tets for every step of compound trials, at least, but so many steps always: on a hopeless surface most
+/// trials fail.
+constexpr std::size_t kTetsForStep = 20;
+constexpr std::size_t kStepsAlways = 5000;
 
 class Optimiser {
  public:
@@ -47,6 +46,7 @@ class Optimiser {
         inserter_(complex_, guard_),
         slider_(complex_, smoother_, reference, sizing, params.slide, layers),
         flipper_(complex_, reference, sizing, guard_, params.slide),
+        compound_(complex_, guard_, smoother_, inserter_, slider_, counts_),
         params_(params),
         layers_(layers),
         ctx_(ctx),
@@ -58,7 +58,7 @@ class Optimiser {
     const double last_goal = quality_of_angle(params_.insertion_deg);
     const std::size_t bad_before = bad_tets(goal).size();
     for (int round = 0; round < params_.rounds; ++round) {
-      const Counts before = counts_;
+      const OperationCounts before = counts_;
       if (ctx_.cancelled() || !swap(goal) || !smooth(goal)) return false;
       // Most of what is bad at first only needs another neighbour or place.
       if (round > 0) {
@@ -72,6 +72,7 @@ class Optimiser {
       if (!insert(quality_of_angle(kLayerInsertionDeg), true)) return false;
       slide(last_goal);
     }
+    if (!combine(last_goal)) return false;
     tell(bad_before, bad_tets(goal).size());
     return true;
   }
@@ -124,12 +125,10 @@ class Optimiser {
 
   bool swap(double goal) {
     return for_bad_tets(goal, [this](std::uint32_t t) {
-      for (std::uint32_t i = 0; i < 4; ++i)
-        for (std::uint32_t j = 0; j < i; ++j)
-          if (remove_edge(complex_, t, i, j, guard_)) return ++counts_.edges > 0;
-      for (std::uint32_t c = 0; c < 4; ++c)
-        if (remove_faces(complex_, t, c, guard_)) return ++counts_.faces > 0;
-      return false;
+      const Swap swapped = swap_at(complex_, t, guard_);
+      counts_.edges += swapped == Swap::kEdge;
+      counts_.faces += swapped == Swap::kFaces;
+      return swapped != Swap::kNone;
     });
   }
 
@@ -151,8 +150,68 @@ class Optimiser {
 
   void slide(double goal) {
     if (!(params_.slide > 0)) return;
-    counts_.slid += slider_.slide(vertices_of(bad_tets(goal), true), goal);
+    const std::vector<std::uint32_t> vertices = vertices_of(bad_tets(goal), true);
+    slider_.approach(vertices);
+    unless_walls_meet([&] {
+      for (const std::uint32_t v : vertices) counts_.slid += slider_.slide(v, goal);
+    });
     counts_.flipped += flipper_.flip(tets_of(bad_tets(goal)));
+  }
+
+  /// Does what slides vertices, and takes it back should walls meet then.
+  template <class Slide>
+  void unless_walls_meet(const Slide& slide) {
+    const OperationCounts before = counts_;
+    const TetComplex::Mark start = complex_.mark();
+    slide();
+    if (slider_.walls_meet(start)) {
+      complex_.undo_to(start);
+      counts_ = before;
+    }
+    complex_.forget_changes();
+  }
+
+  /// Those on walls around the corners of the bad tets and around their neighbours.
+  std::vector<std::uint32_t> walls_around(double goal) {
+    std::vector<std::uint32_t> vertices = vertices_of(bad_tets(goal), false), star;
+    std::vector<std::uint8_t> seen(complex_.point_count(), 0);
+    const std::vector<std::uint32_t> on_walls = vertices_of(bad_tets(goal), true);
+    vertices.insert(vertices.end(), on_walls.begin(), on_walls.end());
+    for (const std::uint32_t v : vertices) seen[v] = 1;
+    for (std::size_t ring = 0, first = 0; ring < 2; ++ring) {
+      const std::size_t last = vertices.size();
+      for (; first < last; ++first) {
+        complex_.find_star(vertices[first], star);
+        for (const std::uint32_t t : star)
+          for (const std::uint32_t v : complex_.corners(t))
+            if (!std::exchange(seen[v], std::uint8_t{1})) vertices.push_back(v);
+      }
+    }
+    std::erase_if(vertices, [this](std::uint32_t v) { return !complex_.on_wall(v); });
+    return vertices;
+  }
+
+  /// False when cancelled.
+  bool combine(double goal) {
+    if (params_.slide > 0) slider_.approach(walls_around(goal));
+    const std::size_t most_steps = std::max(kStepsAlways, complex_.places() / kTetsForStep);
+    bool going = true;
+    unless_walls_meet([&] {
+      for (bool any = true; going && std::exchange(any, false);)
+        for (const std::uint32_t t : tets_of(bad_tets(goal))) {
+          if (compound_.steps() >= most_steps || !complex_.alive(t) || !(complex_.quality_of(t) < goal))
+            continue;
+          if (!(going = !ctx_.cancelled())) break;
+          any = compound_.improve(t, goal, may_insert(t)) || any;
+        }
+    });
+    return going;
+  }
+
+  bool may_insert(std::uint32_t t) const {
+    return counts_.inserted < most_inserted_ &&
+           (!layers_.is_layer(complex_.label(t)) ||
+            complex_.quality_of(t) < quality_of_angle(kLayerInsertionDeg));
   }
 
   void tell(std::size_t bad_before, std::size_t bad_after) const {
@@ -175,10 +234,11 @@ class Optimiser {
   VertexInserter inserter_;
   WallSlider slider_;
   WallFlipper flipper_;
+  OperationCounts counts_;
+  CompoundImprover compound_;
   OptimiseParams params_;
   const WallLayers& layers_;
   const RunContext& ctx_;
-  Counts counts_;
   std::size_t most_inserted_, questions_ = 0;
 };
 

@@ -155,6 +155,11 @@ bool TetComplex::replace(std::span<const std::uint32_t> gone, std::span<const Te
   for (const Tet& t : made)
     if (!is_positive(t)) return false;
   const Label label = cells_[gone[0]].label;
+  Change change;
+  if (keeps_changes_) {
+    change.gone.assign(gone.begin(), gone.end());
+    for (const std::uint32_t t : gone) change.gone_corners.push_back(corners(t));
+  }
   wait_outside(gone);
   for (const std::uint32_t t : gone) {
     for (const std::uint32_t v : corners(t)) tet_at_[v] = kNone;
@@ -170,7 +175,35 @@ bool TetComplex::replace(std::span<const std::uint32_t> gone, std::span<const Te
     for (std::uint32_t c = 0; c < 4; ++c) meet({side_of(tet, c), 4 * t + c});
     made_.push_back(t);
   }
+  if (keeps_changes_) {
+    change.made = made_;
+    changes_.push_back(std::move(change));
+  }
   return true;
+}
+
+TetComplex::Mark TetComplex::mark() {
+  keeps_changes_ = true;
+  return {changes_.size(), points_.size()};
+}
+
+void TetComplex::forget_changes() {
+  keeps_changes_ = false;
+  changes_.clear();
+}
+
+void TetComplex::undo_to(const Mark& mark) {
+  keeps_changes_ = false;
+  while (changes_.size() > mark.changes) {
+    const Change change = std::move(changes_.back());
+    changes_.pop_back();
+    if (change.moved == kNone)
+      replace(change.made, change.gone_corners);  // in the places they had: see there
+    else
+      move_point(change.moved, change.from, change.made);
+  }
+  keeps_changes_ = true;
+  while (points_.size() > mark.points) drop_point();
 }
 
 void TetComplex::relabel(std::uint32_t t, Label label) {
@@ -245,11 +278,13 @@ bool TetComplex::move_point(std::uint32_t vertex, const Point& to, std::span<con
   const Point from = std::exchange(points_[vertex], to);
   const bool positive =
       std::all_of(star.begin(), star.end(), [this](std::uint32_t t) { return is_positive(corners(t)); });
-  if (!positive)
+  if (!positive) {
     points_[vertex] = from;
-  else
-    for (const std::uint32_t t : star) cells_[t].quality = quality_at(corners(t));
-  return positive;
+    return false;
+  }
+  for (const std::uint32_t t : star) cells_[t].quality = quality_at(corners(t));
+  if (keeps_changes_) changes_.push_back({{star.begin(), star.end()}, {}, {}, vertex, from});
+  return true;
 }
 
 }  // namespace voxtet::tetra

@@ -78,6 +78,8 @@ class TetComplex {
 
   const Point& point(std::uint32_t vertex) const { return points_[vertex]; }
   std::uint32_t point_count() const { return static_cast<std::uint32_t>(points_.size()); }
+  /// False for points that no tet uses.
+  bool in_use(std::uint32_t vertex) const { return tet_at_[vertex] != kNone; }
   /// On a wall.
   bool on_wall(std::uint32_t vertex) const { return on_wall_[vertex]; }
   double quality_at(const Tet& t) const {
@@ -104,6 +106,27 @@ class TetComplex {
   void relabel(std::uint32_t t, Label label);
   /// Brings the list of walls up to date; no wall may be in two exchanges.
   void exchange_walls(std::span<const WallExchange> exchanges);
+
+  /// What replace() or move_point() did.
+  struct Change {
+    std::vector<std::uint32_t> made;  ///< places of the tets that are new or have another shape
+    std::vector<std::uint32_t> gone;  ///< places of those whose place they took
+    std::vector<Tet> gone_corners;
+    std::uint32_t moved = kNone;  ///< a vertex, if it is one that moved
+    Point from = Point::Zero();
+  };
+  struct Mark {
+    std::size_t changes, points;
+  };
+  /// A place in the history to which undo_to() can go back. Changes are only kept from the first mark on and
+  /// until forget_changes(); relabel() is not among them.
+  Mark mark();
+  std::span<const Change> changes_since(const Mark& mark) const {
+    return std::span(changes_).subspan(mark.changes);
+  }
+  /// Takes back all changes since then and drops the points added since.
+  void undo_to(const Mark& mark);
+  void forget_changes();
 
   /// Adds a point that no tet uses yet.
   std::uint32_t add_point(const Point& at);
@@ -142,6 +165,8 @@ class TetComplex {
   std::vector<Triangle> faces_;
   std::vector<Sides> face_sides_;
   std::uint32_t mark_ = 0;
+  bool keeps_changes_ = false;
+  std::vector<Change> changes_;
 };
 
 }  // namespace voxtet::tetra

@@ -116,36 +116,44 @@ bool VertexInserter::commit(const Point& at) {
   return false;
 }
 
-bool VertexInserter::insert_at(const Point& start, std::uint32_t t, bool walls_count) {
-  Apex apex{start, 0};
-  cavity_.assign(1, t);
+bool VertexInserter::insert_from(const Start& start, bool walls_count, double gain) {
+  Apex apex{start.at, 0};
+  cavity_.assign(1, start.tet);
   // From where it went first it may take another cavity, and then another place.
   for (int round = 0; round < 2; ++round) {
     dig(apex.at, walls_count || round > 0);
     apex = smooth(apex.at);
     if (!(apex.quality > 0)) return false;
   }
-  return apex.quality > kLeastGain * lowest_before() && sizes_allow(apex.at) && commit(apex.at);
+  return apex.quality > gain * lowest_before() && sizes_allow(apex.at) && commit(apex.at);
 }
 
-bool VertexInserter::insert(std::uint32_t t) {
+std::vector<VertexInserter::Start> VertexInserter::starts_at(std::uint32_t t) const {
   const auto centre = [this](const Tet& c) {
     return Point((complex_.point(c[0]) + complex_.point(c[1]) + complex_.point(c[2]) + complex_.point(c[3])) /
                  4);
   };
-  const Tet c = complex_.corners(t);
-  for (const bool walls_count : {true, false}) {
-    if (insert_at(centre(c), t, walls_count)) return true;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        if (insert_at((complex_.point(c[i]) + complex_.point(c[j])) / 2, t, walls_count)) return true;
-  }
+  const Tet& c = complex_.corners(t);
+  std::vector<Start> starts{{centre(c), t}};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      starts.push_back({(complex_.point(c[i]) + complex_.point(c[j])) / 2, t});
   // From within a flat tet on a wall nothing gets better: from its neighbours.
-  for (std::uint32_t side = 0; side < 4; ++side) {
-    const std::uint32_t behind = complex_.behind(t, side);
-    if (behind != kNone && insert_at(centre(complex_.corners(behind)), t, true)) return true;
-  }
-  return false;
+  for (std::uint32_t side = 0; side < 4; ++side)
+    if (const std::uint32_t behind = complex_.behind(t, side); behind != kNone)
+      starts.push_back({centre(complex_.corners(behind)), behind});
+  return starts;
+}
+
+bool VertexInserter::insert(std::uint32_t t) {
+  const std::vector<Start> starts = starts_at(t);
+  const std::span<const Start> all = starts, inside = all.first(kInside);
+  const auto insert_one_of = [this](std::span<const Start> from, bool walls_count) {
+    return std::any_of(from.begin(), from.end(),
+                       [&](const Start& start) { return insert_from(start, walls_count, kLeastGain); });
+  };
+  return insert_one_of(inside, true) || insert_one_of(inside, false) ||
+         insert_one_of(all.subspan(kInside), true);
 }
 
 }  // namespace voxtet::tetra

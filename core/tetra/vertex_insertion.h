@@ -21,13 +21,23 @@ class VertexInserter {
   /// lowest quality and the sizes of the new edges are allowed. complex.made() are then the new tets.
   bool insert(std::uint32_t t);
 
+  /// Where a vertex for tet t may start: a place and the tet the cavity grows from. First inside of t and at
+  /// the middles of its edges, kInside of them, then inside of the tets behind its sides.
+  struct Start {
+    Point at;
+    std::uint32_t tet;
+  };
+  static constexpr std::size_t kInside = 7;
+  std::vector<Start> starts_at(std::uint32_t t) const;
+  /// The same from one start; with `gain` 0 whatever it does to the lowest quality.
+  bool insert_from(const Start& start, bool walls_count, double gain);
+
  private:
   /// A side of the cavity, seen from inside.
   struct Side {
     std::uint32_t tet, corner;
     double quality;  ///< of the tet it makes with the new vertex
   };
-  bool insert_at(const Point& start, std::uint32_t t, bool walls_count);
   void dig(const Point& at, bool walls_count);
   void absorb(std::uint32_t t, const Point& at);
   double lowest_before() const;

@@ -149,19 +149,23 @@ Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Trac
   return apex;
 }
 
-bool VertexSmoother::sizes_allow(std::uint32_t vertex, const Point& to) {
+bool VertexSmoother::sizes_allow(std::uint32_t vertex, const Point& to, double most_misfit) {
   const Point& from = complex_.point(vertex);
   others_.clear();
   for (const std::uint32_t t : star_)
     for (const std::uint32_t v : complex_.corners(t))
       if (v != vertex && std::find(others_.begin(), others_.end(), v) == others_.end()) others_.push_back(v);
-  return std::all_of(others_.begin(), others_.end(), [&](std::uint32_t v) {
-    const double misfit = guard_.misfit(to, complex_.point(v));
-    return misfit <= 1 || misfit <= guard_.misfit(from, complex_.point(v));
-  });
+  const auto farthest = [&](const Point& at) {
+    double misfit = 0;
+    for (const std::uint32_t v : others_) misfit = std::max(misfit, guard_.misfit(at, complex_.point(v)));
+    return misfit;
+  };
+  const double after = farthest(to);
+  return after <= most_misfit || after <= farthest(from);
 }
 
-bool VertexSmoother::smooth(std::uint32_t vertex, double enough, int steps, const Track* track) {
+bool VertexSmoother::smooth(std::uint32_t vertex, double enough, int steps, const Track* track,
+                            double most_misfit) {
   complex_.find_star(vertex, star_);
   sides_.clear();
   double before = std::numeric_limits<double>::infinity();
@@ -175,7 +179,8 @@ bool VertexSmoother::smooth(std::uint32_t vertex, double enough, int steps, cons
   }
   if (before >= enough) return false;
   const Apex apex = ascend(complex_.point(vertex), sides_, steps, track);
-  return apex.quality > before && sizes_allow(vertex, apex.at) && complex_.move_point(vertex, apex.at, star_);
+  return apex.quality > before && sizes_allow(vertex, apex.at, most_misfit) &&
+         complex_.move_point(vertex, apex.at, star_);
 }
 
 }  // namespace voxtet::tetra

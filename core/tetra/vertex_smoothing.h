@@ -42,11 +42,13 @@ class VertexSmoother {
   VertexSmoother(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
 
   /// Moves a vertex that is on no wall, or along a track, unless the lowest quality of its tets is enough.
-  /// True when that rose and the sizes of the vertex's edges are allowed; else nothing happens.
-  bool smooth(std::uint32_t vertex, double enough, int steps, const Track* track = nullptr);
+  /// True when that rose and no edge of the vertex has become farther from the wish than the farthest was, or
+  /// than `most_misfit`; else nothing happens.
+  bool smooth(std::uint32_t vertex, double enough, int steps, const Track* track = nullptr,
+              double most_misfit = 1);
 
  private:
-  bool sizes_allow(std::uint32_t vertex, const Point& to);
+  bool sizes_allow(std::uint32_t vertex, const Point& to, double most_misfit);
 
   TetComplex& complex_;
   const SizeGuard& guard_;

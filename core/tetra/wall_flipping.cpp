@@ -4,8 +4,7 @@
 #include <set>
 
 #include "geometry/triangle_measures.h"
-#include "tetra/edge_removal.h"
-#include "tetra/face_removal.h"
+#include "tetra/local_swaps.h"
 
 namespace voxtet::tetra {
 namespace {
@@ -97,15 +96,6 @@ bool WallFlipper::keeps_angles(const Candidate& candidate) const {
   return after >= std::min(before, kLeastAngleDeg);
 }
 
-bool WallFlipper::improve(std::uint32_t t) {
-  for (std::uint32_t i = 0; i < 4; ++i)
-    for (std::uint32_t j = 0; j < i; ++j)
-      if (remove_edge(complex_, t, i, j, guard_)) return true;
-  for (std::uint32_t c = 0; c < 4; ++c)
-    if (remove_faces(complex_, t, c, guard_)) return true;
-  return false;
-}
-
 WallExchange WallFlipper::exchange_of(const Candidate& candidate) const {
   WallExchange exchange;
   const Tet& own = complex_.corners(candidate.t);
@@ -128,7 +118,7 @@ std::size_t WallFlipper::flip(std::span<const std::uint32_t> tets) {
       candidates.push_back(*candidate);
       const Label own = complex_.label(t);
       places.push_back(
-          {candidate->new_middle, {std::max(own, candidate->other), std::min(own, candidate->other)}});
+          {candidate->new_middle, {{std::max(own, candidate->other), std::min(own, candidate->other)}}});
       reach = std::max({reach, envelope_ * sizing_.at(candidate->new_middle),
                         2 * (candidate->new_middle - candidate->old_middle).norm()});
     }
@@ -137,7 +127,7 @@ std::size_t WallFlipper::flip(std::span<const std::uint32_t> tets) {
   std::vector<WallExchange> exchanges;
   std::set<Triangle> fresh;  // walls that complex_ does not list yet
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const ClosestPointTree* surface = nearby.between(places[i].sides);
+    const ClosestPointTree* surface = nearby.of(places[i].kind);
     if (surface == nullptr) continue;
     // What went before may have changed it.
     const std::optional<Candidate> candidate = candidate_at(candidates[i].t);
@@ -152,7 +142,7 @@ std::size_t WallFlipper::flip(std::span<const std::uint32_t> tets) {
     if (std::any_of(exchange.gone.begin(), exchange.gone.end(), is_fresh)) continue;
     const Label own = complex_.label(candidate->t);
     complex_.relabel(candidate->t, candidate->other);
-    if (candidate->other != kBackground && !improve(candidate->t)) {
+    if (candidate->other != kBackground && swap_at(complex_, candidate->t, guard_) == Swap::kNone) {
       complex_.relabel(candidate->t, own);
       continue;
     }

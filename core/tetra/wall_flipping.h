@@ -40,7 +40,6 @@ class WallFlipper {
   std::optional<Candidate> candidate_at(std::uint32_t t) const;
   bool keeps_topology(const Candidate& candidate);
   bool keeps_angles(const Candidate& candidate) const;
-  bool improve(std::uint32_t t);
   WallExchange exchange_of(const Candidate& candidate) const;
   /// Whether all other tets at these corners of t have the other label, and there is no background unless it
   /// is the other label.

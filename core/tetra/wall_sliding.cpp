@@ -13,7 +13,7 @@ namespace {
 constexpr int kSteps = 4;
 /// Part of its shortest edge on the walls by which a vertex may move altogether.
 constexpr double kReach = 0.2;
-/// Part of that edge within which the label surface has to be.
+/// Part of that edge within which the label surface has to be, where it is not in the envelope.
 constexpr double kFarthest = 0.3;
 
 /// Within an envelope of the label surface and within reach of the start.
@@ -51,15 +51,18 @@ class Offset : public Track {
   double reach_;
 };
 
-/// The edges opposite to a vertex, of the triangles around it, make one closed line.
-bool is_ring(std::span<const std::array<std::uint32_t, 2>> edges) {
-  std::uint32_t at = edges[0][1];
-  for (std::size_t step = 1; step < edges.size(); ++step) {
-    const auto next = std::find_if(edges.begin(), edges.end(), [at](const auto& e) { return e[0] == at; });
-    if (next == edges.end() || next == edges.begin()) return false;
-    at = (*next)[1];
-  }
-  return at == edges[0][0];
+/// The walls at a vertex, given by their other two corners, hang together by edges.
+bool is_connected(std::vector<std::array<std::uint32_t, 2>> walls) {
+  if (walls.empty()) return false;
+  std::size_t reached = 1;
+  for (std::size_t next = 0; next < reached; ++next)
+    for (std::size_t w = reached; w < walls.size(); ++w)
+      for (const std::uint32_t v : walls[w])
+        if (v == walls[next][0] || v == walls[next][1]) {
+          std::swap(walls[w], walls[reached++]);
+          break;
+        }
+  return reached == walls.size();
 }
 
 }  // namespace
@@ -75,99 +78,104 @@ WallSlider::WallSlider(TetComplex& complex, VertexSmoother& smoother, const Surf
   for (std::uint32_t v = 0; v < complex.point_count(); ++v) start_.push_back(complex.point(v));
 }
 
-std::optional<WallSlider::Patch> WallSlider::patch_at(std::uint32_t vertex) {
+std::optional<WallSlider::Seat> WallSlider::seat_of(std::uint32_t vertex) {
   complex_.find_star(vertex, star_);
-  const Label own = complex_.label(star_[0]);
-  std::optional<Label> other;
-  std::vector<std::array<std::uint32_t, 2>> edges;
-  Patch patch{vertex, {}, std::numeric_limits<double>::infinity(), 0};
-  const Point& apex = complex_.point(vertex);
-  for (const std::uint32_t t : star_) {
-    if (complex_.label(t) != own) continue;
+  std::vector<Sides> kind;
+  std::vector<std::array<std::uint32_t, 2>> walls;    // their other corners
+  std::vector<std::pair<std::uint32_t, Sides>> uses;  // of the edges to them
+  Seat seat{{}, std::numeric_limits<double>::infinity(), 0};
+  for (const std::uint32_t t : star_)
     for (std::uint32_t c = 0; c < 4; ++c) {
+      if (complex_.corners(t)[c] == vertex || complex_.behind(t, c) != kNone) continue;
       const Facet facet = complex_.across(t, c);
       const Label behind = facet == kNone ? kBackground : complex_.label(tet_of(facet));
-      if (complex_.corners(t)[c] == vertex || behind == own) continue;
-      if (other.value_or(behind) != behind) return std::nullopt;
-      other = behind;
-      std::array<std::uint32_t, 3> side{};
-      for (std::size_t k = 0; k < 3; ++k) side[k] = complex_.corners(t)[kSideCorners[c][k]];
-      const auto at = static_cast<std::size_t>(std::find(side.begin(), side.end(), vertex) - side.begin());
-      edges.push_back({side[(at + 1) % 3], side[(at + 2) % 3]});
-      const Point u = complex_.point(edges.back()[0]) - apex;
-      patch.shortest_edge = std::min(patch.shortest_edge, u.norm());
-      patch.longest_edge = std::max(patch.longest_edge, u.norm());
+      if (behind > complex_.label(t)) continue;  // met from its other side
+      kind.push_back({complex_.label(t), behind});
+      std::array<std::uint32_t, 2> others{};
+      std::size_t count = 0;
+      for (const std::uint32_t k : kSideCorners[c])
+        if (const std::uint32_t v = complex_.corners(t)[k]; v != vertex) {
+          others[count++] = v;
+          uses.emplace_back(v, kind.back());
+          const double length = (complex_.point(v) - complex_.point(vertex)).norm();
+          seat.shortest_edge = std::min(seat.shortest_edge, length);
+          seat.longest_edge = std::max(seat.longest_edge, length);
+        }
+      walls.push_back(others);
     }
+  // Walls that are not reached from the star's first tet make the counts differ.
+  if (walls.size() != wall_count_[vertex] || !is_connected(walls)) return std::nullopt;
+  seat.kind = ascending(std::move(kind));
+  std::sort(uses.begin(), uses.end());
+  std::size_t ends = 0;  // of the curve
+  for (auto use = uses.begin(); use != uses.end();) {
+    BoundaryKind at_edge;
+    const std::uint32_t v = use->first;
+    std::size_t count = 0;
+    for (; use != uses.end() && use->first == v; ++use, ++count) at_edge.push_back(use->second);
+    if (count == 2) continue;
+    if (ascending(std::move(at_edge)) != seat.kind) return std::nullopt;
+    ++ends;
   }
-  // Walls that are not around the star's first label, or not reached from it, make the counts differ.
-  if (edges.size() != wall_count_[vertex] || !is_ring(edges)) return std::nullopt;
-  patch.sides = {std::max(own, *other), std::min(own, *other)};
-  return patch;
+  if (ends != (seat.kind.size() == 1 ? 0 : 2)) return std::nullopt;
+  if (ends > 0 && is_of_layers(seat.kind)) return std::nullopt;
+  return seat;
 }
 
-bool WallSlider::keeps_offset(const Sides& sides) const {
-  const bool of_layers = layers_.is_layer(sides[0]) || layers_.is_layer(sides[1]);
-  return of_layers && layers_.parent(sides[0]) != layers_.parent(sides[1]);
+bool WallSlider::is_of_layers(const BoundaryKind& kind) const {
+  return std::any_of(kind.begin(), kind.end(), [this](const Sides& sides) {
+    return layers_.is_layer(sides[0]) || layers_.is_layer(sides[1]);
+  });
 }
 
-std::size_t WallSlider::slide_patches(std::span<const Patch> patches, double enough,
-                                      std::span<std::uint8_t> moved) {
-  std::vector<BoundaryPlace> places;
-  double longest = 0;
-  for (const Patch& patch : patches) {
-    places.push_back({complex_.point(patch.vertex), patch.sides});
-    longest = std::max(longest, patch.longest_edge);
-  }
-  const NearbySurface nearby(reference_, places, (kReach + kFarthest) * longest);
-  std::size_t count = 0;
-  for (std::size_t p = 0; p < patches.size(); ++p) {
-    const Patch& patch = patches[p];
-    const ClosestPointTree* surface = nearby.between(patch.sides);
-    if (surface == nullptr) continue;
-    const Point& at = complex_.point(patch.vertex);
-    const double distance = surface->closest(at).distance_mm;
-    if (distance > kFarthest * patch.shortest_edge) continue;
-    const double reach = kReach * patch.shortest_edge;
-    const Envelope envelope(*surface, at, start_[patch.vertex],
-                            std::max(distance, envelope_ * sizing_.at(at)), reach);
-    const Offset offset(*surface, at, start_[patch.vertex], reach);
-    const Track& track = keeps_offset(patch.sides) ? static_cast<const Track&>(offset) : envelope;
-    moved[p] = smoother_.smooth(patch.vertex, enough, kSteps, &track);
-    count += moved[p];
-  }
-  return count;
+bool WallSlider::keeps_offset(const BoundaryKind& kind) const {
+  return is_of_layers(kind) && layers_.parent(kind[0][0]) != layers_.parent(kind[0][1]);
 }
 
-bool WallSlider::walls_meet(std::span<const Patch> patches, std::span<const std::uint8_t> moved) const {
-  std::vector<std::uint8_t> away(complex_.point_count(), 0);
-  for (std::size_t p = 0; p < patches.size(); ++p) away[patches[p].vertex] = moved[p];
-  SurfaceMesh walls{{}, complex_.walls(), complex_.wall_sides()};
-  for (std::uint32_t v = 0; v < wall_count_.size(); ++v) walls.points.push_back(complex_.point(v));
-  std::vector<std::uint8_t> concerned;
-  for (const auto& [a, b, c] : walls.triangles) concerned.push_back(away[a] | away[b] | away[c]);
-  return !SelfIntersectionTree(walls).find(concerned, 1).empty();
-}
-
-std::size_t WallSlider::slide(std::span<const std::uint32_t> vertices, double enough) {
+void WallSlider::approach(std::span<const std::uint32_t> vertices) {
   wall_count_.assign(start_.size(), 0);
   for (const Triangle& wall : complex_.walls())
     for (const std::uint32_t v : wall) ++wall_count_[v];
-  std::vector<Patch> patches;
-  std::vector<Point> before;
+  std::vector<BoundaryPlace> places;
+  double reach = 0;
   for (const std::uint32_t v : vertices)
-    if (const std::optional<Patch> patch = patch_at(v)) {
-      patches.push_back(*patch);
-      before.push_back(complex_.point(v));
+    if (std::optional<Seat> seat = seat_of(v)) {
+      const Point& at = complex_.point(v);
+      places.push_back({at, std::move(seat->kind)});
+      reach = std::max({reach, (kReach + kFarthest) * seat->longest_edge,
+                        kReach * seat->longest_edge + envelope_ * sizing_.at(at)});
     }
-  std::vector<std::uint8_t> moved(patches.size(), 0);
-  const std::size_t count = slide_patches(patches, enough, moved);
-  if (count == 0 || !walls_meet(patches, moved)) return count;
-  for (std::size_t p = patches.size(); p-- > 0;) {
-    if (!moved[p]) continue;
-    complex_.find_star(patches[p].vertex, star_);
-    complex_.move_point(patches[p].vertex, before[p], star_);
+  nearby_.emplace(reference_, places, reach);
+}
+
+bool WallSlider::slide(std::uint32_t vertex, double enough, double most_misfit) {
+  const std::optional<Seat> seat = nearby_ ? seat_of(vertex) : std::nullopt;
+  const ClosestPointTree* surface = seat ? nearby_->of(seat->kind) : nullptr;
+  if (surface == nullptr) return false;
+  const Point& at = complex_.point(vertex);
+  const double distance = surface->closest(at).distance_mm, allowed = envelope_ * sizing_.at(at);
+  if (distance > std::max(kFarthest * seat->shortest_edge, allowed)) return false;
+  const double reach = kReach * seat->shortest_edge;
+  const Envelope envelope(*surface, at, start_[vertex], std::max(distance, allowed), reach);
+  const Offset offset(*surface, at, start_[vertex], reach);
+  const Track& track = keeps_offset(seat->kind) ? static_cast<const Track&>(offset) : envelope;
+  return smoother_.smooth(vertex, enough, kSteps, &track, most_misfit);
+}
+
+bool WallSlider::walls_meet(const TetComplex::Mark& since) const {
+  std::vector<std::uint8_t> away(complex_.point_count(), 0);
+  bool any = false;
+  for (const TetComplex::Change& change : complex_.changes_since(since)) {
+    if (change.moved == kNone || !complex_.on_wall(change.moved)) continue;
+    away[change.moved] = 1;
+    any = true;
   }
-  return 0;
+  if (!any) return false;
+  SurfaceMesh walls{{}, complex_.walls(), complex_.wall_sides()};
+  for (std::uint32_t v = 0; v < start_.size(); ++v) walls.points.push_back(complex_.point(v));
+  std::vector<std::uint8_t> concerned;
+  for (const auto& [a, b, c] : walls.triangles) concerned.push_back(away[a] | away[b] | away[c]);
+  return !SelfIntersectionTree(walls).find(concerned, 1).empty();
 }
 
 }  // namespace voxtet::tetra

@@ -15,7 +15,8 @@
 
 namespace voxtet::tetra {
 
-/// Slides vertices of walls that lie inside one patch: between the same two labels all around.
+/// Slides vertices of walls that lie inside one patch, between the same two labels all around, or inside one
+/// junction curve, where the same patches meet on both sides.
 class WallSlider {
  public:
   /// `reference` is the label surface; its sides are those of the walls. `envelope`: how far from it vertices
@@ -24,23 +25,26 @@ class WallSlider {
   WallSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
              const SizingField& sizing, double envelope, const WallLayers& layers);
 
-  /// Slides the vertices one after the other where the lowest quality of their tets is not enough and rises,
-  /// and returns how many moved. Each goes no farther from its first place than a fifth of its shortest edge
-  /// on the walls, and no farther from the label surface than the envelope or than it was. Should walls meet
-  /// then, all stay where they were.
-  std::size_t slide(std::span<const std::uint32_t> vertices, double enough);
+  /// Finds the label surface near these vertices: needed before they, or others among them, slide.
+  void approach(std::span<const std::uint32_t> vertices);
+
+  /// Slides a vertex where the lowest quality of its tets is not enough and rises. It goes no farther from
+  /// its first place than a fifth of its shortest edge on the walls, and no farther from the label surface,
+  /// or from the curve on it, than the envelope or than it was. Sizes: see VertexSmoother.
+  bool slide(std::uint32_t vertex, double enough, double most_misfit = 1);
+
+  /// Whether walls meet that do not share a corner, one of them at a vertex that moved since.
+  bool walls_meet(const TetComplex::Mark& since) const;
 
  private:
-  /// The walls around a vertex inside a patch.
-  struct Patch {
-    std::uint32_t vertex;
-    Sides sides;
-    double shortest_edge, longest_edge;
+  /// What a vertex slides on.
+  struct Seat {
+    BoundaryKind kind;
+    double shortest_edge, longest_edge;  ///< on the walls
   };
-  std::optional<Patch> patch_at(std::uint32_t vertex);
-  bool keeps_offset(const Sides& sides) const;
-  std::size_t slide_patches(std::span<const Patch> patches, double enough, std::span<std::uint8_t> moved);
-  bool walls_meet(std::span<const Patch> patches, std::span<const std::uint8_t> moved) const;
+  std::optional<Seat> seat_of(std::uint32_t vertex);
+  bool is_of_layers(const BoundaryKind& kind) const;
+  bool keeps_offset(const BoundaryKind& kind) const;
 
   TetComplex& complex_;
   VertexSmoother& smoother_;
@@ -49,7 +53,8 @@ class WallSlider {
   double envelope_;
   const WallLayers& layers_;
   std::vector<Point> start_;               ///< of each vertex there was at first
-  std::vector<std::uint32_t> wall_count_;  ///< walls at each of them now
+  std::vector<std::uint32_t> wall_count_;  ///< walls at each of them when it was approached
+  std::optional<NearbySurface> nearby_;
   std::vector<std::uint32_t> star_;
 };
 

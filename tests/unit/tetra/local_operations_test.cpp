@@ -261,11 +261,11 @@ TEST(NearbySurface, GivesTheClosestPointsOfTheWholeSurfaceBetweenTheLabels) {
   std::vector<BoundaryPlace> places;
   for (int i = 0; i < 40; ++i) {
     const Point direction(normal(random), normal(random), normal(random));
-    places.push_back({10.2 * direction.normalized(), {1, 0}});
+    places.push_back({10.2 * direction.normalized(), {{1, 0}}});
   }
   const NearbySurface nearby(surface, places, 0.5);
-  EXPECT_EQ(nearby.between({2, 1}), nullptr) << "asked for by no place";
-  const ClosestPointTree* tree = nearby.between({1, 0});
+  EXPECT_EQ(nearby.of({{2, 1}}), nullptr) << "asked for by no place";
+  const ClosestPointTree* tree = nearby.of({{1, 0}});
   ASSERT_NE(tree, nullptr);
   EXPECT_LT(tree->triangles().size(), outer.size());
   for (const BoundaryPlace& place : places)
