@@ -19,9 +19,10 @@ constexpr double kShort = 0.72;         ///< in wished lengths; refined surfaces
 constexpr double kRefinedGapShare = 0.4;  ///< EditLimits::gap_share; where sheets are near, edges stay short
 constexpr double kTrialAngleDeg = 10;     ///< below this an angle is not worth opening again
 constexpr double kLatticeVoxels = 0.6, kFineLatticeVoxels = 0.5;
-constexpr double kLeastReachVoxels = 0.45;  ///< nearer than this is near enough
-constexpr double kNearShare = 0.4;          ///< of the envelope: samples that need no closer look
-constexpr double kNearerShare = 0.97;       ///< of the largest distance, if that is to fall
+constexpr double kLeastReachVoxels = 0.4;  ///< nearer than this is near enough
+constexpr double kAimShare = 0.88;         ///< of the envelope: between samples facets may be farther
+constexpr double kNearShare = 0.4;         ///< of the envelope: samples that need no closer look
+constexpr double kNearerShare = 0.97;      ///< of the largest distance, if that is to fall
 constexpr double kLeastWeight = 0.2;  ///< of a corner that is moved to bring a point of its triangle nearer
 
 class Improver : public AdaptPasses {
@@ -97,7 +98,7 @@ bool Improver::relocate_touched(bool with_curves) {
 bool Improver::come_nearer() {
   constexpr int kPasses = 4;
   const ComplexMesh& mesh = editor_.mesh();
-  const double reach_mm = std::max(editor_.limits.reach_mm, kLeastReachVoxels * params_.voxel_mm);
+  const double reach_mm = std::max(kAimShare * editor_.limits.reach_mm, kLeastReachVoxels * params_.voxel_mm);
   editor_.limits.lattice_mm = kFineLatticeVoxels * params_.voxel_mm;
   std::vector<std::uint32_t> queue(mesh.slot_count());
   std::iota(queue.begin(), queue.end(), 0U);
