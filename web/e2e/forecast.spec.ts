@@ -35,6 +35,7 @@ test('the forecast follows the sizes, is right about the mesh, and goes when the
   expect(Math.abs(found / wished - 1)).toBeLessThan(0.3);
   await undo(page).click();
   await expect.poll(() => foretold(page)).toBe(coarse);
+  await page.waitForTimeout(1000); // longer than a preview waits
   // A forecast of other sizes has cost nothing of the mesh.
   await page.getByRole('button', { name: 'Redo' }).click();
   await expect(note(page)).toHaveCount(0);
