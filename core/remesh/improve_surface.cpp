@@ -34,7 +34,7 @@ class Improver : public AdaptPasses {
 
  private:
   bool coarsen_to(double shortest);
-  bool relocate_touched(bool with_curves);
+  bool relocate_touched();
   bool come_nearer();
   bool approach(std::uint32_t t, double reach_mm);
   bool bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach);
@@ -54,9 +54,9 @@ bool Improver::run() {
   editor_.limits.gap_share = kRefinedGapShare;
   editor_.limits.lattice_mm = kLatticeVoxels * params_.voxel_mm;
   fit_cells();
-  for (const bool first : {true, false}) {
-    if (!step(first ? 0.8 : 0.9)) return false;
-    if (!coarsen_to(0.5 * kShort) || !coarsen_to(kShort) || !relocate_touched(first)) return false;
+  for (const double share : {0.8, 0.9}) {
+    if (!step(share)) return false;
+    if (!coarsen_to(0.5 * kShort) || !coarsen_to(kShort) || !relocate_touched()) return false;
     if (!open_angles(editor_.limits.angle_cosine) || !open_folds()) return false;
   }
   return come_nearer();
@@ -73,9 +73,10 @@ bool Improver::coarsen_to(double shortest) {
 
 /// Vertices around what changed, and at first around junction curves, whose vertices refinement puts beside
 /// the reference's; each round nearer to the labels' volumes.
-bool Improver::relocate_touched(bool with_curves) {
+bool Improver::relocate_touched() {
   constexpr int kRounds = 2;
   const ComplexMesh& mesh = editor_.mesh();
+  const bool with_curves = changed_.empty();
   std::vector<bool> touched = operations_.take_touched();
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
     if (with_curves && alive(v) && mesh.stratum(v) == Stratum::kCurve) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "tetra/local_swaps.h"
-
 namespace voxtet::tetra {
 namespace {
 
@@ -39,8 +37,7 @@ bool CompoundImprover::open(std::uint32_t t, const VertexInserter::Start* openin
 void CompoundImprover::improve_one(std::uint32_t t, double goal) {
   ++steps_;
   const Swap swapped = swap_at(complex_, t, guard_);
-  counts_.edges += swapped == Swap::kEdge;
-  counts_.faces += swapped == Swap::kFaces;
+  counts_.add(swapped);
   if (swapped != Swap::kNone) return;
   for (const std::uint32_t v : Tet(complex_.corners(t))) {
     const bool on_wall = complex_.on_wall(v);

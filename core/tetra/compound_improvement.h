@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tetra/local_swaps.h"
 #include "tetra/size_guard.h"
 #include "tetra/tet_complex.h"
 #include "tetra/vertex_insertion.h"
@@ -17,6 +18,11 @@ namespace voxtet::tetra {
 struct OperationCounts {
   std::size_t edges = 0, faces = 0, moved = 0, inserted = 0, slid = 0, flipped = 0;
   bool operator==(const OperationCounts&) const = default;
+
+  void add(Swap swap) {
+    edges += swap == Swap::kEdge;
+    faces += swap == Swap::kFaces;
+  }
 };
 
 /// For the few tets that no single operation helps, most of them with all corners on walls. A trial is an

@@ -126,8 +126,7 @@ class Optimiser {
   bool swap(double goal) {
     return for_bad_tets(goal, [this](std::uint32_t t) {
       const Swap swapped = swap_at(complex_, t, guard_);
-      counts_.edges += swapped == Swap::kEdge;
-      counts_.faces += swapped == Swap::kFaces;
+      counts_.add(swapped);
       return swapped != Swap::kNone;
     });
   }

@@ -1,12 +1,10 @@
-import { useState } from 'preact/hooks';
 import type { CurvatureSize, Recipe } from '../engine/contract';
 import { nameOf, volume } from '../store/input';
 import { carriersOf } from '../store/labels';
 import { editRecipe } from '../store/recipe';
 import { NumberField } from './fields';
-import { FoldedItem } from './folded_item';
-import { Icon } from './icons';
 import { LabelChips } from './label_chips';
+import { WishList } from './wish_list';
 
 function newCurvature(current: Recipe): CurvatureSize {
   return {
@@ -63,40 +61,19 @@ function CurvatureFields(props: { current: Recipe; wish: CurvatureSize; index: n
 
 /** Surfaces that are sized by how sharply they bend. */
 export function CurvatureList({ current }: { current: Recipe }) {
-  const [shown, setShown] = useState<number | null>(null);
-  const wishes = current.sizing.curvature;
-  const add = () => {
-    editRecipe('Add curvature', (draft) => void draft.sizing.curvature.push(newCurvature(current)));
-    setShown(wishes.length);
-  };
-  const remove = (index: number) => {
-    setShown(null);
-    editRecipe('Remove curvature', (draft) => void draft.sizing.curvature.splice(index, 1));
-  };
   return (
-    <div class="regions">
-      <div class="regions-head">
-        <h3>Bends</h3>
-        <button type="button" class="button small" onClick={add}>
-          <Icon name="plus" size={13} /> Curvature
-        </button>
-      </div>
-      {wishes.length === 0 && <p class="hint">Smaller elements where a surface bends sharply.</p>}
-      {wishes.map((wish, index) => {
-        const name = wish.labels.length > 0 ? wish.labels.map(nameOf).join(', ') : 'All surfaces';
-        return (
-          <FoldedItem
-            key={index}
-            name={name}
-            note={`${wish.edges_per_turn} to a turn`}
-            open={shown === index}
-            onToggle={() => setShown(shown === index ? null : index)}
-            onRemove={() => remove(index)}
-          >
-            <CurvatureFields current={current} wish={wish} index={index} name={name} />
-          </FoldedItem>
-        );
-      })}
-    </div>
+    <WishList
+      title="Bends"
+      kind="Curvature"
+      hint="Smaller elements where a surface bends sharply."
+      of={({ sizing }) => sizing.curvature}
+      current={current}
+      fresh={newCurvature}
+      nameOf={({ labels }) => (labels.length > 0 ? labels.map(nameOf).join(', ') : 'All surfaces')}
+      noteOf={({ edges_per_turn }) => `${edges_per_turn} to a turn`}
+      fields={(wish, index, name) => (
+        <CurvatureFields current={current} wish={wish} index={index} name={name} />
+      )}
+    />
   );
 }

@@ -1,14 +1,12 @@
-import { useState } from 'preact/hooks';
 import type { Recipe, ThicknessSize } from '../engine/contract';
 import { robustRange } from '../geometry/faces';
 import { nameOf, volume } from '../store/input';
 import { editRecipe } from '../store/recipe';
 import { sizingFields } from '../store/sizing_fields';
 import { CheckField, NumberField, Segments } from './fields';
-import { FoldedItem } from './folded_item';
 import { short } from './format';
-import { Icon } from './icons';
 import { LabelChips } from './label_chips';
+import { WishList } from './wish_list';
 
 function newWall(current: Recipe): ThicknessSize {
   const labels = volume.value?.labels.map(({ label }) => label) ?? [];
@@ -134,44 +132,21 @@ function WallFields({ wall, index, name }: { wall: ThicknessSize; index: number;
 
 /** Walls that are sized by their thickness. */
 export function WallList({ current }: { current: Recipe }) {
-  const [shown, setShown] = useState<number | null>(null);
-  const walls = current.sizing.thickness;
-  const add = () => {
-    editRecipe('Add wall', (draft) => void draft.sizing.thickness.push(newWall(current)));
-    setShown(walls.length);
-  };
-  const remove = (index: number) => {
-    setShown(null);
-    editRecipe('Remove wall', (draft) => void draft.sizing.thickness.splice(index, 1));
-  };
   return (
-    <div class="regions">
-      <div class="regions-head">
-        <h3>Walls</h3>
-        <button type="button" class="button small" onClick={add}>
-          <Icon name="plus" size={13} /> Wall
-        </button>
-      </div>
-      {walls.length === 0 && <p class="hint">Labels that form a wall, sized by how thick it is.</p>}
-      {walls.map((wall, index) => {
-        const name = wall.wall.map(nameOf).join(', ');
-        const note =
-          wall.layers > 0
-            ? `${wall.layers} ${wall.layers === 1 ? 'layer' : 'layers'}`
-            : `${wall.edge_thin_mm} to ${wall.edge_thick_mm} mm`;
-        return (
-          <FoldedItem
-            key={index}
-            name={name}
-            note={note}
-            open={shown === index}
-            onToggle={() => setShown(shown === index ? null : index)}
-            onRemove={() => remove(index)}
-          >
-            <WallFields wall={wall} index={index} name={name} />
-          </FoldedItem>
-        );
-      })}
-    </div>
+    <WishList
+      title="Walls"
+      kind="Wall"
+      hint="Labels that form a wall, sized by how thick it is."
+      of={({ sizing }) => sizing.thickness}
+      current={current}
+      fresh={newWall}
+      nameOf={({ wall }) => wall.map(nameOf).join(', ')}
+      noteOf={({ layers, edge_thin_mm, edge_thick_mm }) =>
+        layers > 0
+          ? `${layers} ${layers === 1 ? 'layer' : 'layers'}`
+          : `${edge_thin_mm} to ${edge_thick_mm} mm`
+      }
+      fields={(wall, index, name) => <WallFields wall={wall} index={index} name={name} />}
+    />
   );
 }

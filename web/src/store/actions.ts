@@ -15,10 +15,9 @@ import { fitRecipe } from './fit_recipe';
 import type { Example } from './gallery';
 import { awaitedFile, volume } from './input';
 import { amendRecipe, editRecipe, recipe, redo, startRecipe, undo } from './recipe';
-import { activity, defaults, expectation, forgetResults, schema, stages, tell } from './run';
+import { activity, defaults, expectation, forgetResults, schema, tell } from './run';
 import { preview, previewSoon, runAll } from './runs';
 import { forgetSides, holdSide, type SideFile } from './side_files';
-import { stageInput } from './stage_inputs';
 import { forgetPainting, restorePainting, strokesDone } from './painting';
 import { ownColours, resetView } from './view';
 
@@ -215,12 +214,8 @@ export function editColour(label: number, colour: string): void {
   editRecipe('Colour of label', () => undefined, `colour ${label}`, undefined, beside);
 }
 
-/** Where the surface stays, there is nothing to preview, and the engine keeps the mesh of the step before. */
 function afterHistory(): void {
-  const current = recipe.value;
-  if (!current?.source.phantom && !current?.source.file) return;
-  const stands = stages.value.smooth.madeFrom === stageInput(current, 'smooth');
-  if (!stands || activity.value === 'preview') previewSoon();
+  if (recipe.value?.source.phantom || recipe.value?.source.file) previewSoon();
 }
 
 function withoutPromise(full: Recipe): Recipe {

@@ -3,7 +3,7 @@ import { computed, effect, signal } from '@preact/signals';
 import { EngineError, type FittingSizes, type Forecast, type Recipe } from '../engine/contract';
 import { engine } from './engine';
 import { editRecipe, recipe } from './recipe';
-import { activity, previewDue, stages } from './run';
+import { activity, previewDue, isMadeFrom } from './run';
 import { awaitedSides } from './side_files';
 import { stageInput } from './stage_inputs';
 
@@ -61,7 +61,7 @@ export function exceededOf(numbers: Forecast, limits: Recipe['limits']): Exceede
 function mayAsk(current: Recipe): boolean {
   return (
     activity.value === 'idle' &&
-    stages.value.smooth.madeFrom === surfaceOf(current) &&
+    isMadeFrom(current, 'smooth') &&
     awaitedSides.value.length === 0 &&
     (!previewDue.value || lastMs < shortMs)
   );

@@ -72,6 +72,12 @@ export const staleStages = computed<ReadonlySet<StageName>>(() => {
   );
 });
 
+/** Whether a stage has given what a recipe asks of it. */
+export function isMadeFrom(current: Recipe, name: StageName): boolean {
+  const { state, madeFrom } = stages.value[name];
+  return state === 'done' && madeFrom === stageInput(current, name);
+}
+
 export const verdict = computed(() => {
   const promise = expectation.value;
   if (!promise || !report.value || !meshedRecipe.value) return null;

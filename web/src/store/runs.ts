@@ -9,6 +9,7 @@ import { dropResults, isKept, keepResult, showResult, shownDigests } from './res
 import {
   activity,
   announcement,
+  isMadeFrom,
   lastCancelMs,
   meshedMinimal,
   meshedRecipe,
@@ -42,8 +43,10 @@ function watchesSizing(): boolean {
 /** The label surface, as soon as it exists. Runs by itself after whatever changes it. */
 export async function preview(fit: boolean): Promise<void> {
   forgetPreview();
-  await runStages(watchesSizing() ? 'sizing' : 'smooth', 'preview', fit);
+  await runStages(lastPreviewed(), 'preview', fit);
 }
+
+const lastPreviewed = (): StageName => (watchesSizing() ? 'sizing' : 'smooth');
 
 /** Brings the sizing field up to date whenever it is on show and the recipe changes. */
 export function keepSizingShown(): void {
@@ -51,19 +54,25 @@ export function keepSizingShown(): void {
     const current = recipe.value;
     if (!watchesSizing() || !current) return;
     untracked(() => {
-      if (volume.value && stages.value.sizing.madeFrom !== stageInput(current, 'sizing')) previewSoon();
+      if (volume.value && !isMadeFrom(current, 'sizing')) previewSoon();
     });
   });
 }
 
-/** A preview ends what the engine is at, so it waits for what the user has asked for: a file read or written. */
+/**
+ * A preview ends what the engine is at, so it waits for what the user has asked for: a file read or written. Where
+ * there is nothing new to show there is none, and the engine keeps the mesh that it has.
+ */
 export function previewSoon(): void {
   forgetPreview();
   if (activity.value === 'run') return;
   previewDue.value = true;
   previewTimer = setTimeout(() => {
+    const current = recipe.value;
     if (activity.value === 'opening' || activity.value === 'export') previewSoon();
-    else void preview(false);
+    else if (!current || activity.value === 'preview' || !isMadeFrom(current, lastPreviewed()))
+      void preview(false);
+    else forgetPreview();
   }, 350);
 }
 
