@@ -5,8 +5,6 @@
 #include <bit>
 #include <limits>
 
-#include "geometry/adjacency.h"
-
 namespace voxtet {
 namespace {
 

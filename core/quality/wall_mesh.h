@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/adjacency.h"
 #include "types/tet_mesh.h"
 #include "types/wall_field.h"
 

@@ -51,18 +51,18 @@ double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
 }
 
 /// The largest facet at each edge and point where the boundary of a label touches itself.
-std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells) {
-  const InterfaceEdges edges = find_interface_edges(cells);
+std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells, const Pinches& pinches) {
+  const InterfaceEdges& edges = pinches.edges;
   constexpr std::uint32_t kNone = CellComplex::kNone;
   std::vector<InterfaceFacet> out;
-  for (const std::uint32_t edge : find_pinched_edges(cells, edges)) {
+  for (const std::uint32_t edge : pinches.at_edges) {
     std::uint32_t largest = edges.facet_of[edges.start[edge]];
     for (std::uint32_t k = edges.start[edge]; k < edges.start[edge + 1]; ++k)
       if (facet_area2(cells, edges.facets[edges.facet_of[k]]) > facet_area2(cells, edges.facets[largest]))
         largest = edges.facet_of[k];
     out.push_back(edges.facets[largest]);
   }
-  const std::vector<std::uint32_t> points = find_pinched_points(cells, edges);
+  const std::vector<std::uint32_t>& points = pinches.at_points;
   if (points.empty()) return out;
   std::vector<std::uint32_t> slot(cells.points.size(), kNone), largest(points.size(), kNone);
   for (std::uint32_t i = 0; i < points.size(); ++i) slot[points[i]] = i;
@@ -125,9 +125,10 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     CellComplex cells = refiner.cells();
     std::vector<InterfaceFacet> flawed;
     drop_fragments(cells, field, pieces, &flawed);
-    const std::vector<InterfaceFacet> pinches = facets_at_pinches(cells);
-    flawed.insert(flawed.end(), pinches.begin(), pinches.end());
-    mend_pinches(cells, field);
+    const Pinches pinches = find_pinches(cells);
+    const std::vector<InterfaceFacet> pinched = facets_at_pinches(cells, pinches);
+    flawed.insert(flawed.end(), pinched.begin(), pinched.end());
+    mend_pinches(cells, field, pinches);
     relabel_cells(cells);
     drop_fragments(cells, field, pieces);
     SurfaceMesh surface = extract_interface(cells);
