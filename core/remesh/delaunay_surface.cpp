@@ -78,6 +78,26 @@ std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells, const Pi
   return out;
 }
 
+/// Parts labels that touch themselves though none of their layers does: cells that change labels come into
+/// the layers of their places, and what that makes touch itself is mended in turn.
+void mend_parents(CellComplex& cells, const LabelField& field) {
+  constexpr int kRounds = 4;
+  const WallLayers& layers = field.layers();
+  if (layers.empty()) return;
+  CellComplex merged = cells;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t c = 0; c < cells.labels.size(); ++c) merged.labels[c] = layers.parent(cells.labels[c]);
+    if (mend_pinches(merged, field, find_pinches(merged)) == 0) return;
+    for (std::size_t c = 0; c < cells.labels.size(); ++c) {
+      if (merged.labels[c] == layers.parent(cells.labels[c])) continue;
+      Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+      for (const std::uint32_t p : cells.vertices[c]) centre += 0.25 * cells.points[p];
+      cells.labels[c] = layers.at(merged.labels[c], centre);
+    }
+    mend_pinches(cells, field, find_pinches(cells));
+  }
+}
+
 /// Labels whose topology or contacts differ, background left out; ascending.
 std::vector<Label> differing_labels(const TopologyLedger& wanted, const TopologyLedger& found) {
   std::vector<Label> labels;
@@ -131,6 +151,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     mend_pinches(cells, field, pinches);
     relabel_cells(cells);
     drop_fragments(cells, field, pieces);
+    mend_parents(cells, field);
     SurfaceMesh surface = extract_interface(cells);
     if (ctx.cancelled()) return cancelled_error("remesh");
     const SurfaceMesh merged = merge_layers(surface, field.layers());
