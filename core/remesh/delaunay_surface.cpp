@@ -33,15 +33,22 @@ struct Repair {
   double separation;          ///< between points added where the surface missed something
   double least_facet_radius;  ///< of a facet that is refined to open a pinch or a channel
   double turned_cosine;       ///< of the largest angle between reference and surface
+  double share = 1;           ///< of what counts as missed, around labels whose topology differs
 };
 /// One after the other, until there is nothing to repair.
-constexpr std::array<Repair, 7> kRepairs{{{false, 0.5, 0.3, 0},
-                                          {true, 0.3, 0.2, 0.3},
-                                          {true, 0.3, 0.2, 0.3},
-                                          {true, 0.15, 0.2, 0.3},
-                                          {true, 0.15, 0.1, 0.5},
-                                          {true, 0.09, 0.1, 0.5},
-                                          {true, 0.09, 0.1, 0.5}}};
+constexpr std::array<Repair, 10> kRepairs{{{false, 0.5, 0.3, 0},
+                                           {true, 0.3, 0.2, 0.3},
+                                           {true, 0.3, 0.2, 0.3},
+                                           {true, 0.15, 0.2, 0.3},
+                                           {true, 0.15, 0.1, 0.5},
+                                           {true, 0.09, 0.1, 0.5},
+                                           {true, 0.09, 0.1, 0.5},
+                                           {true, 0.15, 0.1, 0.5, 0.4},
+                                           {true, 0.09, 0.05, 0.7, 0.2},
+                                           {true, 0.09, 0.05, 0.7, 0.2}}};
+/// Handles and contacts that closer looks may win back; each look makes the surface around their labels
+/// finer.
+constexpr std::int64_t kFewDifferences = 4;
 
 double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
@@ -98,10 +105,17 @@ void mend_parents(CellComplex& cells, const LabelField& field) {
   }
 }
 
+std::int64_t size_of(const std::vector<TopologyDifference>& differences) {
+  std::int64_t size = 0;
+  for (const TopologyDifference& difference : differences)
+    size += std::abs(difference.after - difference.before);
+  return size;
+}
+
 /// Labels whose topology or contacts differ, background left out; ascending.
-std::vector<Label> differing_labels(const TopologyLedger& wanted, const TopologyLedger& found) {
+std::vector<Label> labels_of(const std::vector<TopologyDifference>& differences) {
   std::vector<Label> labels;
-  for (const TopologyDifference& difference : compare_topology(wanted, found))
+  for (const TopologyDifference& difference : differences)
     for (const Label label : {difference.label, difference.other})
       if (label != kBackground) labels.push_back(label);
   std::sort(labels.begin(), labels.end());
@@ -157,12 +171,15 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     const SurfaceMesh merged = merge_layers(surface, field.layers());
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {
-      const std::vector<Label> broken =
-          repair->thorough ? differing_labels(wanted, label_topology(merged)) : std::vector<Label>{};
+      std::vector<TopologyDifference> differences;
+      if (repair->thorough) differences = compare_topology(wanted, label_topology(merged));
+      const std::vector<Label> broken = labels_of(differences);
+      if (repair->share < 1 && (broken.empty() || size_of(differences) > kFewDifferences)) break;
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
-      const std::vector<Eigen::Vector3d> elsewhere = places.of(
-          merged, {params.missed_voxels * voxel, repair->separation * voxel, broken, repair->turned_cosine});
+      const std::vector<Eigen::Vector3d> elsewhere =
+          places.of(merged, {params.missed_voxels * voxel, repair->separation * voxel, broken,
+                             repair->turned_cosine, repair->share});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
       if (repair->thorough && broken.empty() && missed.empty()) break;
       // These first, because new points do away with cells.
