@@ -15,6 +15,7 @@
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
+#include "quality/count_layers.h"
 #include "quality/measure_quality.h"
 #include "quality/surface_distance.h"
 
@@ -240,6 +241,12 @@ class SessionBinding {
   val quality_view(const std::string& array) {
     if (!session_.mesh()) return val::undefined();
     if (array == "distance_mm") return keep_view(floats_, distances_to_labels());
+    if (array == "layer" || array == "layers_across") {
+      const std::vector<LayeredWall> walls = session_.layered_walls();
+      if (walls.empty()) return val::undefined();
+      LayerMap map = map_layers(*session_.mesh(), walls);
+      return keep_view(floats_, std::move(array == "layer" ? map.layer : map.layers_across));
+    }
     TetMeasures m = measure_tets(*session_.mesh(), session_.sizing());
     if (array == "min_dihedral_deg") return keep_view(floats_, std::move(m.min_dihedral_deg));
     if (array == "max_dihedral_deg") return keep_view(floats_, std::move(m.max_dihedral_deg));

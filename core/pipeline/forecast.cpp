@@ -12,8 +12,8 @@ namespace voxtet {
 namespace {
 
 /// With more handles than that in a label, restricted Delaunay refinement was seen to lose some and to give
-/// way to local operations: with 62, 95 and 367, and not with 33 (tests/sweep/sweep_forecast).
-constexpr std::int64_t kManyHandles = 45;
+/// way to local operations: with 95 and 367, and not with 62 (tests/sweep/sweep_forecast).
+constexpr std::int64_t kManyHandles = 75;
 constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
 
 Error usage(const std::string& message) {
@@ -44,9 +44,10 @@ struct Cost {
   }
 };
 
-// Measured natively, one thread, on the hearts biv_mean_1mm and biv_es, aorta, ct_heart and mickey.nrrd.
-constexpr Cost kRefineMb{8, 27, 115, 0}, kRemeshMb{8, 27, 305, 0}, kOptimiseMb{5, 11, 85, 250},
-    kQualityMb{6, 12, 165, 220};
+// Measured natively, one thread, on the hearts biv_mean_1mm, biv_ed_scar and biv_es, aorta, ct_heart and
+// mickey.nrrd.
+constexpr Cost kRefineMb{6, 27, 205, 20}, kRemeshMb{8, 27, 305, 0}, kOptimiseMb{5, 11, 85, 250},
+    kQualityMb{6, 12, 260, 150};
 constexpr Cost kRefineSeconds{0.2, 0.15, 5, 5.5}, kRemeshSeconds{0.2, 0.15, 17, 5.5};
 #ifdef __EMSCRIPTEN__
 constexpr double kSlower = 1.6;

@@ -1,266 +1,70 @@
 #include "quality/count_layers.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <bit>
-#include <limits>
 #include <map>
 
-#include "geometry/adjacency.h"
 #include "geometry/union_find.h"
+#include "quality/wall_mesh.h"
 
 namespace voxtet {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
-constexpr std::uint32_t kNearSide = 2;  ///< edges
-constexpr std::size_t kMostSteps = 1000;
 constexpr std::size_t kMostPlaces = 10;
-constexpr double kCosine = 0.5;  ///< of 60 degrees
-constexpr double kFlat = 0.05;   ///< a potential that rises less over the wall's thickness has no direction
 
-enum class Part { kInner, kOuter, kSide };
+using Part = WallMesh::Part;
+using Face = WallMesh::Face;
 
-/// A face of the wall's surface.
-struct WallFace {
-  Triangle corners;
-  std::uint32_t tet;
-  Part part;
-  Eigen::Vector3d centre;
-  double area;
-};
+void add(LayerShares& shares, std::uint32_t layers, double area) {
+  if (shares.area_mm2.size() <= layers) shares.area_mm2.resize(layers + 1, 0);
+  shares.area_mm2[layers] += area;
+}
 
-/// One wall within a mesh.
-class WallMesh {
- public:
-  WallMesh(const TetMesh& mesh, const WallField& field)
-      : mesh_(mesh),
-        field_(field),
-        step_(field.index_to_mm.topLeftCorner<3, 3>().colwise().norm().minCoeff()) {
-    find_tets();
-    find_faces();
-    find_edges();
-  }
-
-  /// Both by_edges and places.
-  void count_edges(LayerCount& count) const {
-    const std::vector<std::uint32_t> from_inner = edges_from(Part::kInner, inner_edges_),
-                                     from_side = edges_from(Part::kSide, edges_);
-    const auto counts = [&](const WallFace& face, std::uint32_t v) {
-      return face.part == Part::kOuter && from_inner[v] != kNone && from_side[v] > kNearSide;
-    };
-    UnionFind joined(mesh_.points.size());
-    for (const WallFace& face : faces_)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t v = face.corners[i], w = face.corners[(i + 1) % 3];
-        if (!counts(face, v)) continue;
-        add(count.by_edges, from_inner[v], face.area / 3);
-        if (counts(face, w) && from_inner[v] != count.wished && from_inner[w] != count.wished)
-          joined.join(v, w);
-      }
-    std::map<std::uint32_t, LayerPlace> places;
-    for (const WallFace& face : faces_)
-      for (const std::uint32_t v : face.corners) {
-        if (!counts(face, v) || from_inner[v] == count.wished) continue;
-        LayerPlace& place =
-            places.try_emplace(joined.find(v), LayerPlace{0, {0, 0, 0}, kNone, 0}).first->second;
-        place.area_mm2 += face.area / 3;
-        place.centre_mm += face.area / 3 * mesh_.points[v];
-        place.fewest = std::min(place.fewest, from_inner[v]);
-        place.most = std::max(place.most, from_inner[v]);
-      }
-    for (auto& [vertex, place] : places) {
-      place.centre_mm /= place.area_mm2;
-      count.places.push_back(place);
+/// Both by_edges and places.
+void count_edges(const TetMesh& mesh, const WallMesh& wall, LayerCount& count) {
+  const std::vector<std::uint32_t> from_inner = wall.edges_through_from(Part::kInner);
+  const std::vector<bool> near_side = wall.near_side();
+  const auto counts = [&](const Face& face, std::uint32_t v) {
+    return face.part == Part::kOuter && from_inner[v] != WallMesh::kUnreached && !near_side[v];
+  };
+  UnionFind joined(mesh.points.size());
+  for (const Face& face : wall.faces())
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t v = face.corners[i], w = face.corners[(i + 1) % 3];
+      if (!counts(face, v)) continue;
+      add(count.by_edges, from_inner[v], face.area / 3);
+      if (counts(face, w) && from_inner[v] != count.wished && from_inner[w] != count.wished)
+        joined.join(v, w);
     }
-    std::stable_sort(count.places.begin(), count.places.end(),
-                     [](const LayerPlace& a, const LayerPlace& b) { return a.area_mm2 > b.area_mm2; });
-    count.places.resize(std::min(count.places.size(), kMostPlaces));
-  }
-
-  LayerShares by_lines(std::uint32_t layers) const {
-    const std::vector<std::uint32_t> from_side = edges_from(Part::kSide, edges_);
-    LayerShares shares;
-    for (const WallFace& face : faces_) {
-      const auto near_side = [&](std::uint32_t v) { return from_side[v] <= kNearSide; };
-      if (face.part != Part::kOuter || std::any_of(face.corners.begin(), face.corners.end(), near_side))
-        continue;
-      if (const std::uint32_t met = sheets_met(face, layers); met > 0) add(shares, met, face.area);
+  std::map<std::uint32_t, LayerPlace> places;
+  for (const Face& face : wall.faces())
+    for (const std::uint32_t v : face.corners) {
+      if (!counts(face, v) || from_inner[v] == count.wished) continue;
+      LayerPlace& place =
+          places.try_emplace(joined.find(v), LayerPlace{0, {0, 0, 0}, WallMesh::kUnreached, 0}).first->second;
+      place.area_mm2 += face.area / 3;
+      place.centre_mm += face.area / 3 * mesh.points[v];
+      place.fewest = std::min(place.fewest, from_inner[v]);
+      place.most = std::max(place.most, from_inner[v]);
     }
-    return shares;
+  for (auto& [vertex, place] : places) {
+    place.centre_mm /= place.area_mm2;
+    count.places.push_back(place);
   }
+  std::stable_sort(count.places.begin(), count.places.end(),
+                   [](const LayerPlace& a, const LayerPlace& b) { return a.area_mm2 > b.area_mm2; });
+  count.places.resize(std::min(count.places.size(), kMostPlaces));
+}
 
- private:
-  static void add(LayerShares& shares, std::uint32_t layers, double area) {
-    if (shares.area_mm2.size() <= layers) shares.area_mm2.resize(layers + 1, 0);
-    shares.area_mm2[layers] += area;
+LayerShares count_lines(const WallMesh& wall, std::uint32_t layers) {
+  const std::vector<bool> near_side = wall.near_side();
+  LayerShares shares;
+  for (const Face& face : wall.faces()) {
+    const auto beside = [&](std::uint32_t v) { return near_side[v]; };
+    if (face.part != Part::kOuter || std::any_of(face.corners.begin(), face.corners.end(), beside)) continue;
+    if (const std::uint32_t met = wall.layers_met(face, layers); met > 0) add(shares, met, face.area);
   }
-
-  void find_tets() {
-    std::vector<double> balance(65536, 0);
-    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
-      const auto& [a, b, c, d] = mesh_.tets[t];
-      const Eigen::Vector3d& p = mesh_.points[a];
-      const double volume = (mesh_.points[b] - p).cross(mesh_.points[c] - p).dot(mesh_.points[d] - p);
-      balance[mesh_.labels[t]] += field_.holds(field_.to_index(centre_of(t))) ? volume : -volume;
-    }
-    in_wall_.resize(mesh_.tets.size());
-    for (std::size_t t = 0; t < mesh_.tets.size(); ++t) in_wall_[t] = balance[mesh_.labels[t]] > 0;
-  }
-
-  void find_faces() {
-    neighbours_.assign(mesh_.tets.size(), {kNone, kNone, kNone, kNone});
-    for (const TetFace& face : tet_faces(mesh_.tets, mesh_.points.size())) {
-      const bool first = in_wall_[face.first],
-                 second = face.second != TetFace::kNoTet && in_wall_[face.second];
-      if (first && second) {
-        neighbours_[face.first][opposite(face.first, face.corners)] = face.second;
-        neighbours_[face.second][opposite(face.second, face.corners)] = face.first;
-      } else if (first || second) {
-        add_face(face.corners, first ? face.first : face.second);
-      }
-    }
-    std::sort(surface_of_tet_.begin(), surface_of_tet_.end());
-  }
-
-  void add_face(const Triangle& corners, std::uint32_t tet) {
-    const Eigen::Vector3d &a = mesh_.points[corners[0]], &b = mesh_.points[corners[1]],
-                          &c = mesh_.points[corners[2]];
-    const Eigen::Vector3d centre = (a + b + c) / 3;
-    Eigen::Vector3d normal = (b - a).cross(c - a) / 2;
-    const double area = normal.norm();
-    normal /= area;
-    if (normal.dot(centre - centre_of(tet)) < 0) normal = -normal;
-    const Eigen::Vector3d beneath = centre - 0.5 * step_ * normal;
-    const Eigen::Vector3d slope = slope_at(beneath);
-    const double rise = slope.norm(), cosine = rise > 0 ? slope.dot(normal) / rise : 0;
-    const double potential = field_.potential_at(beneath);
-    Part part = Part::kSide;
-    if (rise * field_.thickness_at(beneath) > kFlat) {
-      if (cosine > kCosine && potential > 0.5) part = Part::kOuter;
-      if (cosine < -kCosine && potential < 0.5) part = Part::kInner;
-    }
-    surface_of_tet_.push_back({tet, static_cast<std::uint32_t>(faces_.size())});
-    faces_.push_back({corners, tet, part, centre, area});
-  }
-
-  std::size_t opposite(std::size_t tet, const Triangle& corners) const {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (std::find(corners.begin(), corners.end(), mesh_.tets[tet][i]) == corners.end()) return i;
-    return 3;
-  }
-
-  Eigen::Vector3d centre_of(std::size_t tet) const {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const std::uint32_t v : mesh_.tets[tet]) sum += mesh_.points[v];
-    return sum / 4;
-  }
-
-  Eigen::Vector3d slope_at(const Eigen::Vector3d& mm) const {
-    Eigen::Vector3d slope;
-    for (int d = 0; d < 3; ++d) {
-      const Eigen::Vector3d half = 0.5 * step_ * Eigen::Vector3d::Unit(d);
-      slope[d] = (field_.potential_at(mm + half) - field_.potential_at(mm - half)) / step_;
-    }
-    return slope;
-  }
-
-  /// All edges of the wall's tetrahedra, and those of them that are no edges of its surface.
-  void find_edges() {
-    std::vector<Tet> tets;
-    for (std::size_t t = 0; t < mesh_.tets.size(); ++t)
-      if (in_wall_[t]) tets.push_back(mesh_.tets[t]);
-    edges_ = tet_edges(tets, mesh_.points.size());
-    std::vector<Edge> on_surface;
-    for (const WallFace& face : faces_)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto [a, b] = std::minmax(face.corners[i], face.corners[(i + 1) % 3]);
-        on_surface.push_back({a, b});
-      }
-    std::sort(on_surface.begin(), on_surface.end());
-    for (const Edge& edge : edges_)
-      if (!std::binary_search(on_surface.begin(), on_surface.end(), edge)) inner_edges_.push_back(edge);
-  }
-
-  /// Per point the fewest edges to a part of the wall's surface.
-  std::vector<std::uint32_t> edges_from(Part part, const std::vector<Edge>& edges) const {
-    std::vector<std::uint32_t> hops(mesh_.points.size(), kNone);
-    for (const WallFace& face : faces_)
-      if (face.part == part)
-        for (const std::uint32_t v : face.corners) hops[v] = 0;
-    bool changed = true;
-    for (std::uint32_t hop = 0; changed; ++hop) {
-      changed = false;
-      for (const auto& [a, b] : edges)
-        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
-          if (hops[from] == hop && hops[to] == kNone) hops[to] = hop + 1, changed = true;
-    }
-    return hops;
-  }
-
-  /// How many sheets the field line from an outer face meets; 0 if it does not end on the inner surface.
-  std::uint32_t sheets_met(const WallFace& start, std::uint32_t layers) const {
-    std::uint64_t met = 0;
-    std::uint32_t tet = start.tet;
-    std::size_t entry = opposite(tet, start.corners);
-    Eigen::Vector3d at = start.centre;
-    for (std::size_t step = 0; step < kMostSteps; ++step) {
-      const double sheet = layers * field_.potential_at(centre_of(tet));
-      met |= std::uint64_t{1} << static_cast<unsigned>(std::clamp(sheet, 0.0, layers - 1.0));
-      const std::size_t exit = leave(tet, entry, at);
-      if (exit == 4) return 0;
-      const std::uint32_t next = neighbours_[tet][exit];
-      if (next == kNone) return ends_inside(tet, exit) ? static_cast<std::uint32_t>(std::popcount(met)) : 0;
-      entry = static_cast<std::size_t>(std::find(neighbours_[next].begin(), neighbours_[next].end(), tet) -
-                                       neighbours_[next].begin());
-      tet = next;
-    }
-    return 0;
-  }
-
-  /// Moves a point on a tetrahedron's surface down the potential to where it leaves; the corner opposite to
-  /// the face there, or 4 where nothing leads on.
-  std::size_t leave(std::uint32_t tet, std::size_t entry, Eigen::Vector3d& at) const {
-    const Eigen::Vector3d down = -slope_at(at).normalized();
-    std::size_t exit = 4;
-    double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (i == entry) continue;
-      const Tet& t = mesh_.tets[tet];
-      const Eigen::Vector3d &a = mesh_.points[t[(i + 1) % 4]], &b = mesh_.points[t[(i + 2) % 4]],
-                            &c = mesh_.points[t[(i + 3) % 4]];
-      Eigen::Vector3d normal = (b - a).cross(c - a);
-      if (normal.dot(mesh_.points[t[i]] - a) > 0) normal = -normal;
-      const double speed = normal.dot(down);
-      if (!(speed > 0)) continue;
-      const double time = std::max(normal.dot(a - at) / speed, 0.0);
-      if (time < least) least = time, exit = i;
-    }
-    if (exit < 4) at += least * down;
-    return exit;
-  }
-
-  bool ends_inside(std::uint32_t tet, std::size_t corner) const {
-    const auto last =
-        std::upper_bound(surface_of_tet_.begin(), surface_of_tet_.end(), std::array{tet, kNone});
-    auto first = std::lower_bound(surface_of_tet_.begin(), surface_of_tet_.end(), std::array{tet, 0U});
-    for (; first != last; ++first) {
-      const WallFace& face = faces_[(*first)[1]];
-      if (opposite(tet, face.corners) == corner) return face.part == Part::kInner;
-    }
-    return false;
-  }
-
-  const TetMesh& mesh_;
-  const WallField& field_;
-  double step_;  ///< mm
-  std::vector<std::uint8_t> in_wall_;
-  std::vector<std::array<std::uint32_t, 4>> neighbours_;  ///< across the face opposite to each corner
-  std::vector<WallFace> faces_;
-  std::vector<Edge> edges_, inner_edges_;
-  std::vector<std::array<std::uint32_t, 2>> surface_of_tet_;  ///< tet and face, ascending
-};
+  return shares;
+}
 
 void finish(LayerShares& shares, std::uint32_t layers) {
   double whole = 0, exact = 0, at_least = 0;
@@ -279,13 +83,34 @@ std::vector<LayerCount> count_layers(const TetMesh& mesh, std::span<const Layere
   std::vector<LayerCount> counts;
   for (const LayeredWall& wall : walls) {
     const WallMesh in_mesh(mesh, wall.field);
-    LayerCount count{wall.field.wall, wall.layers, {}, in_mesh.by_lines(wall.layers), {}};
-    in_mesh.count_edges(count);
+    LayerCount count{wall.field.wall, wall.layers, {}, count_lines(in_mesh, wall.layers), {}};
+    count_edges(mesh, in_mesh, count);
     finish(count.by_edges, wall.layers);
     finish(count.by_lines, wall.layers);
     counts.push_back(std::move(count));
   }
   return counts;
+}
+
+LayerMap map_layers(const TetMesh& mesh, std::span<const LayeredWall> walls) {
+  LayerMap map;
+  map.layer.assign(mesh.tets.size(), -1);
+  map.layers_across.assign(mesh.tets.size(), -1);
+  for (const LayeredWall& wall : walls) {
+    const WallMesh in_mesh(mesh, wall.field);
+    const std::vector<std::uint32_t> from_inner = in_mesh.edges_through_from(Part::kInner),
+                                     from_outer = in_mesh.edges_through_from(Part::kOuter);
+    const std::vector<bool> near_side = in_mesh.near_side();
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+      if (!in_mesh.holds(t) || map.layer[t] >= 0) continue;
+      map.layer[t] = static_cast<float>(1 + in_mesh.layer_of(t, wall.layers));
+      std::uint64_t fewest = WallMesh::kUnreached;
+      for (const std::uint32_t v : mesh.tets[t])
+        if (!near_side[v]) fewest = std::min(fewest, std::uint64_t{from_inner[v]} + from_outer[v]);
+      if (fewest < WallMesh::kUnreached) map.layers_across[t] = static_cast<float>(fewest);
+    }
+  }
+  return map;
 }
 
 }  // namespace voxtet

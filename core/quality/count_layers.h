@@ -10,6 +10,14 @@
 
 namespace voxtet {
 
+/// By tetrahedron; -1 in no wall. Where walls overlap the first one counts.
+struct LayerMap {
+  std::vector<float> layer;  ///< of the wished layers of the potential, that of the centroid, from 1
+  /// The fewest edges from the inner to the outer surface by way of a corner, counted as by_edges; -1 also
+  /// where there is no such way, or a side is near every corner.
+  std::vector<float> layers_across;
+};
+
 /// Counts layers over the outer surface of each wall, in two ways that share nothing but the surface.
 /// by_edges: the fewest edges from a vertex of the outer surface to the inner one, none of them on the wall's
 /// surface (where a ventricle's free wall meets the septum, the way along it is short), weighted by its share
@@ -18,9 +26,11 @@ namespace voxtet {
 /// elsewhere than on the inner surface are not counted. Places are the parts of the outer surface, joined by
 /// its edges, whose vertices have another number by edges than wished.
 ///
-/// The wall's tetrahedra are those of the labels of which most of the volume lies in the wall. Its surface is
-/// inner or outer where the potential falls or rises across it (within 60 degrees), else it is a side, such
-/// as the rim of the base; outer vertices that two edges join to a side are left out.
+/// Wall, inner and outer surface and sides: quality/wall_mesh.h. Outer vertices that two edges join to a side
+/// are left out.
 std::vector<LayerCount> count_layers(const TetMesh& mesh, std::span<const LayeredWall> walls);
+
+/// Where the layers of walls are.
+LayerMap map_layers(const TetMesh& mesh, std::span<const LayeredWall> walls);
 
 }  // namespace voxtet

@@ -33,15 +33,22 @@ struct Repair {
   double separation;          ///< between points added where the surface missed something
   double least_facet_radius;  ///< of a facet that is refined to open a pinch or a channel
   double turned_cosine;       ///< of the largest angle between reference and surface
+  double share = 1;           ///< of what counts as missed, around labels whose topology differs
 };
 /// One after the other, until there is nothing to repair.
-constexpr std::array<Repair, 7> kRepairs{{{false, 0.5, 0.3, 0},
-                                          {true, 0.3, 0.2, 0.3},
-                                          {true, 0.3, 0.2, 0.3},
-                                          {true, 0.15, 0.2, 0.3},
-                                          {true, 0.15, 0.1, 0.5},
-                                          {true, 0.09, 0.1, 0.5},
-                                          {true, 0.09, 0.1, 0.5}}};
+constexpr std::array<Repair, 10> kRepairs{{{false, 0.5, 0.3, 0},
+                                           {true, 0.3, 0.2, 0.3},
+                                           {true, 0.3, 0.2, 0.3},
+                                           {true, 0.15, 0.2, 0.3},
+                                           {true, 0.15, 0.1, 0.5},
+                                           {true, 0.09, 0.1, 0.5},
+                                           {true, 0.09, 0.1, 0.5},
+                                           {true, 0.15, 0.1, 0.5, 0.4},
+                                           {true, 0.09, 0.05, 0.7, 0.2},
+                                           {true, 0.09, 0.05, 0.7, 0.2}}};
+/// Handles and contacts that closer looks may win back; each look makes the surface around their labels
+/// finer.
+constexpr std::int64_t kFewDifferences = 4;
 
 double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
@@ -51,18 +58,18 @@ double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
 }
 
 /// The largest facet at each edge and point where the boundary of a label touches itself.
-std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells) {
-  const InterfaceEdges edges = find_interface_edges(cells);
+std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells, const Pinches& pinches) {
+  const InterfaceEdges& edges = pinches.edges;
   constexpr std::uint32_t kNone = CellComplex::kNone;
   std::vector<InterfaceFacet> out;
-  for (const std::uint32_t edge : find_pinched_edges(cells, edges)) {
+  for (const std::uint32_t edge : pinches.at_edges) {
     std::uint32_t largest = edges.facet_of[edges.start[edge]];
     for (std::uint32_t k = edges.start[edge]; k < edges.start[edge + 1]; ++k)
       if (facet_area2(cells, edges.facets[edges.facet_of[k]]) > facet_area2(cells, edges.facets[largest]))
         largest = edges.facet_of[k];
     out.push_back(edges.facets[largest]);
   }
-  const std::vector<std::uint32_t> points = find_pinched_points(cells, edges);
+  const std::vector<std::uint32_t>& points = pinches.at_points;
   if (points.empty()) return out;
   std::vector<std::uint32_t> slot(cells.points.size(), kNone), largest(points.size(), kNone);
   for (std::uint32_t i = 0; i < points.size(); ++i) slot[points[i]] = i;
@@ -78,10 +85,37 @@ std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells) {
   return out;
 }
 
+/// Parts labels that touch themselves though none of their layers does: cells that change labels come into
+/// the layers of their places, and what that makes touch itself is mended in turn.
+void mend_parents(CellComplex& cells, const LabelField& field) {
+  constexpr int kRounds = 4;
+  const WallLayers& layers = field.layers();
+  if (layers.empty()) return;
+  CellComplex merged = cells;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t c = 0; c < cells.labels.size(); ++c) merged.labels[c] = layers.parent(cells.labels[c]);
+    if (mend_pinches(merged, field, find_pinches(merged)) == 0) return;
+    for (std::size_t c = 0; c < cells.labels.size(); ++c) {
+      if (merged.labels[c] == layers.parent(cells.labels[c])) continue;
+      Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+      for (const std::uint32_t p : cells.vertices[c]) centre += 0.25 * cells.points[p];
+      cells.labels[c] = layers.at(merged.labels[c], centre);
+    }
+    mend_pinches(cells, field, find_pinches(cells));
+  }
+}
+
+std::int64_t size_of(const std::vector<TopologyDifference>& differences) {
+  std::int64_t size = 0;
+  for (const TopologyDifference& difference : differences)
+    size += std::abs(difference.after - difference.before);
+  return size;
+}
+
 /// Labels whose topology or contacts differ, background left out; ascending.
-std::vector<Label> differing_labels(const TopologyLedger& wanted, const TopologyLedger& found) {
+std::vector<Label> labels_of(const std::vector<TopologyDifference>& differences) {
   std::vector<Label> labels;
-  for (const TopologyDifference& difference : compare_topology(wanted, found))
+  for (const TopologyDifference& difference : differences)
     for (const Label label : {difference.label, difference.other})
       if (label != kBackground) labels.push_back(label);
   std::sort(labels.begin(), labels.end());
@@ -125,22 +159,27 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     CellComplex cells = refiner.cells();
     std::vector<InterfaceFacet> flawed;
     drop_fragments(cells, field, pieces, &flawed);
-    const std::vector<InterfaceFacet> pinches = facets_at_pinches(cells);
-    flawed.insert(flawed.end(), pinches.begin(), pinches.end());
-    mend_pinches(cells, field);
+    const Pinches pinches = find_pinches(cells);
+    const std::vector<InterfaceFacet> pinched = facets_at_pinches(cells, pinches);
+    flawed.insert(flawed.end(), pinched.begin(), pinched.end());
+    mend_pinches(cells, field, pinches);
     relabel_cells(cells);
     drop_fragments(cells, field, pieces);
+    mend_parents(cells, field);
     SurfaceMesh surface = extract_interface(cells);
     if (ctx.cancelled()) return cancelled_error("remesh");
     const SurfaceMesh merged = merge_layers(surface, field.layers());
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {
-      const std::vector<Label> broken =
-          repair->thorough ? differing_labels(wanted, label_topology(merged)) : std::vector<Label>{};
+      std::vector<TopologyDifference> differences;
+      if (repair->thorough) differences = compare_topology(wanted, label_topology(merged));
+      const std::vector<Label> broken = labels_of(differences);
+      if (repair->share < 1 && (broken.empty() || size_of(differences) > kFewDifferences)) break;
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
-      const std::vector<Eigen::Vector3d> elsewhere = places.of(
-          merged, {params.missed_voxels * voxel, repair->separation * voxel, broken, repair->turned_cosine});
+      const std::vector<Eigen::Vector3d> elsewhere =
+          places.of(merged, {params.missed_voxels * voxel, repair->separation * voxel, broken,
+                             repair->turned_cosine, repair->share});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
       if (repair->thorough && broken.empty() && missed.empty()) break;
       // These first, because new points do away with cells.

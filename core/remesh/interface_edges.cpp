@@ -11,11 +11,17 @@ struct Blade {
   std::array<Label, 2> sides;
 };
 
-/// Number of fans into which the blades of one label fall.
-int count_fans(const std::vector<Blade>& blades, Label label) {
+/// Room that counting needs.
+struct FanScratch {
   std::vector<std::uint8_t> waiting;
-  for (const Blade& b : blades) waiting.push_back(b.sides[0] == label || b.sides[1] == label);
   std::vector<std::size_t> stack;
+};
+
+/// Number of fans into which the blades of one label fall.
+int count_fans(const std::vector<Blade>& blades, Label label, FanScratch& scratch) {
+  auto& [waiting, stack] = scratch;
+  waiting.clear();
+  for (const Blade& b : blades) waiting.push_back(b.sides[0] == label || b.sides[1] == label);
   int fans = 0;
   for (std::size_t first = 0; first < blades.size(); ++first) {
     if (!waiting[first]) continue;
@@ -36,6 +42,63 @@ int count_fans(const std::vector<Blade>& blades, Label label) {
     }
   }
   return fans;
+}
+
+/// Edges at which some label has more than two boundary facets.
+std::vector<std::uint32_t> find_pinched_edges(const CellComplex& cells, const InterfaceEdges& edges) {
+  std::vector<std::uint32_t> pinched;
+  std::vector<Label> sides;
+  for (std::uint32_t e = 0; e < edges.ends.size(); ++e) {
+    if (edges.start[e + 1] - edges.start[e] <= 2) continue;
+    sides.clear();
+    for (std::uint32_t k = edges.start[e]; k < edges.start[e + 1]; ++k) {
+      const InterfaceFacet& facet = edges.facets[edges.facet_of[k]];
+      sides.push_back(cells.labels[facet.cell]);
+      sides.push_back(cells.label_or_background(cells.neighbours[facet.cell][facet.corner]));
+    }
+    std::sort(sides.begin(), sides.end());
+    bool thrice = false;
+    for (std::size_t s = 2; s < sides.size(); ++s) thrice = thrice || sides[s] == sides[s - 2];
+    if (thrice) pinched.push_back(e);
+  }
+  return pinched;
+}
+
+/// Points at which the boundary facets of some label form more than one fan.
+std::vector<std::uint32_t> find_pinched_points(const CellComplex& cells, const InterfaceEdges& edges) {
+  std::vector<std::uint32_t> start(cells.points.size() + 1, 0);
+  const auto corners = [&](const InterfaceFacet& facet) {
+    std::array<std::uint32_t, 3> out{};
+    for (std::size_t k = 0; k < 3; ++k)
+      out[k] = cells.vertices[facet.cell][static_cast<std::size_t>(kFacetCorners[facet.corner][k])];
+    return out;
+  };
+  for (const InterfaceFacet& facet : edges.facets)
+    for (const std::uint32_t p : corners(facet)) ++start[p + 1];
+  for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
+  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
+  std::vector<Blade> blades(start.back());
+  for (const InterfaceFacet& facet : edges.facets) {
+    const std::array<std::uint32_t, 3> c = corners(facet);
+    const Label front = cells.label_or_background(cells.neighbours[facet.cell][facet.corner]);
+    for (std::size_t k = 0; k < 3; ++k)
+      blades[fill[c[k]]++] = {{c[(k + 1) % 3], c[(k + 2) % 3]}, {cells.labels[facet.cell], front}};
+  }
+  std::vector<std::uint32_t> pinched;
+  std::vector<Blade> here;
+  std::vector<Label> labels;
+  FanScratch scratch;
+  for (std::uint32_t p = 0; p + 1 < start.size(); ++p) {
+    here.assign(blades.begin() + start[p], blades.begin() + start[p + 1]);
+    labels.clear();
+    for (const Blade& b : here) labels.insert(labels.end(), b.sides.begin(), b.sides.end());
+    std::sort(labels.begin(), labels.end());
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    if (labels.size() == 2) labels.pop_back();  // both have the same facets
+    if (std::any_of(labels.begin(), labels.end(), [&](Label l) { return count_fans(here, l, scratch) > 1; }))
+      pinched.push_back(p);
+  }
+  return pinched;
 }
 
 }  // namespace
@@ -84,58 +147,12 @@ InterfaceEdges find_interface_edges(const CellComplex& cells) {
   return out;
 }
 
-std::vector<std::uint32_t> find_pinched_edges(const CellComplex& cells, const InterfaceEdges& edges) {
-  std::vector<std::uint32_t> pinched;
-  std::vector<Label> sides;
-  for (std::uint32_t e = 0; e < edges.ends.size(); ++e) {
-    if (edges.start[e + 1] - edges.start[e] <= 2) continue;
-    sides.clear();
-    for (std::uint32_t k = edges.start[e]; k < edges.start[e + 1]; ++k) {
-      const InterfaceFacet& facet = edges.facets[edges.facet_of[k]];
-      sides.push_back(cells.labels[facet.cell]);
-      sides.push_back(cells.label_or_background(cells.neighbours[facet.cell][facet.corner]));
-    }
-    std::sort(sides.begin(), sides.end());
-    bool thrice = false;
-    for (std::size_t s = 2; s < sides.size(); ++s) thrice = thrice || sides[s] == sides[s - 2];
-    if (thrice) pinched.push_back(e);
-  }
-  return pinched;
-}
-
-std::vector<std::uint32_t> find_pinched_points(const CellComplex& cells, const InterfaceEdges& edges) {
-  std::vector<std::uint32_t> start(cells.points.size() + 1, 0);
-  const auto corners = [&](const InterfaceFacet& facet) {
-    std::array<std::uint32_t, 3> out{};
-    for (std::size_t k = 0; k < 3; ++k)
-      out[k] = cells.vertices[facet.cell][static_cast<std::size_t>(kFacetCorners[facet.corner][k])];
-    return out;
-  };
-  for (const InterfaceFacet& facet : edges.facets)
-    for (const std::uint32_t p : corners(facet)) ++start[p + 1];
-  for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
-  std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-  std::vector<Blade> blades(start.back());
-  for (const InterfaceFacet& facet : edges.facets) {
-    const std::array<std::uint32_t, 3> c = corners(facet);
-    const Label front = cells.label_or_background(cells.neighbours[facet.cell][facet.corner]);
-    for (std::size_t k = 0; k < 3; ++k)
-      blades[fill[c[k]]++] = {{c[(k + 1) % 3], c[(k + 2) % 3]}, {cells.labels[facet.cell], front}};
-  }
-  std::vector<std::uint32_t> pinched;
-  std::vector<Blade> here;
-  std::vector<Label> labels;
-  for (std::uint32_t p = 0; p + 1 < start.size(); ++p) {
-    here.assign(blades.begin() + start[p], blades.begin() + start[p + 1]);
-    labels.clear();
-    for (const Blade& b : here) labels.insert(labels.end(), b.sides.begin(), b.sides.end());
-    std::sort(labels.begin(), labels.end());
-    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-    if (labels.size() == 2) labels.pop_back();  // both have the same facets
-    if (std::any_of(labels.begin(), labels.end(), [&](Label l) { return count_fans(here, l) > 1; }))
-      pinched.push_back(p);
-  }
-  return pinched;
+Pinches find_pinches(const CellComplex& cells) {
+  Pinches pinches;
+  pinches.edges = find_interface_edges(cells);
+  pinches.at_edges = find_pinched_edges(cells, pinches.edges);
+  pinches.at_points = find_pinched_points(cells, pinches.edges);
+  return pinches;
 }
 
 }  // namespace voxtet::remesh

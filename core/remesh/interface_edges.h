@@ -24,11 +24,15 @@ struct InterfaceEdges {
 
 InterfaceEdges find_interface_edges(const CellComplex& cells);
 
-/// Edges at which some label has more than two boundary facets (its boundary touches itself there).
-std::vector<std::uint32_t> find_pinched_edges(const CellComplex& cells, const InterfaceEdges& edges);
+/// Where the boundary of a label touches itself.
+struct Pinches {
+  InterfaceEdges edges;
+  std::vector<std::uint32_t> at_edges;  ///< at which some label has more than two boundary facets, ascending
+  /// Points at which the boundary facets of some label form more than one fan, ascending. A point at the end
+  /// of a pinched edge is not counted for that alone.
+  std::vector<std::uint32_t> at_points;
+};
 
-/// Points at which the boundary facets of some label form more than one fan, ascending. A point at the end of
-/// a pinched edge is not counted for that alone.
-std::vector<std::uint32_t> find_pinched_points(const CellComplex& cells, const InterfaceEdges& edges);
+Pinches find_pinches(const CellComplex& cells);
 
 }  // namespace voxtet::remesh

@@ -6,7 +6,6 @@
 
 #include "remesh/cell_stars.h"
 #include "remesh/drop_fragments.h"
-#include "remesh/interface_edges.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -107,11 +106,10 @@ class Mender {
 
 }  // namespace
 
-std::size_t mend_pinches(CellComplex& cells, const LabelField& field) {
-  const InterfaceEdges edges = find_interface_edges(cells);
-  Cells queue = find_pinched_points(cells, edges);
-  for (const std::uint32_t e : find_pinched_edges(cells, edges))
-    queue.insert(queue.end(), edges.ends[e].begin(), edges.ends[e].end());
+std::size_t mend_pinches(CellComplex& cells, const LabelField& field, const Pinches& pinches) {
+  Cells queue = pinches.at_points;
+  for (const std::uint32_t e : pinches.at_edges)
+    queue.insert(queue.end(), pinches.edges.ends[e].begin(), pinches.edges.ends[e].end());
   std::sort(queue.begin(), queue.end());
   queue.erase(std::unique(queue.begin(), queue.end()), queue.end());
   return queue.empty() ? 0 : Mender(cells, field).run(std::move(queue));

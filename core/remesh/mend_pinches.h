@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "remesh/cell_complex.h"
+#include "remesh/interface_edges.h"
 #include "remesh/label_field.h"
 
 namespace voxtet::remesh {
@@ -12,7 +13,7 @@ namespace voxtet::remesh {
 /// others. Where that fails (the boundary of a label, or of background, touches itself at an edge or a
 /// point), the smallest stray group of cells there takes the label next door, or a gap is filled, if that
 /// leaves fewer such places and no cell concerned lies deeper than half a voxel (smallest spacing) in its
-/// label. No label loses its last cell. Returns how many cells changed.
-std::size_t mend_pinches(CellComplex& cells, const LabelField& field);
+/// label. No label loses its last cell. `pinches` are those of the cells. Returns how many cells changed.
+std::size_t mend_pinches(CellComplex& cells, const LabelField& field, const Pinches& pinches);
 
 }  // namespace voxtet::remesh

@@ -126,7 +126,7 @@ MissedPlaces::MissedPlaces(const SurfaceMesh& reference, const LabelField& field
 }
 
 std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const MissedCriteria& criteria) {
-  const double limit = criteria.limit_mm, separation2 = criteria.separation_mm * criteria.separation_mm;
+  const double separation2 = criteria.separation_mm * criteria.separation_mm;
   const std::size_t stride = stride_of(reference_);
   const std::vector<std::uint32_t> ids = by_pair(surface, [](std::uint32_t) { return true; });
   const std::vector<std::uint64_t> names = names_of(surface);
@@ -136,6 +136,7 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
   for (std::size_t s = 0; s < samples_.size();) {
     const Sides& sides = reference_.sides[samples_[s]];
     const bool thorough = beside_any(sides, criteria.thorough);
+    const double limit = (thorough ? criteria.thorough_share : 1) * criteria.limit_mm;
     while (from < ids.size() && pair_of(surface.sides[ids[from]]) < pair_of(sides)) ++from;
     std::size_t to = from;
     while (to < ids.size() && surface.sides[ids[to]] == sides) ++to;

@@ -19,6 +19,7 @@ struct MissedCriteria {
   /// has its lid near, but nothing parallel.
   std::vector<Label> thorough = {};
   double turned_cosine = 0.3;  ///< of that angle
+  double thorough_share = 1;   ///< of the limit, that there is around these labels
 };
 
 /// Where surfaces, one better than the other, miss a reference. Holds the reference and its field.

@@ -88,6 +88,8 @@ test('from an example to the numbers of one element without a mouse', async ({ p
   await page.locator('.pane.model .pane-surface').focus();
   await page.keyboard.type('?');
   await expect(page.getByRole('dialog')).toContainText('Undo, redo');
+  await page.keyboard.press('Control+z');
+  await expect(page.getByLabel('Edge length', { exact: true })).toHaveValue('6');
   await page.keyboard.press('Escape');
   await expect(page.getByRole('dialog')).toHaveCount(0);
 });

@@ -57,6 +57,12 @@ test('a wall is sized by its thickness, which is seen on slices and surface befo
   await page.getByTestId('run').click();
   await meshed(page);
   await expect(page.getByTestId('layers').locator('tbody tr')).toContainText(/9\d\.?\d* %|100 %/);
+  const meshColours = await sampled(page, 'model');
+  await page.getByLabel('Colour by').selectOption({ label: 'Layer of the wall' });
+  await expect(page.getByRole('img', { name: 'Layer, from the inner surface from 1 to 2' })).toBeVisible();
+  expect(await sampled(page, 'model')).not.toEqual(meshColours);
+  await page.getByLabel('Colour by').selectOption({ label: 'Layers across the wall' });
+  await expect(page.getByRole('img', { name: /Layers across the wall from/ })).toBeVisible();
   await page.getByRole('button', { name: 'Remove LV myocardium, RV myocardium' }).click();
   await expect(stage(page, 'sizing')).toHaveAttribute('data-state', 'stale');
   await page.keyboard.press('Control+z');

@@ -129,6 +129,24 @@ TEST(Layers, PassThroughTheInterfacesOfAWallOfTwoLabels) {
   EXPECT_GE(found.exact, 0.9);
 }
 
+TEST(Layers, KeepLabelsThatTouchThemselvesWhereNoLayerDoes) {
+  Recipe recipe = exact_recipe(3);
+  recipe.source.phantom.emplace().spacing_mm.setConstant(2.5);
+  recipe.labels = recipe.sizing.thickness[0].wall = {1, 2};
+  recipe.sizing.thickness[0].inner = {3, 4};
+  Session session;
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  RunContext ctx;
+  const Status done = session.run(Stage::kQuality, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  test::check_tets(*session.mesh());
+  EXPECT_TRUE(session.quality()->topology.differences.empty());
+  EXPECT_EQ(session.record(Stage::kRemesh).notes, std::vector<std::string>{"method delaunay"});
+  const LayerShares& found = session.quality()->layers.at(0).by_edges;
+  EXPECT_GE(found.at_least, 0.99);
+  EXPECT_GE(found.exact, 0.95);
+}
+
 TEST(Layers, LeaveNothingOfThemselvesInLaterStages) {
   const LabelVolume volume = test::sample(test::shell(10, 16), Eigen::Vector3d::Ones(), {0, 0, 0});
   Recipe recipe = exact_recipe(3);

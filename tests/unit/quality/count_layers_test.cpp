@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "geometry/adjacency.h"
@@ -107,6 +108,38 @@ TEST(CountLayers, SaysWhereTheNumberIsAnother) {
   EXPECT_EQ(few.places[0].fewest, 2U);
   EXPECT_EQ(few.places[0].most, 2U);
   EXPECT_LT((few.places[0].centre_mm - Eigen::Vector3d(10, 10, kThickness)).norm(), 1);
+}
+
+TEST(MapLayers, TellsEachTetrahedronItsLayerAndHowManyThereAre) {
+  for (const std::uint32_t layers : {1U, 2U, 3U, 4U}) {
+    const TetMesh mesh = slab(12, static_cast<int>(layers));
+    const WallField field = wall();
+    const LayerMap map = map_layers(mesh, std::vector<LayeredWall>{{field, layers}});
+    ASSERT_EQ(map.layer.size(), mesh.tets.size());
+    ASSERT_EQ(map.layers_across.size(), mesh.tets.size());
+    std::size_t counted = 0;
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+      double lowest = kThickness;
+      for (const std::uint32_t v : mesh.tets[t]) lowest = std::min(lowest, mesh.points[v].z());
+      EXPECT_EQ(map.layer[t], 1 + std::round(lowest * layers / kThickness)) << layers;
+      if (map.layers_across[t] < 0) continue;
+      EXPECT_EQ(map.layers_across[t], layers);
+      ++counted;
+    }
+    EXPECT_GT(counted, mesh.tets.size() / 4);
+    EXPECT_LT(counted, mesh.tets.size());
+  }
+}
+
+TEST(MapLayers, HasNothingOutsideOfWalls) {
+  TetMesh mesh = slab(4, 2);
+  const WallField field = wall();
+  const std::vector<float> none(mesh.tets.size(), -1);
+  EXPECT_EQ(map_layers(mesh, {}).layer, none);
+  for (Eigen::Vector3d& p : mesh.points) p.x() += 500;
+  const LayerMap map = map_layers(mesh, std::vector<LayeredWall>{{field, 2}});
+  EXPECT_EQ(map.layer, none);
+  EXPECT_EQ(map.layers_across, none);
 }
 
 TEST(CountLayers, CountsNothingWhereTheMeshHasNoSuchWall) {

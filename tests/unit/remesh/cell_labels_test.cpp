@@ -111,7 +111,7 @@ TEST(MendPinches, PartsCellsThatTouchAtAnEdgeOrAPoint) {
     CellComplex cells = cubes(labelled);
     ASSERT_GT(all_defects(cells), 0U);
     const std::vector<Label> before = cells.labels;
-    const std::size_t changed = mend_pinches(cells, field);
+    const std::size_t changed = mend_pinches(cells, field, find_pinches(cells));
     EXPECT_EQ(all_defects(cells), 0U);
     EXPECT_NE(std::find(cells.labels.begin(), cells.labels.end(), 1), cells.labels.end());
     std::size_t differing = 0;
@@ -126,7 +126,7 @@ TEST(MendPinches, LeavesAManifoldAlone) {
   const LabelField field = field_of(test::ball_volume(20, 14, 3.5));
   CellComplex cells = cubes({{2, 2, 2}, {3, 2, 2}});
   const std::vector<Label> before = cells.labels;
-  EXPECT_EQ(mend_pinches(cells, field), 0U);
+  EXPECT_EQ(mend_pinches(cells, field, find_pinches(cells)), 0U);
   EXPECT_EQ(cells.labels, before);
 }
 
@@ -139,7 +139,7 @@ TEST(MendPinches, ChangesNothingThatLiesDeepInItsLabel) {
       test::lattice_complex(4, 5, -0.5, [](int i, int j, int) { return (i < 2) == (j < 2) ? 1 : 2; });
   const std::vector<Label> before = cells.labels;
   ASSERT_GT(all_defects(cells), 0U);
-  EXPECT_EQ(mend_pinches(cells, field), 0U);
+  EXPECT_EQ(mend_pinches(cells, field, find_pinches(cells)), 0U);
   EXPECT_EQ(cells.labels, before);
 }
 
@@ -154,7 +154,7 @@ TEST(MendPinches, LeavesFewPinchesOfATriangulationAsCoarseAsTheBodies) {
     CellComplex cells = refined(volume, field, 3);
     drop_fragments(cells, field, find_pieces(field));
     before += all_defects(cells);
-    mend_pinches(cells, field);
+    mend_pinches(cells, field, find_pinches(cells));
     const std::size_t mended = all_defects(cells);
     after += mended;
     relabel_cells(cells);
@@ -175,7 +175,7 @@ TEST(RelabelCells, AddsNoPinchesAndBluntsWedges) {
     const LabelField field = field_of(volume);
     CellComplex cells = refined(volume, field, 2);
     drop_fragments(cells, field, find_pieces(field));
-    mend_pinches(cells, field);
+    mend_pinches(cells, field, find_pinches(cells));
     const std::size_t mended = all_defects(cells);
     const std::vector<Label> labels = test::labels_of(extract_interface(cells));
     sharpest_before =

@@ -98,6 +98,18 @@ TEST(RemeshMethods, KeepEveryPieceHandleAndContactOnDemand) {
   EXPECT_LT(fallen, kVolumes);
 }
 
+TEST(RemeshMethods, WinBackAFewLostHandles) {
+  // Without closer looks around its labels this volume falls back.
+  const LabelVolume volume = test::random_labels(72).volume;
+  const SurfaceMesh reference = test::label_surface(volume);
+  RemeshParams params;
+  params.keep_topology = KeepTopology::kAll;
+  const Outcome out = remesh_with(volume, reference, 3 * volume.smallest_spacing_mm(), params);
+  EXPECT_EQ(out.notes, kDelaunayNote);
+  EXPECT_EQ(label_topology(out.surface), label_topology(reference));
+  EXPECT_TRUE(find_self_intersections(out.surface, 1).empty());
+}
+
 TEST(RemeshMethods, RepairPinchesAndMissedPlacesInOneRound) {
   // A round of repair that both refines facets at pinches and adds points where the surface missed some.
   const LabelVolume volume = test::random_labels(105).volume;

@@ -269,6 +269,12 @@ export const tetMeasures = [
 ] as const;
 export type TetMeasure = (typeof tetMeasures)[number];
 
+/**
+ * Per tet, -1 where there is none: its layer of a wall, from 1 at the inner surface; the layers of the wall there.
+ * Absent where no number of layers was wished.
+ */
+export type LayerArray = 'layer' | 'layers_across';
+
 /** What was looked up in the image: a label, or a label's share, per tet. */
 export type LookedUpArray = 'centroid_label' | 'majority_label' | `fraction_${number}`;
 
@@ -284,7 +290,7 @@ export interface StageArrays {
     Partial<Record<LookedUpArray, Float32Array>> & {
       /** From each point on a label's boundary to the label surface; -1 inside. */
       distance_mm?: Float32Array;
-    };
+    } & Partial<Record<LayerArray, Float32Array>>;
 }
 
 /** What the worker answers; every call is one message there and one back. */

@@ -45,7 +45,7 @@ const arrayNames: Record<StageName, readonly string[]> = {
   sizing: ['h_mm', 'thickness_mm'],
   remesh: ['points', 'triangles', 'sides'],
   optimise: ['points', 'tets', 'labels'],
-  quality: [...tetMeasures, 'distance_mm'],
+  quality: [...tetMeasures, 'distance_mm', 'layer', 'layers_across'],
 };
 
 function lookedUpArrays(labels: readonly number[]): LookedUpArray[] {

@@ -41,7 +41,6 @@ function showAll(): boolean {
 }
 
 function escape(): boolean {
-  if (document.querySelector('dialog[open]')) return false;
   if (!['run', 'preview', 'export'].includes(activity.value)) return showAll();
   void cancelRun();
   return true;
@@ -49,6 +48,8 @@ function escape(): boolean {
 
 /** Whether the key meant something. */
 function obeyKey(event: KeyboardEvent): boolean {
+  // What is behind a dialog stays as it is.
+  if (document.querySelector('dialog[open]')) return false;
   const held = event.ctrlKey || event.metaKey;
   const { target } = event;
   const writes = target instanceof HTMLInputElement && (target.type === 'text' || target.type === 'number');
@@ -61,7 +62,7 @@ function obeyKey(event: KeyboardEvent): boolean {
   } else if (held && key === 'z' && !(writes && target.type === 'text'))
     void (event.shiftKey ? redoEdit : undoEdit)();
   else if (held && key === 'y' && !(writes && target.type === 'text')) void redoEdit();
-  else if (held || event.altKey || typing || document.querySelector('dialog[open]')) return false;
+  else if (held || event.altKey || typing) return false;
   else if ((volume.value || key === '?') && Object.hasOwn(viewKeys, key)) viewKeys[key]();
   else return false;
   return true;

@@ -37,7 +37,8 @@ export function LegendCard({ shown }: { shown: Legend | null }) {
     );
   }
   const stops = colourStops(shown.map);
-  const ticks = [1, 0.75, 0.5, 0.25, 0];
+  const steps = shown.whole ? Math.min(8, shown.hi - shown.lo) : 4;
+  const ticks = Array.from({ length: steps + 1 }, (_, i) => 1 - i / steps);
   return (
     <div
       class="legend"

@@ -45,9 +45,12 @@ const measureOptions: [ColourBy, string][] = [
   ['distance_voxels', 'Distance to labels, voxels'],
 ];
 
-function lookedUpOptions(): [ColourBy, string][] {
+/** Of arrays that only some cases have. */
+function otherOptions(): [ColourBy, string][] {
   const arrays = Object.keys(shownResult('quality') ?? {}) as ColourBy[];
   return arrays.flatMap((name): [ColourBy, string][] => {
+    if (name === 'layer') return [[name, 'Layer of the wall']];
+    if (name === 'layers_across') return [[name, 'Layers across the wall']];
     if (name === 'centroid_label') return [[name, 'Centroid label']];
     if (name === 'majority_label') return [[name, 'Majority label']];
     const label = fractionLabel(name);
@@ -62,7 +65,7 @@ function ColourChoice() {
     ['label', 'Label'],
     ['edge_mm', 'Edge length'],
   ];
-  if (onTets) options.push(...measureOptions, ...lookedUpOptions());
+  if (onTets) options.push(...measureOptions, ...otherOptions());
   else {
     options.push(['target_mm', 'Prescribed edge']);
     if (recipe.value?.sizing.thickness.length) options.push(['thickness_mm', 'Wall thickness']);

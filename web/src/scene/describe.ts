@@ -30,8 +30,16 @@ function measureLines(measures: StageArrays['quality'], tet: number): [string, s
     ['Radius ratio', measures.radius_ratio[tet].toFixed(3)],
     ['Mean ratio', measures.mean_ratio[tet].toFixed(3)],
     ['Aspect ratio', measures.aspect_ratio[tet].toFixed(2)],
+    ...layerLines(measures, tet),
     ...lookedUpLines(measures, tet),
   ];
+}
+
+function layerLines(measures: StageArrays['quality'], tet: number): [string, string][] {
+  const { layer, layers_across: across } = measures;
+  if (!layer || layer[tet] < 0) return [];
+  const of = across && across[tet] >= 0 ? `, ${across[tet]} across the wall` : '';
+  return [['Layer', `${layer[tet]} from the inner surface${of}`]];
 }
 
 /** Of the corners that lie on a label's boundary the one farthest from the label surface. */

@@ -40,6 +40,17 @@ describe('colours of tetrahedra', () => {
     expect(paint.kind === 'scale' && [paint.legend.lo, paint.legend.hi]).toEqual([0, 1]);
   });
 
+  it('show layers from the fewest to the most, and nothing where there is no wall', () => {
+    const layer = Float32Array.from([-1, 1, 3, 2]);
+    colourBy.value = 'layer';
+    const paint = tetPaint({ ...measures, layer });
+    expect(paint.kind === 'parts' && paint.legend).toMatchObject({ lo: 1, hi: 3, whole: true });
+    colourBy.value = 'layers_across';
+    const same = tetPaint({ ...measures, layer, layers_across: Float32Array.from([-1, 3, 3, 3]) });
+    expect(same.kind === 'parts' && same.legend).toMatchObject({ lo: 2, hi: 4 });
+    expect(tetPaint(measures).kind).toBe('label');
+  });
+
   it('show distances to the labels from nothing up, in millimetres or voxels, and none inside', () => {
     const distance_mm = Float32Array.from([-1, 0, 1, 2]);
     volume.value = { spacing_mm: [0.5, 2, 2] } as VolumeSummary;

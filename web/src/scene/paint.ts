@@ -1,5 +1,5 @@
 /** From what the store shows to colours: pure choices, no three.js. */
-import type { StageArrays, SurfaceArrays, TetMeasure } from '../engine/contract';
+import type { LayerArray, StageArrays, SurfaceArrays, TetMeasure } from '../engine/contract';
 import { colourTable, rgbOf } from '../geometry/colours';
 import {
   robustRange,
@@ -26,17 +26,21 @@ export type TetPaint =
   | { kind: 'label' }
   | { kind: 'given'; values: Float32Array }
   | { kind: 'scale'; values: Float32Array; legend: Legend }
+  /** A value a tet, below 0 where it has none. */
+  | { kind: 'parts'; values: Float32Array; legend: Legend }
   /** A value a point, below 0 where it has none; faces are coloured by the largest of their corners. */
   | { kind: 'points'; values: Float32Array; legend: Legend };
 
 type Scale = Omit<Legend, 'lo' | 'hi'>;
 
-const scales: Record<TetMeasure | DistanceUnit | 'target_mm' | 'thickness_mm', Scale> = {
+const scales: Record<TetMeasure | DistanceUnit | LayerArray | 'target_mm' | 'thickness_mm', Scale> = {
   edge_mm: { title: 'Mean edge length', unit: 'mm', map: 'viridis' },
   target_mm: { title: 'Prescribed edge length', unit: 'mm', map: 'viridis' },
   thickness_mm: { title: 'Wall thickness', unit: 'mm', map: 'cividis' },
   distance_mm: { title: 'Distance to the label surface', unit: 'mm', map: 'viridis' },
   distance_voxels: { title: 'Distance to the label surface', unit: 'voxels', map: 'viridis' },
+  layer: { title: 'Layer, from the inner surface', unit: '', map: 'viridis', whole: true },
+  layers_across: { title: 'Layers across the wall', unit: '', map: 'viridis', whole: true },
   size_log2: { title: 'Achieved over prescribed edge', unit: 'log₂', map: 'vik' },
   min_dihedral_deg: { title: 'Smallest dihedral angle', unit: '°', map: 'cividis' },
   max_dihedral_deg: { title: 'Largest dihedral angle', unit: '°', map: 'cividis' },
@@ -65,10 +69,19 @@ function distancePaint(distances: Float32Array | undefined, by: DistanceUnit): T
   return { kind: 'points', values, legend: { ...scales[by], lo: 0, hi } };
 }
 
+function layerPaint(values: Float32Array | undefined, by: LayerArray): TetPaint {
+  if (!values) return { kind: 'label' };
+  const most = values.reduce((known, value) => Math.max(known, value), 1);
+  const fewest = values.reduce((known, value) => (value < 0 ? known : Math.min(known, value)), most);
+  const [lo, hi] = most > fewest ? [fewest, most] : [most - 1, most + 1];
+  return { kind: 'parts', values, legend: { ...scales[by], lo, hi } };
+}
+
 export function tetPaint(measures: StageArrays['quality'] | undefined): TetPaint {
   const by = colourBy.value;
   if (by === 'label' || by === 'thickness_mm' || !measures) return { kind: 'label' };
   if (by === 'distance_mm' || by === 'distance_voxels') return distancePaint(measures.distance_mm, by);
+  if (by === 'layer' || by === 'layers_across') return layerPaint(measures[by], by);
   if (by === 'target_mm') return scaled(targets(measures), scales.target_mm);
   const values = measures[by];
   if (!values) return { kind: 'label' };

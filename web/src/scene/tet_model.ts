@@ -31,7 +31,7 @@ export interface Plane {
   flat: boolean;
 }
 
-const paintCodes = { label: 0, scale: 1, given: 2, points: 4 } as const;
+const paintCodes = { label: 0, scale: 1, given: 2, points: 4, parts: 5 } as const;
 const plainCode = 3;
 
 /**
@@ -123,7 +123,7 @@ export class TetModel {
   setPaint(paint: TetPaint, colour: (label: number) => string): void {
     this.replace('palette', paletteTexture(this.largest, colour, new Set()));
     if (paint.kind !== 'label') this.replace('values', arrayTexture(paint.values, 1));
-    if (paint.kind === 'scale' || paint.kind === 'points') {
+    if ('legend' in paint) {
       this.replace('scale', scaleTexture(paint.legend.map));
       this.shared.range.value.set(paint.legend.lo, paint.legend.hi);
     }

@@ -34,8 +34,8 @@ vec3 colourOf(int tet, int label) {
   if (tet == singled) return singledColour;
   if (paint == 0) return texelFetch(palette, ofLabel(label), 0).rgb;
   if (paint == 3) return plain;
-  if (paint == 4 && faceValue < 0.0) return plain;
   float value = paint == 4 ? faceValue : texelFetch(values, at(tet), 0).r;
+  if (paint >= 4 && value < 0.0) return plain;
   if (paint == 2) return texelFetch(palette, ofLabel(int(value)), 0).rgb;
   float x = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
   return texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb;

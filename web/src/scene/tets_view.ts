@@ -80,7 +80,7 @@ export function followTets(
       const shown = source();
       if (!shown || !body.model) return;
       const paint = tetPaint(shown.measures);
-      const scaled = paint.kind === 'scale' || paint.kind === 'points';
+      const scaled = 'legend' in paint;
       if (leads) legend.value = scaled ? paint.legend : null;
       // Two runs are compared on one scale: that of the run that leads.
       else if (scaled && legend.value) paint.legend = legend.value;

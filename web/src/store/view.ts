@@ -1,10 +1,17 @@
 import { computed, signal } from '@preact/signals';
-import type { ErrorPlace, LookedUpArray, StageName, TetMeasure, Vec3 } from '../engine/contract';
+import type { ErrorPlace, LayerArray, LookedUpArray, StageName, TetMeasure, Vec3 } from '../engine/contract';
 import { labelColour, type ColourMapName } from '../geometry/colours';
 import { volume } from './input';
 
 export type DistanceUnit = 'distance_mm' | 'distance_voxels';
-export type ColourBy = 'label' | 'target_mm' | 'thickness_mm' | DistanceUnit | TetMeasure | LookedUpArray;
+export type ColourBy =
+  | 'label'
+  | 'target_mm'
+  | 'thickness_mm'
+  | DistanceUnit
+  | TetMeasure
+  | LayerArray
+  | LookedUpArray;
 
 /** The label whose share an array holds, or null. */
 export function fractionLabel(name: string): number | null {
@@ -38,6 +45,8 @@ export interface Legend {
   lo: number;
   hi: number;
   map: ColourMapName;
+  /** Of few whole numbers. */
+  whole?: boolean;
 }
 
 export interface Picked {
