@@ -36,19 +36,18 @@ struct Repair {
   double share = 1;           ///< of what counts as missed, around labels whose topology differs
 };
 /// One after the other, until there is nothing to repair.
-constexpr std::array<Repair, 10> kRepairs{{{false, 0.5, 0.3, 0},
-                                           {true, 0.3, 0.2, 0.3},
-                                           {true, 0.3, 0.2, 0.3},
-                                           {true, 0.15, 0.2, 0.3},
-                                           {true, 0.15, 0.1, 0.5},
-                                           {true, 0.09, 0.1, 0.5},
-                                           {true, 0.09, 0.1, 0.5},
-                                           {true, 0.15, 0.1, 0.5, 0.4},
-                                           {true, 0.09, 0.05, 0.7, 0.2},
-                                           {true, 0.09, 0.05, 0.7, 0.2}}};
+constexpr std::array<Repair, 8> kRepairs{{{false, 0.5, 0.3, 0},
+                                          {true, 0.3, 0.2, 0.3},
+                                          {true, 0.3, 0.2, 0.3},
+                                          {true, 0.15, 0.2, 0.3},
+                                          {true, 0.15, 0.1, 0.5},
+                                          {true, 0.09, 0.1, 0.5, 0.4},
+                                          {true, 0.09, 0.05, 0.7, 0.2},
+                                          {true, 0.09, 0.05, 0.7, 0.2}}};
 /// Handles and contacts that closer looks may win back; each look makes the surface around their labels
 /// finer.
 constexpr std::int64_t kFewDifferences = 4;
+constexpr std::size_t kFewPlaces = 8;  ///< missed places that are left to local operations
 
 double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
@@ -174,14 +173,14 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       std::vector<TopologyDifference> differences;
       if (repair->thorough) differences = compare_topology(wanted, label_topology(merged));
       const std::vector<Label> broken = labels_of(differences);
-      if (repair->share < 1 && (broken.empty() || size_of(differences) > kFewDifferences)) break;
+      const double share = size_of(differences) <= kFewDifferences ? repair->share : 1;
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
-      const std::vector<Eigen::Vector3d> elsewhere =
-          places.of(merged, {params.missed_voxels * voxel, repair->separation * voxel, broken,
-                             repair->turned_cosine, repair->share});
+      const std::vector<Eigen::Vector3d> elsewhere = places.of(
+          merged,
+          {params.missed_voxels * voxel, repair->separation * voxel, broken, repair->turned_cosine, share});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
-      if (repair->thorough && broken.empty() && missed.empty()) break;
+      if (repair->thorough && broken.empty() && missed.size() <= kFewPlaces) break;
       // These first, because new points do away with cells.
       for (const InterfaceFacet& facet : flawed)
         added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);

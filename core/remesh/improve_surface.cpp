@@ -64,10 +64,10 @@ bool Improver::run() {
 
 bool Improver::coarsen_to(double shortest) {
   return coarsen(shortest, [&](std::uint32_t v, std::uint32_t other, double longest) {
+    // What could not be done cannot be now, if nothing around has changed.
+    if (!changed_.empty() && !changed_[v] && !changed_[other]) return false;
     const auto collapse = [&] { return operations_.collapse(v, other, longest); };
-    // What could not be healed cannot be now, if nothing around has changed.
-    const bool news = changed_.empty() || changed_[v] || changed_[other];
-    return collapse() || (news && with_healing(collapse, [] { return true; }));
+    return collapse() || with_healing(collapse, [] { return true; });
   });
 }
 
