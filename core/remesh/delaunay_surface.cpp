@@ -36,17 +36,20 @@ struct Repair {
   double share = 1;           ///< of what counts as missed, around labels whose topology differs
 };
 /// One after the other, until there is nothing to repair.
-constexpr std::array<Repair, 8> kRepairs{{{false, 0.5, 0.3, 0},
-                                          {true, 0.3, 0.2, 0.3},
-                                          {true, 0.3, 0.2, 0.3},
-                                          {true, 0.15, 0.2, 0.3},
-                                          {true, 0.15, 0.1, 0.5},
-                                          {true, 0.09, 0.1, 0.5, 0.4},
-                                          {true, 0.09, 0.05, 0.7, 0.2},
-                                          {true, 0.09, 0.05, 0.7, 0.2}}};
-/// Handles and contacts that closer looks may win back; each look makes the surface around their labels
-/// finer.
+constexpr std::array<Repair, 10> kRepairs{{{false, 0.5, 0.3, 0},
+                                           {true, 0.3, 0.2, 0.3},
+                                           {true, 0.3, 0.2, 0.3},
+                                           {true, 0.15, 0.2, 0.3},
+                                           {true, 0.15, 0.1, 0.5},
+                                           {true, 0.09, 0.1, 0.5},
+                                           {true, 0.09, 0.1, 0.5},
+                                           {true, 0.15, 0.1, 0.5, 0.4},
+                                           {true, 0.09, 0.05, 0.7, 0.2},
+                                           {true, 0.09, 0.05, 0.7, 0.2}}};
+/// Handles and contacts that closer looks may win back, and the part of the reference around whose labels
+/// that pays: each look makes the surface there finer. Beyond, local operations are sooner done.
 constexpr std::int64_t kFewDifferences = 4;
+constexpr double kSmallPart = 0.4;
 constexpr std::size_t kFewPlaces = 8;  ///< missed places that are left to local operations
 
 double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
@@ -122,6 +125,17 @@ std::vector<Label> labels_of(const std::vector<TopologyDifference>& differences)
   return labels;
 }
 
+/// Whether few differences, all around labels of a small part of the reference, may be won back.
+bool worth_closer_looks(const SurfaceMesh& reference, const std::vector<TopologyDifference>& differences,
+                        const std::vector<Label>& broken) {
+  if (broken.empty() || size_of(differences) > kFewDifferences) return false;
+  const auto is_broken = [&](Label label) { return std::binary_search(broken.begin(), broken.end(), label); };
+  const auto beside = std::count_if(reference.sides.begin(), reference.sides.end(), [&](const Sides& sides) {
+    return is_broken(sides[0]) || is_broken(sides[1]);
+  });
+  return static_cast<double>(beside) <= kSmallPart * static_cast<double>(reference.sides.size());
+}
+
 /// The volumes that labels and their layers are to have: a layer keeps its part of its parent's.
 std::vector<double> with_layers_mm3(std::vector<double> volumes, const SurfaceMesh& surface,
                                     const WallLayers& layers) {
@@ -173,12 +187,12 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       std::vector<TopologyDifference> differences;
       if (repair->thorough) differences = compare_topology(wanted, label_topology(merged));
       const std::vector<Label> broken = labels_of(differences);
-      const double share = size_of(differences) <= kFewDifferences ? repair->share : 1;
+      if (repair->share < 1 && !worth_closer_looks(reference, differences, broken)) break;
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
-      const std::vector<Eigen::Vector3d> elsewhere = places.of(
-          merged,
-          {params.missed_voxels * voxel, repair->separation * voxel, broken, repair->turned_cosine, share});
+      const std::vector<Eigen::Vector3d> elsewhere =
+          places.of(merged, {params.missed_voxels * voxel, repair->separation * voxel, broken,
+                             repair->turned_cosine, repair->share});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
       if (repair->thorough && broken.empty() && missed.size() <= kFewPlaces) break;
       // These first, because new points do away with cells.
