@@ -15,7 +15,6 @@
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
-#include "quality/count_layers.h"
 #include "quality/measure_quality.h"
 #include "quality/surface_distance.h"
 
@@ -241,12 +240,7 @@ class SessionBinding {
   val quality_view(const std::string& array) {
     if (!session_.mesh()) return val::undefined();
     if (array == "distance_mm") return keep_view(floats_, distances_to_labels());
-    if (array == "layer" || array == "layers_across") {
-      const std::vector<LayeredWall> walls = session_.layered_walls();
-      if (walls.empty()) return val::undefined();
-      LayerMap map = map_layers(*session_.mesh(), walls);
-      return keep_view(floats_, std::move(array == "layer" ? map.layer : map.layers_across));
-    }
+    if (array == "layer" || array == "layers_across") return layer_view(array == "layer");
     TetMeasures m = measure_tets(*session_.mesh(), session_.sizing());
     if (array == "min_dihedral_deg") return keep_view(floats_, std::move(m.min_dihedral_deg));
     if (array == "max_dihedral_deg") return keep_view(floats_, std::move(m.max_dihedral_deg));
@@ -256,6 +250,13 @@ class SessionBinding {
     if (array == "edge_mm") return keep_view(floats_, std::move(m.edge_mm));
     if (array == "size_log2") return keep_view(floats_, std::move(m.size_log2));
     return val::undefined();
+  }
+
+  val layer_view(bool own) const {
+    const QualityReport* quality = session_.quality();
+    if (!quality || quality->layers.empty()) return val::undefined();
+    const std::vector<float>& layers = own ? quality->layer_map.layer : quality->layer_map.layers_across;
+    return view_of(layers.data(), layers.size());
   }
 
   /// Of the mesh's points, mm; -1 inside.

@@ -12,8 +12,8 @@ namespace voxtet {
 namespace {
 
 /// With more handles than that in a label, restricted Delaunay refinement was seen to lose some and to give
-/// way to local operations: with 95 and 367, and not with 62 (tests/sweep/sweep_forecast).
-constexpr std::int64_t kManyHandles = 75;
+/// way to local operations: with 62, 95 and 367, and not with 33 (tests/sweep/sweep_forecast).
+constexpr std::int64_t kManyHandles = 45;
 constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
 
 Error usage(const std::string& message) {

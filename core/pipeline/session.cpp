@@ -285,17 +285,11 @@ Status Session::run_optimise(RunContext& ctx) {
   return std::monostate{};
 }
 
-std::vector<LayeredWall> Session::layered_walls() const {
+Status Session::run_quality(RunContext& ctx) {
   std::vector<LayeredWall> layered;
-  if (!may_size()) return layered;
   for (std::size_t w = 0; w < walls_.size(); ++w)
     if (const std::uint32_t layers = recipe_.sizing.thickness[w].layers; layers > 0)
       layered.push_back({walls_[w], layers});
-  return layered;
-}
-
-Status Session::run_quality(RunContext& ctx) {
-  const std::vector<LayeredWall> layered = layered_walls();
   return keep(
       measure_quality(*mesh(), {*volume(), *selected_volume(), *smooth_, *remeshed_, *sizing_, layered},
                       recipe_.quality, ctx),

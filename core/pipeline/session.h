@@ -88,8 +88,6 @@ class Session {
   const SizingField* sizing() const { return sizing_ ? &*sizing_ : nullptr; }
   /// The walls of the recipe's sizing.thickness, in its order.
   const std::vector<WallField>& walls() const { return walls_; }
-  /// Those of them for which a number of layers is wished; none where the recipe now names other walls.
-  std::vector<LayeredWall> layered_walls() const;
   const SurfaceMesh* remeshed() const { return remeshed_ ? &*remeshed_ : nullptr; }
   const TetMesh* filled() const { return filled_ ? &*filled_ : nullptr; }
   /// The optimised tetrahedra; while there are none, also when kOptimise failed, those that fill the surface.

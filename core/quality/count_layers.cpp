@@ -21,8 +21,8 @@ void add(LayerShares& shares, std::uint32_t layers, double area) {
 
 /// Both by_edges and places.
 void count_edges(const TetMesh& mesh, const WallMesh& wall, LayerCount& count) {
-  const std::vector<std::uint32_t> from_inner = wall.edges_through_from(Part::kInner);
-  const std::vector<bool> near_side = wall.near_side();
+  const std::vector<std::uint32_t>& from_inner = wall.from_inner();
+  const std::vector<bool>& near_side = wall.near_side();
   const auto counts = [&](const Face& face, std::uint32_t v) {
     return face.part == Part::kOuter && from_inner[v] != WallMesh::kUnreached && !near_side[v];
   };
@@ -56,7 +56,7 @@ void count_edges(const TetMesh& mesh, const WallMesh& wall, LayerCount& count) {
 }
 
 LayerShares count_lines(const WallMesh& wall, std::uint32_t layers) {
-  const std::vector<bool> near_side = wall.near_side();
+  const std::vector<bool>& near_side = wall.near_side();
   LayerShares shares;
   for (const Face& face : wall.faces()) {
     const auto beside = [&](std::uint32_t v) { return near_side[v]; };
@@ -77,40 +77,36 @@ void finish(LayerShares& shares, std::uint32_t layers) {
   shares.at_least = whole > 0 ? at_least / whole : 0;
 }
 
+void map_layers(const TetMesh& mesh, const WallMesh& wall, std::uint32_t layers, LayerMap& map) {
+  const std::vector<std::uint32_t> from_outer = wall.edges_through_from(Part::kOuter);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    if (!wall.holds(t) || map.layer[t] >= 0) continue;
+    map.layer[t] = static_cast<float>(1 + wall.layer_of(t, layers));
+    std::uint64_t fewest = WallMesh::kUnreached;
+    for (const std::uint32_t v : mesh.tets[t])
+      if (!wall.near_side()[v])
+        fewest = std::min(fewest, std::uint64_t{wall.from_inner()[v]} + from_outer[v]);
+    if (fewest < WallMesh::kUnreached) map.layers_across[t] = static_cast<float>(fewest);
+  }
+}
+
 }  // namespace
 
-std::vector<LayerCount> count_layers(const TetMesh& mesh, std::span<const LayeredWall> walls) {
-  std::vector<LayerCount> counts;
+FoundLayers count_layers(const TetMesh& mesh, std::span<const LayeredWall> walls) {
+  FoundLayers found;
+  if (walls.empty()) return found;
+  found.map.layer.assign(mesh.tets.size(), -1);
+  found.map.layers_across.assign(mesh.tets.size(), -1);
   for (const LayeredWall& wall : walls) {
     const WallMesh in_mesh(mesh, wall.field);
     LayerCount count{wall.field.wall, wall.layers, {}, count_lines(in_mesh, wall.layers), {}};
     count_edges(mesh, in_mesh, count);
     finish(count.by_edges, wall.layers);
     finish(count.by_lines, wall.layers);
-    counts.push_back(std::move(count));
+    found.counts.push_back(std::move(count));
+    map_layers(mesh, in_mesh, wall.layers, found.map);
   }
-  return counts;
-}
-
-LayerMap map_layers(const TetMesh& mesh, std::span<const LayeredWall> walls) {
-  LayerMap map;
-  map.layer.assign(mesh.tets.size(), -1);
-  map.layers_across.assign(mesh.tets.size(), -1);
-  for (const LayeredWall& wall : walls) {
-    const WallMesh in_mesh(mesh, wall.field);
-    const std::vector<std::uint32_t> from_inner = in_mesh.edges_through_from(Part::kInner),
-                                     from_outer = in_mesh.edges_through_from(Part::kOuter);
-    const std::vector<bool> near_side = in_mesh.near_side();
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-      if (!in_mesh.holds(t) || map.layer[t] >= 0) continue;
-      map.layer[t] = static_cast<float>(1 + in_mesh.layer_of(t, wall.layers));
-      std::uint64_t fewest = WallMesh::kUnreached;
-      for (const std::uint32_t v : mesh.tets[t])
-        if (!near_side[v]) fewest = std::min(fewest, std::uint64_t{from_inner[v]} + from_outer[v]);
-      if (fewest < WallMesh::kUnreached) map.layers_across[t] = static_cast<float>(fewest);
-    }
-  }
-  return map;
+  return found;
 }
 
 }  // namespace voxtet

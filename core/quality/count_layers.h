@@ -10,12 +10,10 @@
 
 namespace voxtet {
 
-/// By tetrahedron; -1 in no wall. Where walls overlap the first one counts.
-struct LayerMap {
-  std::vector<float> layer;  ///< of the wished layers of the potential, that of the centroid, from 1
-  /// The fewest edges from the inner to the outer surface by way of a corner, counted as by_edges; -1 also
-  /// where there is no such way, or a side is near every corner.
-  std::vector<float> layers_across;
+/// By wall, and where they are; no map where there are no walls.
+struct FoundLayers {
+  std::vector<LayerCount> counts;
+  LayerMap map;
 };
 
 /// Counts layers over the outer surface of each wall, in two ways that share nothing but the surface.
@@ -28,9 +26,6 @@ struct LayerMap {
 ///
 /// Wall, inner and outer surface and sides: quality/wall_mesh.h. Outer vertices that two edges join to a side
 /// are left out.
-std::vector<LayerCount> count_layers(const TetMesh& mesh, std::span<const LayeredWall> walls);
-
-/// Where the layers of walls are.
-LayerMap map_layers(const TetMesh& mesh, std::span<const LayeredWall> walls);
+FoundLayers count_layers(const TetMesh& mesh, std::span<const LayeredWall> walls);
 
 }  // namespace voxtet

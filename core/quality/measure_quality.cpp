@@ -238,7 +238,9 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   if (!distances) return distances.error();
   report.mesh_to_surface = distances->forth;
   report.surface_to_mesh = distances->back;
-  report.layers = count_layers(mesh, reference.walls);
+  FoundLayers layers = count_layers(mesh, reference.walls);
+  report.layers = std::move(layers.counts);
+  report.layer_map = std::move(layers.map);
   return report;
 }
 

@@ -21,6 +21,8 @@ WallMesh::WallMesh(const TetMesh& mesh, const WallField& field)
   find_tets();
   find_faces();
   find_edges();
+  from_inner_ = edges_through_from(Part::kInner);
+  for (const std::uint32_t edges : edges_from(Part::kSide, edges_)) near_side_.push_back(edges <= kNearSide);
 }
 
 void WallMesh::find_tets() {
@@ -120,12 +122,6 @@ std::vector<std::uint32_t> WallMesh::edges_from(Part part, const std::vector<Edg
         if (hops[from] == hop && hops[to] == kNone) hops[to] = hop + 1, changed = true;
   }
   return hops;
-}
-
-std::vector<bool> WallMesh::near_side() const {
-  std::vector<bool> near;
-  for (const std::uint32_t edges : edges_from(Part::kSide, edges_)) near.push_back(edges <= kNearSide);
-  return near;
 }
 
 std::uint32_t WallMesh::layer_of(std::size_t tet, std::uint32_t layers) const {

@@ -35,8 +35,10 @@ class WallMesh {
   /// By point the fewest edges to the inner or the outer surface, none of them on the wall's surface: where a
   /// ventricle's free wall meets the septum, the way along it is short.
   std::vector<std::uint32_t> edges_through_from(Part part) const { return edges_from(part, inner_edges_); }
+  /// The same, from the inner one.
+  const std::vector<std::uint32_t>& from_inner() const { return from_inner_; }
   /// By point whether at most two edges join it to a side.
-  std::vector<bool> near_side() const;
+  const std::vector<bool>& near_side() const { return near_side_; }
   /// Which of so many layers of the potential a tetrahedron's centroid lies in, from 0.
   std::uint32_t layer_of(std::size_t tet, std::uint32_t layers) const;
   /// How many layers the field line from an outer face meets; 0 if it does not end on the inner surface.
@@ -62,6 +64,8 @@ class WallMesh {
   std::vector<Face> faces_;
   std::vector<Edge> edges_, inner_edges_;  ///< of the wall's tetrahedra; those that are none of its surface
   std::vector<std::array<std::uint32_t, 2>> surface_of_tet_;  ///< tet and face, ascending
+  std::vector<std::uint32_t> from_inner_;
+  std::vector<bool> near_side_;
 };
 
 }  // namespace voxtet

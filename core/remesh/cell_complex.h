@@ -21,6 +21,10 @@ struct CellComplex {
       neighbours;             ///< per cell, across the facet opposite each vertex; kNone
   std::vector<Label> labels;  ///< per cell
 
+  Eigen::Vector3d centroid(std::uint32_t cell) const {
+    const auto& [a, b, c, d] = vertices[cell];
+    return 0.25 * points[a] + 0.25 * points[b] + 0.25 * points[c] + 0.25 * points[d];
+  }
   Label label_or_background(std::uint32_t cell) const { return cell == kNone ? kBackground : labels[cell]; }
 };
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "geometry/compare_topology.h"
 #include "geometry/label_topology.h"
@@ -87,26 +88,6 @@ std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells, const Pi
   return out;
 }
 
-/// Parts labels that touch themselves though none of their layers does: cells that change labels come into
-/// the layers of their places, and what that makes touch itself is mended in turn.
-void mend_parents(CellComplex& cells, const LabelField& field) {
-  constexpr int kRounds = 4;
-  const WallLayers& layers = field.layers();
-  if (layers.empty()) return;
-  CellComplex merged = cells;
-  for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t c = 0; c < cells.labels.size(); ++c) merged.labels[c] = layers.parent(cells.labels[c]);
-    if (mend_pinches(merged, field, find_pinches(merged)) == 0) return;
-    for (std::size_t c = 0; c < cells.labels.size(); ++c) {
-      if (merged.labels[c] == layers.parent(cells.labels[c])) continue;
-      Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-      for (const std::uint32_t p : cells.vertices[c]) centre += 0.25 * cells.points[p];
-      cells.labels[c] = layers.at(merged.labels[c], centre);
-    }
-    mend_pinches(cells, field, find_pinches(cells));
-  }
-}
-
 std::int64_t size_of(const std::vector<TopologyDifference>& differences) {
   std::int64_t size = 0;
   for (const TopologyDifference& difference : differences)
@@ -182,12 +163,12 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     SurfaceMesh surface = extract_interface(cells);
     if (ctx.cancelled()) return cancelled_error("remesh");
     const SurfaceMesh merged = merge_layers(surface, field.layers());
+    std::optional<std::vector<TopologyDifference>> differences;
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {
-      std::vector<TopologyDifference> differences;
-      if (repair->thorough) differences = compare_topology(wanted, label_topology(merged));
-      const std::vector<Label> broken = labels_of(differences);
-      if (repair->share < 1 && !worth_closer_looks(reference, differences, broken)) break;
+      if (repair->thorough && !differences) differences = compare_topology(wanted, label_topology(merged));
+      const std::vector<Label> broken = differences ? labels_of(*differences) : std::vector<Label>{};
+      if (repair->share < 1 && !worth_closer_looks(reference, *differences, broken)) break;
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
       const std::vector<Eigen::Vector3d> elsewhere =

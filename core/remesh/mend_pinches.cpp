@@ -47,9 +47,7 @@ class Mender {
       const Label own = cells_.labels[c];
       if (own == option.label) continue;
       if (population_[own] <= option.group.size()) return false;
-      Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-      for (const std::uint32_t p : cells_.vertices[c]) centre += 0.25 * cells_.points[p];
-      if (field_.depth(centre, own) > deepest) return false;
+      if (field_.depth(cells_.centroid(c), own) > deepest) return false;
     }
     return true;
   }
@@ -113,6 +111,21 @@ std::size_t mend_pinches(CellComplex& cells, const LabelField& field, const Pinc
   std::sort(queue.begin(), queue.end());
   queue.erase(std::unique(queue.begin(), queue.end()), queue.end());
   return queue.empty() ? 0 : Mender(cells, field).run(std::move(queue));
+}
+
+void mend_parents(CellComplex& cells, const LabelField& field) {
+  constexpr int kRounds = 4;
+  const WallLayers& layers = field.layers();
+  if (layers.empty()) return;
+  CellComplex merged = cells;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t c = 0; c < cells.labels.size(); ++c) merged.labels[c] = layers.parent(cells.labels[c]);
+    if (mend_pinches(merged, field, find_pinches(merged)) == 0) return;
+    for (std::uint32_t c = 0; c < cells.labels.size(); ++c)
+      if (merged.labels[c] != layers.parent(cells.labels[c]))
+        cells.labels[c] = layers.at(merged.labels[c], cells.centroid(c));
+    mend_pinches(cells, field, find_pinches(cells));
+  }
 }
 
 }  // namespace voxtet::remesh

@@ -16,4 +16,8 @@ namespace voxtet::remesh {
 /// label. No label loses its last cell. `pinches` are those of the cells. Returns how many cells changed.
 std::size_t mend_pinches(CellComplex& cells, const LabelField& field, const Pinches& pinches);
 
+/// Parts labels of the volume that touch themselves though none of their layers does: cells that change
+/// labels come into the layers of their places, and what that makes touch itself is mended in turn.
+void mend_parents(CellComplex& cells, const LabelField& field);
+
 }  // namespace voxtet::remesh

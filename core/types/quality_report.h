@@ -79,6 +79,14 @@ struct LayerCount {
   std::vector<LayerPlace> places;  ///< by edges; the ten largest, the largest first
 };
 
+/// Where the layers of walls are, by tetrahedron; -1 in no wall. Where walls overlap the first one counts.
+struct LayerMap {
+  std::vector<float> layer;  ///< of the wished layers of the potential, that of the centroid, from 1
+  /// The fewest edges from the inner to the outer surface by way of a corner, counted as by_edges; -1 also
+  /// where there is no such way, or a side is near every corner.
+  std::vector<float> layers_across;
+};
+
 struct ChecklistItem {
   std::string name;  ///< e.g. "no_inverted_tets"
   bool passed = false;
@@ -92,6 +100,7 @@ struct QualityReport {
   DistanceSummary mesh_to_surface, surface_to_mesh;  ///< mesh boundary against the label surface
   TopologyComparison topology;
   std::vector<LayerCount> layers;  ///< of the walls for which a number was wished
+  LayerMap layer_map;              ///< empty where there are none
   std::vector<ChecklistItem> checklist;
 
   bool passed() const {

@@ -67,7 +67,7 @@ WallField wall() {
 LayerCount count(const TetMesh& mesh, std::uint32_t wished) {
   const WallField field = wall();
   const std::vector<LayeredWall> walls{{field, wished}};
-  return count_layers(mesh, walls).at(0);
+  return count_layers(mesh, walls).counts.at(0);
 }
 
 double area(const LayerShares& shares) {
@@ -110,11 +110,11 @@ TEST(CountLayers, SaysWhereTheNumberIsAnother) {
   EXPECT_LT((few.places[0].centre_mm - Eigen::Vector3d(10, 10, kThickness)).norm(), 1);
 }
 
-TEST(MapLayers, TellsEachTetrahedronItsLayerAndHowManyThereAre) {
+TEST(CountLayers, TellsEachTetrahedronItsLayerAndHowManyThereAre) {
   for (const std::uint32_t layers : {1U, 2U, 3U, 4U}) {
     const TetMesh mesh = slab(12, static_cast<int>(layers));
     const WallField field = wall();
-    const LayerMap map = map_layers(mesh, std::vector<LayeredWall>{{field, layers}});
+    const LayerMap map = count_layers(mesh, std::vector<LayeredWall>{{field, layers}}).map;
     ASSERT_EQ(map.layer.size(), mesh.tets.size());
     ASSERT_EQ(map.layers_across.size(), mesh.tets.size());
     std::size_t counted = 0;
@@ -131,13 +131,13 @@ TEST(MapLayers, TellsEachTetrahedronItsLayerAndHowManyThereAre) {
   }
 }
 
-TEST(MapLayers, HasNothingOutsideOfWalls) {
+TEST(CountLayers, MapsNothingOutsideOfWalls) {
   TetMesh mesh = slab(4, 2);
   const WallField field = wall();
   const std::vector<float> none(mesh.tets.size(), -1);
-  EXPECT_EQ(map_layers(mesh, {}).layer, none);
+  EXPECT_TRUE(count_layers(mesh, {}).map.layer.empty());
   for (Eigen::Vector3d& p : mesh.points) p.x() += 500;
-  const LayerMap map = map_layers(mesh, std::vector<LayeredWall>{{field, 2}});
+  const LayerMap map = count_layers(mesh, std::vector<LayeredWall>{{field, 2}}).map;
   EXPECT_EQ(map.layer, none);
   EXPECT_EQ(map.layers_across, none);
 }

@@ -42,22 +42,30 @@ Outcome remesh_with(const LabelVolume& volume, const SurfaceMesh& reference, dou
   return out;
 }
 
+/// Random labels, remeshed with edges of three voxels.
+struct RandomCase {
+  explicit RandomCase(std::uint64_t seed) : volume(test::random_labels(seed).volume) {}
+  Outcome remeshed(KeepTopology keep) const {
+    RemeshParams params;
+    params.keep_topology = keep;
+    return remesh_with(volume, reference, 3 * volume.smallest_spacing_mm(), params);
+  }
+  LabelVolume volume;
+  SurfaceMesh reference = test::label_surface(volume);
+};
+
 const char* const kFellBack = "the method remesh was taken instead";
 const std::vector<std::string> kDelaunayNote{"method delaunay"}, kRemeshNote{"method remesh"};
 
 TEST(RemeshMethods, FallBackWhereDelaunayWouldLoseOrPinchALabel) {
-  // One in hundreds of these volumes; found by looking through them.
-  const LabelVolume volume = test::random_labels(106).volume;
-  const SurfaceMesh reference = test::label_surface(volume);
-  RemeshParams params;
-  params.keep_topology = KeepTopology::kLabels;
-  const Outcome out = remesh_with(volume, reference, 3 * volume.smallest_spacing_mm(), params);
+  const RandomCase rare(106);  // one in hundreds
+  const Outcome out = rare.remeshed(KeepTopology::kLabels);
   EXPECT_TRUE(test::is_valid_surface(out.surface));
   EXPECT_TRUE(find_self_intersections(out.surface, 1).empty());
   ASSERT_TRUE(out.warned_of(kFellBack));
   EXPECT_TRUE(out.warned_of("lost label ") || out.warned_of("left the boundary touching itself of label "));
   EXPECT_EQ(out.notes, kRemeshNote);
-  EXPECT_EQ(label_topology(out.surface), label_topology(reference));
+  EXPECT_EQ(label_topology(out.surface), label_topology(rare.reference));
 }
 
 TEST(RemeshMethods, StayWithDelaunayWhereNothingNeedBeKept) {
@@ -74,13 +82,9 @@ TEST(RemeshMethods, KeepEveryPieceHandleAndContactOnDemand) {
   constexpr int kFirst = 10, kVolumes = 6;
   int fallen = 0, changed = 0;
   for (int seed = kFirst; seed < kFirst + kVolumes; ++seed) {
-    const LabelVolume volume = test::random_labels(static_cast<std::uint64_t>(seed)).volume;
-    const SurfaceMesh reference = test::label_surface(volume);
-    const double edge = 3 * volume.smallest_spacing_mm();
-    RemeshParams params;
-    params.keep_topology = KeepTopology::kAll;
-    const Outcome all = remesh_with(volume, reference, edge, params);
-    EXPECT_EQ(label_topology(all.surface), label_topology(reference)) << seed;
+    const RandomCase random(static_cast<std::uint64_t>(seed));
+    const Outcome all = random.remeshed(KeepTopology::kAll);
+    EXPECT_EQ(label_topology(all.surface), label_topology(random.reference)) << seed;
     EXPECT_TRUE(find_self_intersections(all.surface, 1).empty()) << seed;
     EXPECT_TRUE(test::is_valid_surface(all.surface)) << seed;
     fallen += all.warned_of(kFellBack);
@@ -93,14 +97,10 @@ TEST(RemeshMethods, KeepEveryPieceHandleAndContactOnDemand) {
 }
 
 TEST(RemeshMethods, WinBackAFewLostHandles) {
-  // Without closer looks around its labels this volume falls back.
-  const LabelVolume volume = test::random_labels(72).volume;
-  const SurfaceMesh reference = test::label_surface(volume);
-  RemeshParams params;
-  params.keep_topology = KeepTopology::kAll;
-  const Outcome out = remesh_with(volume, reference, 3 * volume.smallest_spacing_mm(), params);
+  const RandomCase lossy(72);  // without closer looks around its labels it falls back
+  const Outcome out = lossy.remeshed(KeepTopology::kAll);
   EXPECT_EQ(out.notes, kDelaunayNote);
-  EXPECT_EQ(label_topology(out.surface), label_topology(reference));
+  EXPECT_EQ(label_topology(out.surface), label_topology(lossy.reference));
   EXPECT_TRUE(find_self_intersections(out.surface, 1).empty());
 }
 
