@@ -43,7 +43,7 @@ AdaptPasses::AdaptPasses(const ComplexMesh& mesh, const ComplexMesh& reference,
 AdaptRecord AdaptPasses::record() const {
   AdaptRecord record{operations_.accepted, {}, editor_.violations()};
   for (std::size_t i = 1; i < kReasonNames.size(); ++i)
-    record.refused.push_back({kReasonNames[i], editor_.refusals()[i]});
+    record.refused.push_back({kReasonNames[i], editor_.refusals(static_cast<Reason>(i))});
   return record;
 }
 

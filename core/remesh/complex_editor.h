@@ -106,7 +106,7 @@ class ComplexEditor {
     ++refusals_[static_cast<std::size_t>(reason)];
     return false;
   }
-  const std::array<std::uint64_t, kReasonNames.size()>& refusals() const { return refusals_; }
+  std::uint64_t refusals(Reason reason) const { return refusals_[static_cast<std::size_t>(reason)]; }
   std::uint64_t violations() const { return violations_; }
 
  private:

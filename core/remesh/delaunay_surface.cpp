@@ -51,7 +51,8 @@ constexpr std::array<Repair, 10> kRepairs{{{false, 0.5, 0.3, 0},
 /// that pays: each look makes the surface there finer. Beyond, local operations are sooner done.
 constexpr std::int64_t kFewDifferences = 4;
 constexpr double kSmallPart = 0.4;
-constexpr std::size_t kFewPlaces = 8;  ///< missed places that are left to local operations
+constexpr std::size_t kFewPlaces = 8;    ///< missed places that are left to local operations
+constexpr std::size_t kSomePlaces = 64;  ///< and to closer looks, where there are any
 
 double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
@@ -168,7 +169,8 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     for (; repair != kRepairs.end() && added == 0; ++repair) {
       if (repair->thorough && !differences) differences = compare_topology(wanted, label_topology(merged));
       const std::vector<Label> broken = differences ? labels_of(*differences) : std::vector<Label>{};
-      if (repair->share < 1 && !worth_closer_looks(reference, *differences, broken)) break;
+      const bool closer = repair->thorough && worth_closer_looks(reference, *differences, broken);
+      if (repair->share < 1 && !closer) break;
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
       const std::vector<Eigen::Vector3d> elsewhere =
@@ -176,6 +178,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
                              repair->turned_cosine, repair->share});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
       if (repair->thorough && broken.empty() && missed.size() <= kFewPlaces) break;
+      if (repair->share == 1 && closer && missed.size() <= kSomePlaces) continue;
       // These first, because new points do away with cells.
       for (const InterfaceFacet& facet : flawed)
         added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);

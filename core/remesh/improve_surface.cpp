@@ -67,7 +67,10 @@ bool Improver::coarsen_to(double shortest) {
     // What could not be done cannot be now, if nothing around has changed.
     if (!changed_.empty() && !changed_[v] && !changed_[other]) return false;
     const auto collapse = [&] { return operations_.collapse(v, other, longest); };
-    return collapse() || with_healing(collapse, [] { return true; });
+    const std::uint64_t angles = editor_.refusals(Reason::kAngle);
+    if (collapse()) return true;
+    // Healing is for angles alone.
+    return editor_.refusals(Reason::kAngle) > angles && with_healing(collapse, [] { return true; });
   });
 }
 

@@ -124,7 +124,8 @@ bool LocalOperations::merge(std::uint32_t a, std::uint32_t b, double longest, De
   // Many triangles change at once: none of them shall excuse another's angles.
   if (demand == Demand::kAllowed)
     for (const std::uint32_t t : change_.removed)
-      if (sharpest_cosine(mesh.corners(mesh.triangle(t))) > editor_.limits.angle_cosine) return false;
+      if (sharpest_cosine(mesh.corners(mesh.triangle(t))) > editor_.limits.angle_cosine)
+        return editor_.refuse(Reason::kAngle);
   change_.moved = b;
   change_.position = on;
   if (!editor_.attempt(change_, demand, hint)) return false;
