@@ -51,8 +51,9 @@ constexpr std::array<Repair, 10> kRepairs{{{false, 0.5, 0.3, 0},
 /// that pays: each look makes the surface there finer. Beyond, local operations are sooner done.
 constexpr std::int64_t kFewDifferences = 4;
 constexpr double kSmallPart = 0.4;
-constexpr std::size_t kFewPlaces = 8;    ///< missed places that are left to local operations
-constexpr std::size_t kSomePlaces = 64;  ///< and to closer looks, where there are any
+/// Missed places, by triangle of the reference, that are left to local operations, and to closer looks where
+/// there are any.
+constexpr double kFewPlaces = 3e-5, kSomePlaces = 5e-4;
 
 double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
@@ -177,8 +178,10 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
           places.of(merged, {params.missed_voxels * voxel, repair->separation * voxel, broken,
                              repair->turned_cosine, repair->share});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
-      if (repair->thorough && broken.empty() && missed.size() <= kFewPlaces) break;
-      if (repair->share == 1 && closer && missed.size() <= kSomePlaces) continue;
+      const double places_missed =
+          static_cast<double>(missed.size()) / static_cast<double>(reference.triangles.size());
+      if (repair->thorough && broken.empty() && places_missed <= kFewPlaces) break;
+      if (repair->share == 1 && closer && places_missed <= kSomePlaces) continue;
       // These first, because new points do away with cells.
       for (const InterfaceFacet& facet : flawed)
         added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);
