@@ -12,8 +12,8 @@ namespace voxtet {
 namespace {
 
 /// With more handles than that in a label, restricted Delaunay refinement was seen to lose some and to give
-/// way to local operations: with 62, 95 and 367, and not with 33 (tests/sweep/sweep_forecast).
-constexpr std::int64_t kManyHandles = 45;
+/// way to local operations: with 367, and not with 95 (tests/sweep/sweep_forecast).
+constexpr std::int64_t kManyHandles = 200;
 constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
 
 Error usage(const std::string& message) {

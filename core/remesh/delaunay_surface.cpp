@@ -34,26 +34,20 @@ struct Repair {
   double separation;          ///< between points added where the surface missed something
   double least_facet_radius;  ///< of a facet that is refined to open a pinch or a channel
   double turned_cosine;       ///< of the largest angle between reference and surface
-  double share = 1;           ///< of what counts as missed, around labels whose topology differs
+  double narrow_share = 1;    ///< of what counts as missed, in narrow places of those labels
 };
 /// One after the other, until there is nothing to repair.
-constexpr std::array<Repair, 10> kRepairs{{{false, 0.5, 0.3, 0},
-                                           {true, 0.3, 0.2, 0.3},
-                                           {true, 0.3, 0.2, 0.3},
-                                           {true, 0.15, 0.2, 0.3},
-                                           {true, 0.15, 0.1, 0.5},
-                                           {true, 0.09, 0.1, 0.5},
-                                           {true, 0.09, 0.1, 0.5},
-                                           {true, 0.15, 0.1, 0.5, 0.4},
-                                           {true, 0.09, 0.05, 0.7, 0.2},
-                                           {true, 0.09, 0.05, 0.7, 0.2}}};
-/// Handles and contacts that closer looks may win back, and the part of the reference around whose labels
-/// that pays: each look makes the surface there finer. Beyond, local operations are sooner done.
-constexpr std::int64_t kFewDifferences = 4;
-constexpr double kSmallPart = 0.4;
-/// Missed places, by triangle of the reference, that are left to local operations, and to closer looks where
-/// there are any.
-constexpr double kFewPlaces = 3e-5, kSomePlaces = 5e-4;
+constexpr std::array<Repair, 7> kRepairs{{{false, 0.5, 0.3, 0},
+                                          {true, 0.3, 0.2, 0.3},
+                                          {true, 0.15, 0.2, 0.3, 0.7},
+                                          {true, 0.15, 0.1, 0.5, 0.4},
+                                          {true, 0.09, 0.1, 0.5, 0.4},
+                                          {true, 0.09, 0.05, 0.7, 0.2},
+                                          {true, 0.09, 0.05, 0.7, 0.2}}};
+/// Pieces, handles and contacts that closer looks may win back: beyond, local operations are sooner done.
+constexpr std::int64_t kFewDifferences = 8;
+/// Missed places, by triangle of the reference, that are left to local operations.
+constexpr double kFewPlaces = 3e-5;
 
 double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
@@ -108,17 +102,6 @@ std::vector<Label> labels_of(const std::vector<TopologyDifference>& differences)
   return labels;
 }
 
-/// Whether few differences, all around labels of a small part of the reference, may be won back.
-bool worth_closer_looks(const SurfaceMesh& reference, const std::vector<TopologyDifference>& differences,
-                        const std::vector<Label>& broken) {
-  if (broken.empty() || size_of(differences) > kFewDifferences) return false;
-  const auto is_broken = [&](Label label) { return std::binary_search(broken.begin(), broken.end(), label); };
-  const auto beside = std::count_if(reference.sides.begin(), reference.sides.end(), [&](const Sides& sides) {
-    return is_broken(sides[0]) || is_broken(sides[1]);
-  });
-  return static_cast<double>(beside) <= kSmallPart * static_cast<double>(reference.sides.size());
-}
-
 /// The volumes that labels and their layers are to have: a layer keeps its part of its parent's.
 std::vector<double> with_layers_mm3(std::vector<double> volumes, const SurfaceMesh& surface,
                                     const WallLayers& layers) {
@@ -170,18 +153,16 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     for (; repair != kRepairs.end() && added == 0; ++repair) {
       if (repair->thorough && !differences) differences = compare_topology(wanted, label_topology(merged));
       const std::vector<Label> broken = differences ? labels_of(*differences) : std::vector<Label>{};
-      const bool closer = repair->thorough && worth_closer_looks(reference, *differences, broken);
-      if (repair->share < 1 && !closer) break;
+      const bool few = differences && size_of(*differences) <= kFewDifferences;
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
       const std::vector<Eigen::Vector3d> elsewhere =
           places.of(merged, {params.missed_voxels * voxel, repair->separation * voxel, broken,
-                             repair->turned_cosine, repair->share});
+                             repair->turned_cosine, few ? repair->narrow_share : 1});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
       const double places_missed =
           static_cast<double>(missed.size()) / static_cast<double>(reference.triangles.size());
       if (repair->thorough && broken.empty() && places_missed <= kFewPlaces) break;
-      if (repair->share == 1 && closer && places_missed <= kSomePlaces) continue;
       // These first, because new points do away with cells.
       for (const InterfaceFacet& facet : flawed)
         added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);

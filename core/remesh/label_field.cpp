@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "remesh/widen_contacts.h"
+
 namespace voxtet::remesh {
 namespace {
 
@@ -120,7 +122,8 @@ LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface, co
   index_origin_ = -(mm_to_index_ * mm_origin_);
 
   LabelGrid grid = padded(volume);
-  const LabelDistances distances = label_distances(grid, surface, index_to_mm_, mm_origin_);
+  LabelDistances distances = label_distances(grid, surface, index_to_mm_, mm_origin_);
+  widen_contacts(grid, distances);
   size_ = grid.size;
   centre_labels_ = std::move(grid.labels);
   build_cells(distances);

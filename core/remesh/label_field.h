@@ -5,7 +5,8 @@
 // centres and interpolated between them; the label of a point is the one whose distance is largest. Because
 // background competes like any other label, no cusps of background open along label interfaces. The
 // interpolation follows the extraction, so that diagonal neighbours join where they do on the surface:
-// trilinear for one label, linear on the Kuhn tetrahedra for several.
+// trilinear for one label, linear on the Kuhn tetrahedra for several; and no label closes a way between two
+// others that the extraction leaves open (widen_contacts.h).
 #pragma once
 
 #include <Eigen/Core>

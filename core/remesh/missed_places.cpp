@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kMostSamples = 100'000;
 constexpr std::size_t kThoroughStride = 2;
+constexpr double kNarrowVoxels = 2;   ///< labels that end within so many of a triangle are narrow
 constexpr double kTurnedShare = 0.1;  ///< of the limit: nearer than this, a turned triangle does no harm
 
 std::uint32_t pair_of(const Sides& sides) {
@@ -116,6 +117,15 @@ std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint3
   return std::nullopt;
 }
 
+/// Whether, straight behind or before a triangle, its label ends within so many mm.
+bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& field, double width_mm) {
+  const Eigen::Vector3d middle = centroid(surface, t);
+  const Eigen::Vector3d way = width_mm * cross_of(surface, surface.triangles[t]).normalized();
+  const auto [behind, front] = surface.sides[t];
+  const auto at = [&](const Eigen::Vector3d& p) { return field.layers().parent(field.at(p)); };
+  return at(middle - way) != behind || at(middle + way) != front;
+}
+
 }  // namespace
 
 MissedPlaces::MissedPlaces(const SurfaceMesh& reference, const LabelField& field)
@@ -136,18 +146,17 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
   for (std::size_t s = 0; s < samples_.size();) {
     const Sides& sides = reference_.sides[samples_[s]];
     const bool thorough = beside_any(sides, criteria.thorough);
-    const double limit = (thorough ? criteria.thorough_share : 1) * criteria.limit_mm;
     while (from < ids.size() && pair_of(surface.sides[ids[from]]) < pair_of(sides)) ++from;
     std::size_t to = from;
     while (to < ids.size() && surface.sides[ids[to]] == sides) ++to;
-    const auto follows = [&](std::uint32_t sample, std::uint32_t t, double distance_mm) {
+    const auto follows = [&](std::uint32_t sample, double limit, std::uint32_t t, double distance_mm) {
       return distance_mm <= limit &&
              (!thorough || distance_mm <= kTurnedShare * limit ||
               !is_turned(cross_of(reference_, reference_.triangles[sample]),
                          cross_of(surface, surface.triangles[t]), criteria.turned_cosine));
     };
     const std::size_t known = missed.size();
-    const auto add = [&](std::uint32_t sample) {
+    const auto add = [&](std::uint32_t sample, double limit) {
       const std::optional<Eigen::Vector3d> p = onto_field(reference_, sample, field_, limit);
       const auto close = [&](const Eigen::Vector3d& q) { return (q - *p).squaredNorm() < separation2; };
       if (p && std::none_of(missed.begin() + static_cast<std::ptrdiff_t>(known), missed.end(), close))
@@ -158,14 +167,17 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
     for (; s < samples_.size() && reference_.sides[samples_[s]] == sides; ++s) {
       const std::uint32_t sample = samples_[s];
       if (!thorough && sample % stride != 0) continue;
+      const bool narrow = thorough && criteria.narrow_share < 1 &&
+                          is_narrow(reference_, sample, field_, kNarrowVoxels * field_.smallest_spacing_mm());
+      const double limit = (narrow ? criteria.narrow_share : 1) * criteria.limit_mm;
       if (from == to) {
-        add(sample);
+        add(sample, limit);
         continue;
       }
       const Eigen::Vector3d middle = centroid(reference_, sample);
       const std::optional<std::uint32_t> last = named.find(followed_by_[s]);
       if (last && surface.sides[*last] == sides &&
-          follows(sample, *last, distance_to(surface, *last, middle)))
+          follows(sample, limit, *last, distance_to(surface, *last, middle)))
         continue;
       if (!tree) {
         std::vector<Triangle> triangles;
@@ -176,7 +188,7 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
       hint = hit.triangle;
       const std::uint32_t closest = ids[from + hit.triangle];
       followed_by_[s] = names[closest];
-      if (!follows(sample, closest, hit.distance_mm)) add(sample);
+      if (!follows(sample, limit, closest, hit.distance_mm)) add(sample, limit);
     }
     from = to;
   }

@@ -19,7 +19,7 @@ struct MissedCriteria {
   /// has its lid near, but nothing parallel.
   std::vector<Label> thorough = {};
   double turned_cosine = 0.3;  ///< of that angle
-  double thorough_share = 1;   ///< of the limit, that there is around these labels
+  double narrow_share = 1;     ///< of the limit: what it is there where labels are narrow
 };
 
 /// Where surfaces, one better than the other, miss a reference. Holds the reference and its field.

@@ -78,6 +78,27 @@ TEST(LabelField, JoinsVoxelsOfSeveralLabelsAlongTheDiagonalsOfTheExtraction) {
   }
 }
 
+TEST(LabelField, LeavesWaysBetweenTwoLabelsOpenThroughAThirdOne) {
+  // A wall of label 1 between background and label 2, pierced where two voxels touch along the diagonal of the
+  // extraction, both nearly lost to the wall.
+  const auto label = [](int i, int j, int k) -> Label {
+    if (std::min({i, j, k}) < 1 || std::max({i, j, k}) > 10) return 0;
+    if (i == 5 && j == 5 && k == 5) return 0;
+    if (i == 6 && j == 6 && k == 6) return 2;
+    return k < 5 ? 0 : k > 6 ? 2 : 1;
+  };
+  const LabelVolume volume = test::make_volume(12, 12, 12, label);
+  SurfaceMesh surface = test::label_surface(volume);
+  for (Vector3d& p : surface.points)
+    for (const Vector3d& centre : {Vector3d(5, 5, 5), Vector3d(6, 6, 6)})
+      if ((p - centre).norm() < 0.8) p = centre + 0.3 * (p - centre);
+  const LabelField field(volume, surface);
+  for (int step = 0; step <= 100; ++step) {
+    const Label found = field.at(Vector3d::Constant(5 + 0.01 * step));
+    EXPECT_NE(found, 1) << step;
+  }
+}
+
 TEST(LabelField, KnowsDistanceAndDepthBesideAnInterface) {
   const LabelField field = ball_field();
   test::TestRandom random(8);

@@ -57,17 +57,6 @@ struct RandomCase {
 const char* const kFellBack = "the method remesh was taken instead";
 const std::vector<std::string> kDelaunayNote{"method delaunay"}, kRemeshNote{"method remesh"};
 
-TEST(RemeshMethods, FallBackWhereDelaunayWouldLoseOrPinchALabel) {
-  const RandomCase rare(106);  // one in hundreds
-  const Outcome out = rare.remeshed(KeepTopology::kLabels);
-  EXPECT_TRUE(test::is_valid_surface(out.surface));
-  EXPECT_TRUE(find_self_intersections(out.surface, 1).empty());
-  ASSERT_TRUE(out.warned_of(kFellBack));
-  EXPECT_TRUE(out.warned_of("lost label ") || out.warned_of("left the boundary touching itself of label "));
-  EXPECT_EQ(out.notes, kRemeshNote);
-  EXPECT_EQ(label_topology(out.surface), label_topology(rare.reference));
-}
-
 TEST(RemeshMethods, StayWithDelaunayWhereNothingNeedBeKept) {
   const LabelVolume volume = test::random_volume(9, 3, 0);
   RemeshParams params;
@@ -97,7 +86,7 @@ TEST(RemeshMethods, KeepEveryPieceHandleAndContactOnDemand) {
 }
 
 TEST(RemeshMethods, WinBackAFewLostHandles) {
-  const RandomCase lossy(72);  // without closer looks around its labels it falls back
+  const RandomCase lossy(121);  // without closer looks at narrow places it falls back
   const Outcome out = lossy.remeshed(KeepTopology::kAll);
   EXPECT_EQ(out.notes, kDelaunayNote);
   EXPECT_EQ(label_topology(out.surface), label_topology(lossy.reference));
