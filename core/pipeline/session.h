@@ -75,6 +75,7 @@ class Session {
   Status run(Stage last, RunContext& ctx);
 
   const LabelVolume* source_volume() const { return source_.get(); }  ///< all labels, as read
+  const std::string& source_digest() const { return source_digest_; }  ///< digest_of(*source_volume())
   /// The labels to be meshed on the source's grid: what fidelity is measured against.
   const LabelVolume* selected_volume() const { return volume_.selected.get(); }
   /// The labels to be meshed, thick slices interpolated and specks removed: what the later stages see.
@@ -124,6 +125,7 @@ class Session {
   std::shared_ptr<const LabelVolume> file_volume_;
   std::string file_digest_;
   std::shared_ptr<const LabelVolume> source_;
+  std::string source_digest_;
   PreparedVolume volume_;
   std::optional<SurfaceMesh> surface_, smooth_, remeshed_;
   std::vector<WallField> walls_;

@@ -79,7 +79,7 @@ export class EngineClient {
   private readonly setup: EngineSetup;
   private module: Promise<WebAssembly.Module> | undefined;
   private generation: Generation;
-  /** Started when a run starts, so that a cancelled run finds the next engine ready. */
+  /** Started with the first job, so that whoever cancels one finds the next engine ready. */
   private spare: Generation | null = null;
   private readonly volumes = new Map<string, VolumeFile>();
   private readonly sides = new Map<string, VolumeFile>();
@@ -180,7 +180,6 @@ export class EngineClient {
   /** Runs stage by stage up to `last`, so that each result is there as soon as it exists. */
   run(recipeJson: string, source: Recipe['source'], last: StageName, handlers: RunHandlers = {}) {
     return this.job(async (generation) => {
-      this.spare ??= this.spawn();
       const accepted = await this.prepare(generation, recipeJson, source);
       const progress = Comlink.proxy((stage: StageName, fraction: number) => {
         if (generation.alive) handlers.onProgress?.(stage, fraction);
@@ -275,6 +274,7 @@ export class EngineClient {
       this.runningJobs++;
       try {
         await Promise.race([generation.started, generation.ended]);
+        this.spare ??= this.spawn();
         return await body(generation);
       } finally {
         this.runningJobs--;
