@@ -273,7 +273,7 @@ export class EngineClient {
       const generation = this.generation;
       this.runningJobs++;
       try {
-        await Promise.race([generation.started, generation.ended]);
+        await this.unlessEnded(generation, generation.started);
         this.spare ??= this.spawn();
         return await body(generation);
       } finally {
