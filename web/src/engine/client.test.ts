@@ -21,7 +21,7 @@ class Workers {
   spawned = 0;
   loads = 0;
   sideLoads = 0;
-  hang: StageName | null = null;
+  hang: StageName | 'forecast' | null = null;
   released: (() => void)[] = [];
   private ports: { close(): void }[] = [];
 
@@ -57,7 +57,8 @@ class Workers {
       setRecipe: (json) => session.setRecipe(json),
       run: (stage, onProgress) =>
         stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress),
-      forecast: (elements) => session.forecast(elements),
+      forecast: (elements) =>
+        this.hang === 'forecast' ? (new Promise(() => undefined) as never) : session.forecast(elements),
       arrays: (stage) => {
         const reply = session.arrays(stage);
         return Comlink.transfer(reply, transferables(reply));
@@ -143,6 +144,23 @@ describe('EngineClient', () => {
     expect(found.fitting).toBeUndefined();
     const { fitting } = await client.forecast(JSON.stringify(phantom), phantom.source, 1_000_000);
     expect(fitting?.sizing.edge_mm).toBeCloseTo(1, 6);
+  });
+
+  it('ends a search for sizes that is called off, and begins none that was before its turn', async () => {
+    const client = start();
+    await client.forecast(JSON.stringify(phantom), phantom.source);
+    workers.hang = 'forecast';
+    const search = new AbortController();
+    const ask = () => client.forecast(JSON.stringify(phantom), phantom.source, 1_000_000, search.signal);
+    const failures = Promise.all([failureOf(ask()), failureOf(ask())]);
+    await new Promise((later) => setTimeout(later, 40));
+    expect(client.busy).toBe(true);
+    search.abort();
+    expect((await failures).map(({ code }) => code)).toEqual(['cancelled', 'cancelled']);
+    expect(client.busy).toBe(false);
+    expect(workers.spawned).toBe(3);
+    workers.hang = null;
+    expect(await client.forecast(JSON.stringify(phantom), phantom.source)).toMatchObject({ tets: 125_000 });
   });
 
   it('gives a mask to every new worker that needs it, and only once to each', async () => {

@@ -202,11 +202,18 @@ export class EngineClient {
     });
   }
 
-  /** What meshing will take; with `elements` above 0 also the sizes that give so many tetrahedra. */
-  forecast(recipeJson: string, source: Recipe['source'], elements = 0) {
+  /** What meshing will take; with `elements` above 0 also the sizes that give so many tetrahedra. `signal` calls it off. */
+  forecast(recipeJson: string, source: Recipe['source'], elements = 0, signal?: AbortSignal) {
     return this.job(async (generation) => {
-      await this.prepare(generation, recipeJson, source);
-      return this.answer(generation, 'forecast', generation.api.forecast(elements));
+      if (signal?.aborted) throw cancelled();
+      const end = () => generation.alive && this.replace(cancelled());
+      signal?.addEventListener('abort', end);
+      try {
+        await this.prepare(generation, recipeJson, source);
+        return await this.answer(generation, 'forecast', generation.api.forecast(elements));
+      } finally {
+        signal?.removeEventListener('abort', end);
+      }
     });
   }
 
