@@ -96,7 +96,9 @@ class Session {
   const LabelLookUp* lookup() const { return lookup_ ? &*lookup_ : nullptr; }
   const QualityReport* quality() const { return quality_ ? &*quality_ : nullptr; }
   /// Whether the result of a stage is at hand, and that of the recipe as it stands.
-  bool is_current(Stage stage) const { return record(stage).key == key_of(stage); }
+  bool is_current(Stage stage) const {
+    return !record(stage).key.empty() && record(stage).key == key_of(stage);
+  }
   /// Whether what stages before kSizing gave, and walls measured, are those of the recipe as it stands.
   bool may_size() const;
   /// The field of sizes with the recipe's masks, images and walls, beside what stages have given. Needs
