@@ -74,7 +74,7 @@ class Session {
   /// Runs `last` and whatever it needs that is not there yet. On failure earlier results stay.
   Status run(Stage last, RunContext& ctx);
 
-  const LabelVolume* source_volume() const { return source_.get(); }  ///< all labels, as read
+  const LabelVolume* source_volume() const { return source_.get(); }   ///< all labels, as read
   const std::string& source_digest() const { return source_digest_; }  ///< digest_of(*source_volume())
   /// The labels to be meshed on the source's grid: what fidelity is measured against.
   const LabelVolume* selected_volume() const { return volume_.selected.get(); }

@@ -6,9 +6,8 @@
 namespace voxtet {
 
 Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& source,
-                                      const std::vector<Label>& labels,
-                                      const std::vector<LabelGroup>& merge, const VolumeParams& params,
-                                      RunContext& ctx) {
+                                      const std::vector<Label>& labels, const std::vector<LabelGroup>& merge,
+                                      const VolumeParams& params, RunContext& ctx) {
   if (!(params.slice_ratio >= 0))
     return Error{ErrorCode::kUsage,
                  "volume",

@@ -149,7 +149,7 @@ test('tasks of the main thread while a fine mesh is being made', async ({ page }
 
 test('memory of the page over many jobs', async ({ baseURL }) => {
   const { launchOptions, viewport } = browserUse;
-  // What the browser compiles of functions that are called often is not the page's, and grows for hundreds of jobs.
+  // What the browser compiles of what is called often grows for hundreds of jobs, and is not the page's.
   const interpreted = '--js-flags=--no-opt --no-maglev --no-sparkplug';
   const browser = await chromium.launch({ ...launchOptions, args: [...launchOptions.args, interpreted] });
   const page = await browser.newPage({ baseURL, viewport });

@@ -84,7 +84,8 @@ TEST(RemoveSpecks, WeighsFacesByTheirArea) {
 
 TEST(PrepareVolume, SharesOneVolumeWhereNothingIsChanged) {
   RunContext ctx;
-  const Result<PreparedVolume> out = prepare_volume(std::make_shared<LabelVolume>(halves()), {1, 2}, {}, {}, ctx);
+  const Result<PreparedVolume> out =
+      prepare_volume(std::make_shared<LabelVolume>(halves()), {1, 2}, {}, {}, ctx);
   ASSERT_TRUE(out.ok());
   EXPECT_EQ(out->selected, out->prepared);
 }
@@ -104,7 +105,8 @@ TEST(PrepareVolume, InterpolatesAllLabelsBeforeItSelects) {
 
 TEST(PrepareVolume, RefusesANegativeRatio) {
   RunContext ctx;
-  const Result<PreparedVolume> out = prepare_volume(std::make_shared<LabelVolume>(halves()), {}, {}, {-1, 0, 0}, ctx);
+  const Result<PreparedVolume> out =
+      prepare_volume(std::make_shared<LabelVolume>(halves()), {}, {}, {-1, 0, 0}, ctx);
   ASSERT_FALSE(out.ok());
   EXPECT_EQ(out.error().code, ErrorCode::kUsage);
   EXPECT_NE(out.error().message.find("volume.slice_ratio"), std::string::npos);

@@ -202,7 +202,7 @@ export class EngineClient {
     });
   }
 
-  /** What meshing will take; with `elements` above 0 also the sizes that give so many tetrahedra. `signal` calls it off. */
+  /** What meshing will take; with `elements` above 0 also the sizes that give so many. `signal` calls it off. */
   forecast(recipeJson: string, source: Recipe['source'], elements = 0, signal?: AbortSignal) {
     return this.job(async (generation) => {
       if (signal?.aborted) throw cancelled();

@@ -9,10 +9,11 @@ export function short(value: number): string {
   return value < 0 ? `−${digits}` : digits;
 }
 
-/** On one line where it is short. */
+/** Never broken between number and unit where it is short. */
 export function seconds(value: number): string {
   if (value < 0.0995) return `${Math.max(1, Math.round(value * 1000))}\u00a0ms`;
-  return value < 60 ? `${value.toFixed(1)}\u00a0s` : `${Math.floor(value / 60)} min ${Math.round(value % 60)} s`;
+  if (value < 60) return `${value.toFixed(1)}\u00a0s`;
+  return `${Math.floor(value / 60)} min ${Math.round(value % 60)} s`;
 }
 
 /** About a count: two digits, thousands and millions named. */

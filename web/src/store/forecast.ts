@@ -108,7 +108,7 @@ export function forecastUnderWay(): Readonly<typeof asked> {
   return asked;
 }
 
-/** The sizes that give so many tetrahedra: those of the recipe, all times one factor. `signal` ends the search. */
+/** The sizes that give so many tetrahedra: the recipe's, all times one factor. `signal` ends the search. */
 export async function fitSizes(elements: number, signal: AbortSignal): Promise<FittingSizes> {
   const current = recipe.peek();
   if (!current) throw new Error('There is no case yet.');
