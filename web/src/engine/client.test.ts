@@ -22,6 +22,8 @@ class Workers {
   loads = 0;
   sideLoads = 0;
   hang: StageName | 'forecast' | null = null;
+  /** Progress arrives once more after its stage has been answered. */
+  late = false;
   released: (() => void)[] = [];
   private ports: { close(): void }[] = [];
 
@@ -55,8 +57,10 @@ class Workers {
         return session.loadSideVolume(kind, file);
       },
       setRecipe: (json) => session.setRecipe(json),
-      run: (stage, onProgress) =>
-        stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress),
+      run: (stage, onProgress) => {
+        if (this.late) setTimeout(() => onProgress(stage, 1), 10);
+        return stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress);
+      },
       forecast: (elements) =>
         this.hang === 'forecast' ? (new Promise(() => undefined) as never) : session.forecast(elements),
       arrays: (stage) => {
@@ -179,6 +183,18 @@ describe('EngineClient', () => {
     client.keepSideVolume('mask', file('paint.nrrd', 64));
     await client.run(recipe, phantom.source, 'sizing');
     expect(workers.sideLoads).toBe(3);
+  });
+
+  it('tells no progress of a stage that is done', async () => {
+    const client = start();
+    workers.late = true;
+    const told: string[] = [];
+    await client.run(JSON.stringify(phantom), phantom.source, 'smooth', {
+      onProgress: (stage) => told.at(-1) !== stage && told.push(stage),
+      onStage: ({ name }) => told.push(`${name} done`),
+    });
+    await new Promise((later) => setTimeout(later, 40));
+    expect(told).toEqual(['volume', 'surface', 'smooth'].flatMap((name) => [name, `${name} done`]));
   });
 
   it('copies no arrays that are not wanted', async () => {

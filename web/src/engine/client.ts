@@ -181,13 +181,17 @@ export class EngineClient {
   run(recipeJson: string, source: Recipe['source'], last: StageName, handlers: RunHandlers = {}) {
     return this.job(async (generation) => {
       const accepted = await this.prepare(generation, recipeJson, source);
+      let running: StageName | null = null;
+      // It comes by a port of its own: at times after the answer of its stage.
       const progress = Comlink.proxy((stage: StageName, fraction: number) => {
-        if (generation.alive) handlers.onProgress?.(stage, fraction);
+        if (generation.alive && stage === running) handlers.onProgress?.(stage, fraction);
       });
       const summaries: StageSummary[] = [];
       for (const stage of stageNames.slice(0, stageNames.indexOf(last) + 1)) {
         handlers.onProgress?.(stage, 0);
+        running = stage;
         const summary = await this.answer(generation, stage, generation.api.run(stage, progress));
+        running = null;
         summaries.push(summary);
         const wanted = handlers.wants?.(summary) ?? true;
         const arrays = wanted ? await this.answer(generation, stage, generation.api.arrays(stage)) : null;
