@@ -117,7 +117,9 @@ class SessionBinding {
     if (!on_progress.isUndefined() && !on_progress.isNull())
       ctx.on_progress = [&](const std::string& stage, double fraction) { on_progress(stage, fraction); };
     if (Status done = session_.run(*last, ctx); !done) return reply(done.error());
-    return reply(stage_json(session_, *last));
+    json stage = stage_json(session_, *last);
+    stage["key"] = session_.record(*last).key;
+    return reply(stage);
   }
 
   /// What meshing will take; with `elements` > 0 also the edge lengths that give so many tetrahedra, as

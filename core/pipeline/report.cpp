@@ -171,7 +171,9 @@ json counts_json(const Session& session, Stage stage) {
 
 std::string result_digest(const Session& session, Stage stage) {
   switch (stage) {
-    case Stage::kVolume: return digest_of(*session.volume());
+    case Stage::kVolume:
+      return session.volume() == session.source_volume() ? session.source_digest()
+                                                         : digest_of(*session.volume());
     case Stage::kSurface: return digest_of(*session.surface());
     case Stage::kSmooth: return digest_of(*session.smooth());
     case Stage::kRemesh: return digest_of(*session.remeshed());
@@ -202,7 +204,7 @@ json volume_json(const Session& session) {
           {"size", volume.size},
           {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
           {"index_to_mm", matrix_json(volume.index_to_mm)},
-          {"digest", digest_of(volume)},
+          {"digest", session.source_digest()},
           {"labels", labels}};
 }
 
@@ -212,7 +214,6 @@ json stage_json(const Session& session, Stage stage) {
           {"seconds", record.seconds},
           {"cached", record.cached},
           {"peak_mb", record.peak_mb},
-          {"digest", result_digest(session, stage)},
           {"notes", record.notes},
           {"counts", counts_json(session, stage)}};
 }
@@ -235,9 +236,12 @@ json report_json(const Session& session) {
            {"stages", json::array()},
            {"warnings", session.warnings()}};
   if (session.volume()) out["source"] = volume_json(session);
-  for (int i = 0; i < kStageCount; ++i)
-    if (!session.record(static_cast<Stage>(i)).key.empty())
-      out["stages"].push_back(stage_json(session, static_cast<Stage>(i)));
+  for (int i = 0; i < kStageCount; ++i) {
+    const auto stage = static_cast<Stage>(i);
+    if (session.record(stage).key.empty()) continue;
+    out["stages"].push_back(stage_json(session, stage));
+    out["stages"].back()["digest"] = result_digest(session, stage);
+  }
   if (session.mesh()) {
     out["digest"] = digest_of(*session.mesh());
     out["tets"] = session.mesh()->tets.size();

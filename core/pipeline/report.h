@@ -14,7 +14,8 @@ nlohmann::json report_json(const Session& session);
 /// Name, size, spacing, affine, digest and labels of the volume as it was read.
 nlohmann::json volume_json(const Session& session);
 
-/// One entry of "stages": name, seconds, cached, peak_mb, digest, notes, counts.
+/// One entry of "stages" but for its digest, which takes time: name, seconds, cached, peak_mb, notes,
+/// counts.
 nlohmann::json stage_json(const Session& session, Stage stage);
 
 /// metrics, checklist and verdict of a report on its own (for `voxtet check`).

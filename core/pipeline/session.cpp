@@ -176,8 +176,10 @@ Status Session::run_volume(RunContext& ctx) {
     Result<LabelVolume> made = make_phantom(*recipe_.source.phantom);
     if (!made) return made.error();
     source_ = std::make_shared<const LabelVolume>(std::move(made).value());
+    source_digest_ = digest_of(*source_);
   } else if (file_volume_) {
     source_ = file_volume_;
+    source_digest_ = file_digest_;
   } else if (recipe_.source.file) {
     return Error{ErrorCode::kBadInput,
                  "volume",
@@ -187,7 +189,7 @@ Status Session::run_volume(RunContext& ctx) {
     return Error{ErrorCode::kUsage, "volume", "source: no volume; give a phantom or load a file", {}};
   }
   Result<PreparedVolume> prepared =
-      prepare_volume(*source_, recipe_.labels, recipe_.merge, recipe_.volume, ctx);
+      prepare_volume(source_, recipe_.labels, recipe_.merge, recipe_.volume, ctx);
   if (!prepared) return prepared.error();
   volume_ = std::move(prepared).value();
   return std::monostate{};

@@ -74,7 +74,8 @@ class Session {
   /// Runs `last` and whatever it needs that is not there yet. On failure earlier results stay.
   Status run(Stage last, RunContext& ctx);
 
-  const LabelVolume* source_volume() const { return source_.get(); }  ///< all labels, as read
+  const LabelVolume* source_volume() const { return source_.get(); }   ///< all labels, as read
+  const std::string& source_digest() const { return source_digest_; }  ///< digest_of(*source_volume())
   /// The labels to be meshed on the source's grid: what fidelity is measured against.
   const LabelVolume* selected_volume() const { return volume_.selected.get(); }
   /// The labels to be meshed, thick slices interpolated and specks removed: what the later stages see.
@@ -95,7 +96,9 @@ class Session {
   const LabelLookUp* lookup() const { return lookup_ ? &*lookup_ : nullptr; }
   const QualityReport* quality() const { return quality_ ? &*quality_ : nullptr; }
   /// Whether the result of a stage is at hand, and that of the recipe as it stands.
-  bool is_current(Stage stage) const { return record(stage).key == key_of(stage); }
+  bool is_current(Stage stage) const {
+    return !record(stage).key.empty() && record(stage).key == key_of(stage);
+  }
   /// Whether what stages before kSizing gave, and walls measured, are those of the recipe as it stands.
   bool may_size() const;
   /// The field of sizes with the recipe's masks, images and walls, beside what stages have given. Needs
@@ -124,6 +127,7 @@ class Session {
   std::shared_ptr<const LabelVolume> file_volume_;
   std::string file_digest_;
   std::shared_ptr<const LabelVolume> source_;
+  std::string source_digest_;
   PreparedVolume volume_;
   std::optional<SurfaceMesh> surface_, smooth_, remeshed_;
   std::vector<WallField> walls_;

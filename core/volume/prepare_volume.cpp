@@ -5,26 +5,26 @@
 
 namespace voxtet {
 
-Result<PreparedVolume> prepare_volume(const LabelVolume& source, const std::vector<Label>& labels,
-                                      const std::vector<LabelGroup>& merge, const VolumeParams& params,
-                                      RunContext& ctx) {
+Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& source,
+                                      const std::vector<Label>& labels, const std::vector<LabelGroup>& merge,
+                                      const VolumeParams& params, RunContext& ctx) {
   if (!(params.slice_ratio >= 0))
     return Error{ErrorCode::kUsage,
                  "volume",
                  "volume.slice_ratio: found " + std::to_string(params.slice_ratio) + ", expected 0 or more",
                  {}};
-  Result<LabelVolume> chosen = select_labels(source, labels, merge);
+  Result<std::shared_ptr<const LabelVolume>> chosen = select_labels(source, labels, merge);
   if (!chosen) return chosen.error();
   PreparedVolume out;
-  out.selected = std::make_shared<const LabelVolume>(std::move(chosen).value());
+  out.selected = *chosen;
   out.prepared = out.selected;
-  if (has_thick_slices(source, params.slice_ratio)) {
-    Result<LabelVolume> fine = interpolate_slices(source, params.slice_ratio, ctx);
+  if (has_thick_slices(*source, params.slice_ratio)) {
+    Result<LabelVolume> fine = interpolate_slices(*source, params.slice_ratio, ctx);
     if (!fine) return fine.error();
-    Result<LabelVolume> fine_chosen = select_labels(*fine, labels, merge);
-    if (!fine_chosen) return fine_chosen.error();
-    out.prepared = std::make_shared<const LabelVolume>(std::move(fine_chosen).value());
     out.interpolated = std::make_shared<const LabelVolume>(std::move(fine).value());
+    chosen = select_labels(out.interpolated, labels, merge);
+    if (!chosen) return chosen.error();
+    out.prepared = *chosen;
   }
   if (params.speck_voxels > 0 || params.hole_voxels > 0)
     out.prepared = std::make_shared<const LabelVolume>(

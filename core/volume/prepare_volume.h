@@ -20,16 +20,16 @@ struct VolumeParams {
 };
 
 /// `selected` and `prepared` hold the labels to be meshed, on the source's grid and on the one to be meshed;
-/// the same object where nothing was interpolated or removed. `interpolated` holds all labels on the grid of
-/// `prepared`; null where that is the source's.
+/// the same object where nothing was interpolated or removed, and the source itself where it is meshed as it
+/// is. `interpolated` holds all labels on the grid of `prepared`; null where that is the source's.
 struct PreparedVolume {
   std::shared_ptr<const LabelVolume> selected, prepared, interpolated;
 };
 
 /// interpolate_slices over all labels of the source, then select_labels, then remove_specks; what they did is
 /// noted in `ctx`. Errors: those of select_labels; kUsage for parameters out of range; kCancelled.
-Result<PreparedVolume> prepare_volume(const LabelVolume& source, const std::vector<Label>& labels,
-                                      const std::vector<LabelGroup>& merge, const VolumeParams& params,
-                                      RunContext& ctx);
+Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& source,
+                                      const std::vector<Label>& labels, const std::vector<LabelGroup>& merge,
+                                      const VolumeParams& params, RunContext& ctx);
 
 }  // namespace voxtet

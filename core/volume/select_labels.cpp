@@ -1,6 +1,7 @@
 #include "volume/select_labels.h"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 namespace voxtet {
@@ -48,17 +49,23 @@ Status map_groups(const std::vector<LabelGroup>& groups, const std::vector<Label
 
 std::vector<std::pair<Label, std::size_t>> count_labels(const LabelVolume& volume) {
   std::vector<std::size_t> counts(65536, 0);
-  for (const Label label : volume.labels) ++counts[label];
+  // By runs: one counter after the other would wait for itself.
+  for (auto at = volume.labels.begin(); at != volume.labels.end();) {
+    const auto end = std::find_if(at, volume.labels.end(), [&](Label label) { return label != *at; });
+    counts[*at] += static_cast<std::size_t>(end - at);
+    at = end;
+  }
   std::vector<std::pair<Label, std::size_t>> present;
   for (std::size_t label = 1; label < counts.size(); ++label)
     if (counts[label] > 0) present.emplace_back(static_cast<Label>(label), counts[label]);
   return present;
 }
 
-Result<LabelVolume> select_labels(const LabelVolume& volume, const std::vector<Label>& wanted,
-                                  const std::vector<LabelGroup>& merge) {
+Result<std::shared_ptr<const LabelVolume>> select_labels(const std::shared_ptr<const LabelVolume>& volume,
+                                                         const std::vector<Label>& wanted,
+                                                         const std::vector<LabelGroup>& merge) {
   std::vector<Label> present;
-  for (const auto& [label, count] : count_labels(volume)) present.push_back(label);
+  for (const auto& [label, count] : count_labels(*volume)) present.push_back(label);
   if (present.empty())
     return Error{ErrorCode::kBadInput, "volume", "the volume holds no label, only background", {}};
   std::vector<Label> kept = wanted.empty() ? present : wanted;
@@ -71,10 +78,15 @@ Result<LabelVolume> select_labels(const LabelVolume& volume, const std::vector<L
     map[label] = label;
   }
   if (Status mapped = map_groups(merge, present, kept, map); !mapped) return mapped.error();
-  LabelVolume out = volume;
+  const auto stays = [&](Label label) { return map[label] == label; };
+  const auto kept_info = [&](const LabelInfo& info) { return stays(info.label); };
+  if (std::all_of(present.begin(), present.end(), stays) &&
+      std::all_of(volume->infos.begin(), volume->infos.end(), kept_info))
+    return volume;
+  LabelVolume out = *volume;
   for (Label& label : out.labels) label = map[label];
-  std::erase_if(out.infos, [&](const LabelInfo& info) { return map[info.label] != info.label; });
-  return out;
+  std::erase_if(out.infos, std::not_fn(kept_info));
+  return std::make_shared<const LabelVolume>(std::move(out));
 }
 
 }  // namespace voxtet

@@ -1,6 +1,6 @@
 /** What a run will take, told before it: the forecast, sizes by number, limits, curvature. */
 import type { Page } from '@playwright/test';
-import { expect, idle, link, meshed, smallHeart, stage, test, tetCount } from './support';
+import { expect, fineHeart, idle, link, meshed, smallHeart, stage, test, tetCount } from './support';
 
 const note = (page: Page) => page.getByTestId('forecast');
 const undo = (page: Page) => page.getByRole('button', { name: 'Undo' });
@@ -85,6 +85,21 @@ test('sizes for a number of tetrahedra are found, used, and undone in one step',
   await undo(page).click();
   await expect(edge).toHaveValue('5');
   await expect(scar).toHaveValue('3');
+});
+
+test('closing the dialog ends the search for sizes', async ({ page }) => {
+  await open(page, fineHeart);
+  await foretold(page);
+  await page.getByRole('button', { name: 'By number…' }).click();
+  const dialog = page.getByRole('dialog');
+  await dialog.getByLabel('Tetrahedra').fill('3');
+  const ended = Promise.race(page.workers().map((worker) => worker.waitForEvent('close')));
+  await dialog.getByRole('button', { name: 'Find sizes' }).click();
+  await expect(dialog.getByRole('button', { name: 'Looking…' })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await ended;
+  await page.getByLabel('Edge length', { exact: true }).fill('3');
+  await foretold(page);
 });
 
 test('sizes that no edge length gives are said not to be found', async ({ page }) => {

@@ -69,7 +69,8 @@ TEST(Session, MeshesThickSlicesInterpolatedAndMeasuresAgainstTheSlices) {
   recipe.volume.slice_ratio = 0;
   ASSERT_TRUE(session.set_recipe(recipe).ok());
   ASSERT_TRUE(session.run(Stage::kVolume, ctx).ok());
-  EXPECT_EQ(session.volume(), session.selected_volume()) << "one copy is enough";
+  EXPECT_EQ(session.volume(), session.source_volume()) << "one copy is enough";
+  EXPECT_EQ(session.source_digest(), digest_of(*session.source_volume()));
 }
 
 TEST(Session, MergesGroupsOfLabels) {

@@ -55,7 +55,8 @@ TEST_P(RemeshReal, IsClosedWellShapedCloseAndReadyToFill) {
   const Result<LabelVolume> file = read_volume_file(path);
   ASSERT_TRUE(file.ok()) << file.error().message;
   RunContext ctx;
-  const Result<PreparedVolume> prepared = prepare_volume(*file, real.keep, {}, {}, ctx);
+  const Result<PreparedVolume> prepared =
+      prepare_volume(std::make_shared<const LabelVolume>(*file), real.keep, {}, {}, ctx);
   ASSERT_TRUE(prepared.ok()) << prepared.error().message;
   const LabelVolume& volume = *prepared->prepared;
 

@@ -84,18 +84,19 @@ TEST(RemoveSpecks, WeighsFacesByTheirArea) {
 
 TEST(PrepareVolume, SharesOneVolumeWhereNothingIsChanged) {
   RunContext ctx;
-  const Result<PreparedVolume> out = prepare_volume(halves(), {1, 2}, {}, {}, ctx);
+  const Result<PreparedVolume> out =
+      prepare_volume(std::make_shared<LabelVolume>(halves()), {1, 2}, {}, {}, ctx);
   ASSERT_TRUE(out.ok());
   EXPECT_EQ(out->selected, out->prepared);
 }
 
 TEST(PrepareVolume, InterpolatesAllLabelsBeforeItSelects) {
   RunContext ctx;
-  LabelVolume volume = test::heart_volume(30, 30, 6);
-  volume.index_to_mm(2, 2) = 6;
+  const auto volume = std::make_shared<LabelVolume>(test::heart_volume(30, 30, 6));
+  volume->index_to_mm(2, 2) = 6;
   const Result<PreparedVolume> out = prepare_volume(volume, {1, 2}, {{1, 2}}, {}, ctx);
   ASSERT_TRUE(out.ok());
-  EXPECT_EQ(out->selected->size, volume.size);
+  EXPECT_EQ(out->selected->size, volume->size);
   EXPECT_EQ(out->prepared->size, (std::array<int, 3>{30, 30, 30}));
   EXPECT_EQ(count_labels(*out->prepared).size(), 1U);
   const Result<PreparedVolume> never = prepare_volume(volume, {1, 2}, {}, {0, 0, 0}, ctx);
@@ -104,7 +105,8 @@ TEST(PrepareVolume, InterpolatesAllLabelsBeforeItSelects) {
 
 TEST(PrepareVolume, RefusesANegativeRatio) {
   RunContext ctx;
-  const Result<PreparedVolume> out = prepare_volume(halves(), {}, {}, {-1, 0, 0}, ctx);
+  const Result<PreparedVolume> out =
+      prepare_volume(std::make_shared<LabelVolume>(halves()), {}, {}, {-1, 0, 0}, ctx);
   ASSERT_FALSE(out.ok());
   EXPECT_EQ(out.error().code, ErrorCode::kUsage);
   EXPECT_NE(out.error().message.find("volume.slice_ratio"), std::string::npos);

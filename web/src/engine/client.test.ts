@@ -21,7 +21,9 @@ class Workers {
   spawned = 0;
   loads = 0;
   sideLoads = 0;
-  hang: StageName | null = null;
+  hang: StageName | 'forecast' | null = null;
+  /** Progress arrives once more after its stage has been answered. */
+  late = false;
   released: (() => void)[] = [];
   private ports: { close(): void }[] = [];
 
@@ -55,9 +57,12 @@ class Workers {
         return session.loadSideVolume(kind, file);
       },
       setRecipe: (json) => session.setRecipe(json),
-      run: (stage, onProgress) =>
-        stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress),
-      forecast: (elements) => session.forecast(elements),
+      run: (stage, onProgress) => {
+        if (this.late) setTimeout(() => onProgress(stage, 1), 10);
+        return stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress);
+      },
+      forecast: (elements) =>
+        this.hang === 'forecast' ? (new Promise(() => undefined) as never) : session.forecast(elements),
       arrays: (stage) => {
         const reply = session.arrays(stage);
         return Comlink.transfer(reply, transferables(reply));
@@ -145,6 +150,23 @@ describe('EngineClient', () => {
     expect(fitting?.sizing.edge_mm).toBeCloseTo(1, 6);
   });
 
+  it('ends a search for sizes that is called off, and begins none that was before its turn', async () => {
+    const client = start();
+    await client.forecast(JSON.stringify(phantom), phantom.source);
+    workers.hang = 'forecast';
+    const search = new AbortController();
+    const ask = () => client.forecast(JSON.stringify(phantom), phantom.source, 1_000_000, search.signal);
+    const failures = Promise.all([failureOf(ask()), failureOf(ask())]);
+    await new Promise((later) => setTimeout(later, 40));
+    expect(client.busy).toBe(true);
+    search.abort();
+    expect((await failures).map(({ code }) => code)).toEqual(['cancelled', 'cancelled']);
+    expect(client.busy).toBe(false);
+    expect(workers.spawned).toBe(3);
+    workers.hang = null;
+    expect(await client.forecast(JSON.stringify(phantom), phantom.source)).toMatchObject({ tets: 125_000 });
+  });
+
   it('gives a mask to every new worker that needs it, and only once to each', async () => {
     const client = start();
     const sizing = { masks: [{ name: 'paint.nrrd', sha256: '', edges: [{ label: 1, edge_mm: 1 }] }] };
@@ -161,6 +183,18 @@ describe('EngineClient', () => {
     client.keepSideVolume('mask', file('paint.nrrd', 64));
     await client.run(recipe, phantom.source, 'sizing');
     expect(workers.sideLoads).toBe(3);
+  });
+
+  it('tells no progress of a stage that is done', async () => {
+    const client = start();
+    workers.late = true;
+    const told: string[] = [];
+    await client.run(JSON.stringify(phantom), phantom.source, 'smooth', {
+      onProgress: (stage) => told.at(-1) !== stage && told.push(stage),
+      onStage: ({ name }) => told.push(`${name} done`),
+    });
+    await new Promise((later) => setTimeout(later, 40));
+    expect(told).toEqual(['volume', 'surface', 'smooth'].flatMap((name) => [name, `${name} done`]));
   });
 
   it('copies no arrays that are not wanted', async () => {

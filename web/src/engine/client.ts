@@ -79,7 +79,7 @@ export class EngineClient {
   private readonly setup: EngineSetup;
   private module: Promise<WebAssembly.Module> | undefined;
   private generation: Generation;
-  /** Started when a run starts, so that a cancelled run finds the next engine ready. */
+  /** Started with the first job, so that whoever cancels one finds the next engine ready. */
   private spare: Generation | null = null;
   private readonly volumes = new Map<string, VolumeFile>();
   private readonly sides = new Map<string, VolumeFile>();
@@ -180,15 +180,18 @@ export class EngineClient {
   /** Runs stage by stage up to `last`, so that each result is there as soon as it exists. */
   run(recipeJson: string, source: Recipe['source'], last: StageName, handlers: RunHandlers = {}) {
     return this.job(async (generation) => {
-      this.spare ??= this.spawn();
       const accepted = await this.prepare(generation, recipeJson, source);
+      let running: StageName | null = null;
+      // It comes by a port of its own: at times after the answer of its stage.
       const progress = Comlink.proxy((stage: StageName, fraction: number) => {
-        if (generation.alive) handlers.onProgress?.(stage, fraction);
+        if (generation.alive && stage === running) handlers.onProgress?.(stage, fraction);
       });
       const summaries: StageSummary[] = [];
       for (const stage of stageNames.slice(0, stageNames.indexOf(last) + 1)) {
         handlers.onProgress?.(stage, 0);
+        running = stage;
         const summary = await this.answer(generation, stage, generation.api.run(stage, progress));
+        running = null;
         summaries.push(summary);
         const wanted = handlers.wants?.(summary) ?? true;
         const arrays = wanted ? await this.answer(generation, stage, generation.api.arrays(stage)) : null;
@@ -203,11 +206,18 @@ export class EngineClient {
     });
   }
 
-  /** What meshing will take; with `elements` above 0 also the sizes that give so many tetrahedra. */
-  forecast(recipeJson: string, source: Recipe['source'], elements = 0) {
+  /** What meshing will take; with `elements` above 0 also the sizes that give so many. `signal` calls it off. */
+  forecast(recipeJson: string, source: Recipe['source'], elements = 0, signal?: AbortSignal) {
     return this.job(async (generation) => {
-      await this.prepare(generation, recipeJson, source);
-      return this.answer(generation, 'forecast', generation.api.forecast(elements));
+      if (signal?.aborted) throw cancelled();
+      const end = () => generation.alive && this.replace(cancelled());
+      signal?.addEventListener('abort', end);
+      try {
+        await this.prepare(generation, recipeJson, source);
+        return await this.answer(generation, 'forecast', generation.api.forecast(elements));
+      } finally {
+        signal?.removeEventListener('abort', end);
+      }
     });
   }
 
@@ -274,7 +284,8 @@ export class EngineClient {
       const generation = this.generation;
       this.runningJobs++;
       try {
-        await Promise.race([generation.started, generation.ended]);
+        await this.unlessEnded(generation, generation.started);
+        this.spare ??= this.spawn();
         return await body(generation);
       } finally {
         this.runningJobs--;

@@ -50,7 +50,8 @@ export interface StageSummary {
   seconds: number;
   cached: boolean;
   peak_mb: number;
-  digest: string;
+  /** Of all that the result was made from: with the same key it is the same. */
+  key: string;
   /** What a reader should know though nothing is wrong. */
   notes: string[];
   counts: Record<string, unknown>;
@@ -158,7 +159,7 @@ export interface Report {
   tets: number;
   points: number;
   source: VolumeSummary;
-  stages: StageSummary[];
+  stages: (Omit<StageSummary, 'key'> & { digest: string })[];
   /** Absent where no label was to be looked up. */
   lookup?: LookedUpLabel[];
   /** Absent where no number of layers was wished. */

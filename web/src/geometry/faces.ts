@@ -18,11 +18,16 @@ export function surfaceFaces(mesh: SurfaceArrays, hidden: ReadonlySet<number>, p
   const { points, triangles, sides, normals } = mesh;
   const seenAs = new Uint16Array(triangles.length / 3);
   let count = 0;
+  let [behind, front, seen] = [-1, -1, 0];
   for (let t = 0; t < seenAs.length; t++) {
-    const behind = sides[2 * t];
-    const front = sides[2 * t + 1];
-    seenAs[t] = !hidden.has(behind) ? behind : front > 0 && !hidden.has(front) ? front : 0;
-    if (seenAs[t] > 0) count++;
+    // Neighbours in the list mostly divide the same labels.
+    if (behind !== sides[2 * t] || front !== sides[2 * t + 1]) {
+      behind = sides[2 * t];
+      front = sides[2 * t + 1];
+      seen = !hidden.has(behind) ? behind : front > 0 && !hidden.has(front) ? front : 0;
+    }
+    seenAs[t] = seen;
+    if (seen > 0) count++;
   }
   const faces = emptyFaces(count);
   const { positions, owners, colours } = faces;

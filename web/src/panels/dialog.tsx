@@ -7,10 +7,12 @@ export function Dialog(props: { title: string; onClose(): void; children: Compon
   useEffect(() => {
     const dialog = element.current;
     if (dialog && !dialog.open) dialog.showModal();
+    // Not its first button, which closes it.
+    dialog?.focus();
     return () => dialog?.close();
   }, []);
   return (
-    <dialog ref={element} aria-label={props.title} onCancel={props.onClose}>
+    <dialog ref={element} tabIndex={-1} aria-label={props.title} onCancel={props.onClose}>
       <div class="dialog-head">
         <h2>{props.title}</h2>
         <button type="button" class="icon-button" aria-label="Close" onClick={props.onClose}>

@@ -99,7 +99,7 @@ export function NumberField(props: {
           value={value}
           onChange={(next) => next !== null && props.onChange(next)}
         />
-        {unit !== undefined && <span class="unit">{unit}</span>}
+        <span class="unit">{unit}</span>
       </span>
     </div>
   );

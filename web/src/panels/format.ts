@@ -1,17 +1,19 @@
 export const whole = (value: number): string => Math.round(value).toLocaleString('en');
 
-/** Four significant digits at most, without needless zeros. */
+/** Four significant digits at most, without needless zeros, with a minus sign. */
 export function short(value: number): string {
   if (!Number.isFinite(value)) return '–';
   if (value === 0) return '0';
   const size = Math.abs(value);
-  if (size >= 1000) return whole(value);
-  return String(Number(value.toPrecision(size >= 100 ? 4 : 3)));
+  const digits = size >= 1000 ? whole(size) : String(Number(size.toPrecision(size >= 100 ? 4 : 3)));
+  return value < 0 ? `−${digits}` : digits;
 }
 
+/** Never broken between number and unit where it is short. */
 export function seconds(value: number): string {
-  if (value < 0.0995) return `${Math.max(1, Math.round(value * 1000))} ms`;
-  return value < 60 ? `${value.toFixed(1)} s` : `${Math.floor(value / 60)} min ${Math.round(value % 60)} s`;
+  if (value < 0.0995) return `${Math.max(1, Math.round(value * 1000))}\u00a0ms`;
+  if (value < 60) return `${value.toFixed(1)}\u00a0s`;
+  return `${Math.floor(value / 60)} min ${Math.round(value % 60)} s`;
 }
 
 /** About a count: two digits, thousands and millions named. */
@@ -27,7 +29,7 @@ export function unitSign(unit: string): string {
   return unitSigns[unit] ?? unit;
 }
 
-/** A field's name as words: `min_dihedral_deg` becomes "Min dihedral". */
+/** A field's name as words without its unit: `min_dihedral_deg` becomes "Min dihedral". */
 export function sentence(name: string): string {
-  return (name.charAt(0).toUpperCase() + name.slice(1)).replace(/_(deg|mm)$/, '').replaceAll('_', ' ');
+  return (name.charAt(0).toUpperCase() + name.slice(1)).replace(/_(deg|mm|log2)$/, '').replaceAll('_', ' ');
 }

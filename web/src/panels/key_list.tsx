@@ -2,7 +2,7 @@ const keys: [string, string][] = [
   ['Ctrl Enter', 'Run'],
   ['Esc', 'Cancel a run; else show all elements again'],
   ['Ctrl Z, Ctrl Shift Z', 'Undo, redo'],
-  ['1, 2, 3', '3-D view, slices, pinned run beside this one'],
+  ['1, 2, 3', '3‑D view, slices, pinned run beside this one'],
   ['[ and ]', 'The stage before, the stage after'],
   ['C', 'Cut'],
   ['E', 'Element edges'],
@@ -12,9 +12,9 @@ const keys: [string, string][] = [
 ];
 
 const inViews: [string, string][] = [
-  ['Arrows', 'Turn the 3-D view; move the crosshair in a slice'],
+  ['Arrows', 'Turn the 3‑D view; move the crosshair in a slice'],
   ['+ and −', 'Zoom'],
-  ['Enter', 'Numbers of the element in the middle of the 3-D view; a dab of the brush in a slice'],
+  ['Enter', 'Numbers of the element in the middle of the 3‑D view; a dab of the brush in a slice'],
   ['Page up, page down', 'The next slice, the slice before'],
   ['0', 'The whole slice'],
 ];

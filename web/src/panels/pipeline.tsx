@@ -1,7 +1,7 @@
 import { stageNames, type StageName } from '../engine/contract';
 import { runTo } from '../store/runs';
 import { volume } from '../store/input';
-import { shownDigests } from '../store/results';
+import { shownKeys } from '../store/results';
 import { activity, stages, staleStages, type StageStatus } from '../store/run';
 import { stageShown } from '../store/view';
 import { about, seconds } from './format';
@@ -55,7 +55,7 @@ export function Pipeline() {
       <ol>
         {stageNames.map((name) => {
           const status = stages.value[name];
-          const ready = shownDigests.value[name] !== undefined;
+          const ready = shownKeys.value[name] !== undefined;
           const stale = touched.has(name);
           return (
             <li key={name}>

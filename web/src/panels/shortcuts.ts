@@ -6,7 +6,7 @@ import { cancelRun, runAll } from '../store/runs';
 import { pinned } from '../store/compare';
 import { downloadPicture } from '../store/exchange';
 import { volume } from '../store/input';
-import { shownDigests } from '../store/results';
+import { shownKeys } from '../store/results';
 import { activity } from '../store/run';
 import { dialogShown } from './dialog_shown';
 import { brush, command, cut, focusTet, layout, picked, showEdges, stageShown } from '../store/view';
@@ -27,7 +27,7 @@ const viewKeys: Record<string, () => void> = {
 
 /** The stage before or after the one that is shown, of those that have a result. */
 function stepStage(way: 1 | -1): void {
-  const ready = stageNames.filter((name) => shownDigests.value[name] !== undefined);
+  const ready = stageNames.filter((name) => shownKeys.value[name] !== undefined);
   const next = ready[ready.indexOf(stageShown.value) + way];
   if (next) stageShown.value = next;
 }

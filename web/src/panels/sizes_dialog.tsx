@@ -1,4 +1,4 @@
-import { useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import { EngineError, type FittingSizes } from '../engine/contract';
 import { exceeded, fitSizes, forecast, useSizes } from '../store/forecast';
 import { Dialog } from './dialog';
@@ -18,12 +18,14 @@ export function SizesDialog({ close }: { close(): void }) {
   const [found, setFound] = useState<{ elements: number; fitting: FittingSizes } | null>(null);
   const [problem, setProblem] = useState('');
   const [asking, setAsking] = useState(false);
+  const [search] = useState(() => new AbortController());
+  useEffect(() => () => search.abort(), []);
   const ask = async () => {
     setAsking(true);
     setFound(null);
     setProblem('');
     try {
-      setFound({ elements, fitting: await fitSizes(elements) });
+      setFound({ elements, fitting: await fitSizes(elements, search.signal) });
     } catch (error) {
       if (!(error instanceof EngineError) || error.code !== 'cancelled') setProblem((error as Error).message);
     } finally {

@@ -1,5 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { volume } from '../store/input';
+import { activity } from '../store/run';
 import { layout, legend, sliceLegend } from '../store/view';
 import { EmptyState } from './empty_state';
 import { LegendCard, PickedCard } from './view_cards';
@@ -9,8 +10,10 @@ export function ViewPanel() {
   const host = useRef<HTMLDivElement>(null);
   const [trouble, setTrouble] = useState('');
   const opened = volume.value !== null;
+  // Ready before there is anything to see, but not in the way of the engine's start.
+  const started = activity.value !== 'starting';
   useEffect(() => {
-    if (!opened || !host.current) return;
+    if (!started || !host.current) return;
     const element = host.current;
     let unmount: (() => void) | undefined;
     let gone = false;
@@ -31,15 +34,15 @@ export function ViewPanel() {
       gone = true;
       unmount?.();
     };
-  }, [opened]);
+  }, [started]);
 
   return (
     <main class="view" aria-label="View" data-layout={opened ? layout.value : undefined}>
       {opened && <ViewToolbar />}
       <div class="view-body">
-        <div class="view-host" ref={host} />
+        <div class={opened ? 'view-host' : 'view-host waiting'} ref={host} />
         {!opened && <EmptyState />}
-        {trouble && <p class="view-trouble">{trouble}</p>}
+        {opened && trouble && <p class="view-trouble">{trouble}</p>}
         {opened && (
           <>
             <LegendCard shown={legend.value ?? (layout.value === 'model' ? sliceLegend.value : null)} />

@@ -3,7 +3,7 @@ import { pinned } from '../store/compare';
 import { downloadPicture } from '../store/exchange';
 import { nameOf } from '../store/input';
 import { recipe } from '../store/recipe';
-import { shownDigests, shownResult } from '../store/results';
+import { shownKeys, shownResult } from '../store/results';
 import { report } from '../store/run';
 import {
   brush,
@@ -60,7 +60,7 @@ function otherOptions(): [ColourBy, string][] {
 
 function ColourChoice() {
   const onTets = stageShown.value === 'optimise' || stageShown.value === 'quality';
-  const measured = onTets && shownDigests.value.quality !== undefined;
+  const measured = onTets && shownKeys.value.quality !== undefined;
   const options: [ColourBy, string][] = [
     ['label', 'Label'],
     ['edge_mm', 'Edge length'],

@@ -56,7 +56,8 @@ function distanceLines(
 }
 
 export function describe(stage: StageName, element: number, point?: readonly number[]): Picked | null {
-  const at: [string, string][] = point ? [['At', `${point.map((x) => x.toFixed(1)).join(', ')} mm`]] : [];
+  const words = point?.map((x) => x.toFixed(1).replace('-', '−')).join(', ');
+  const at: [string, string][] = words === undefined ? [] : [['At', `${words} mm`]];
   if (stage === 'optimise' || stage === 'quality') {
     const mesh = shownResult('optimise');
     const measures = shownResult('quality');

@@ -11,7 +11,7 @@ import {
 } from '../geometry/faces';
 import { valuesAt } from '../geometry/grid_values';
 import { nameOf, voxelMm } from '../store/input';
-import { shownDigests } from '../store/results';
+import { shownKeys } from '../store/results';
 import { sizingFields } from '../store/sizing_fields';
 import {
   colourBy,
@@ -135,7 +135,7 @@ const bodies = new WeakMap<SurfaceArrays, { from: unknown[]; body: SurfaceBody }
 
 export function surfaceBody(mesh: SurfaceArrays): SurfaceBody {
   const by = colourBy.value;
-  const fields = by === 'target_mm' || by === 'thickness_mm' ? shownDigests.value.sizing : null;
+  const fields = by === 'target_mm' || by === 'thickness_mm' ? shownKeys.value.sizing : null;
   const from = [by, fields, hiddenLabels.value, colourOf.value];
   const known = bodies.get(mesh);
   if (known && from.every((part, i) => part === known.from[i])) return known.body;

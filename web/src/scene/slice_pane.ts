@@ -177,8 +177,8 @@ export class SlicePane {
     }
     this.slider.value = String(this.index);
     const side = patientNames[name];
-    const mm = centre[{ R: 0, A: 1, S: 2 }[side]];
-    this.place.textContent = `${axisNames[across]} ${this.index + 1}/${size[across]} · ${side} ${mm.toFixed(1)} mm`;
+    const mm = centre[{ R: 0, A: 1, S: 2 }[side]].toFixed(1).replace('-', '−');
+    this.place.textContent = `${axisNames[across]} ${this.index + 1}/${size[across]} · ${side} ${mm} mm`;
     this.slider.setAttribute('aria-valuetext', this.place.textContent);
     this.placeLines(centre);
     this.regions.draw();

@@ -173,12 +173,14 @@ it('limits of 0 limit nothing; others name what exceeds them', async () => {
 });
 
 it('sizes for a number of tetrahedra are one step of undo, four digits of each', async () => {
-  const asked = fitSizes(5000);
+  const { signal } = new AbortController();
+  const asked = fitSizes(5000, signal);
   const before = recipe.value!.sizing;
   const fitted = { ...before, edge_mm: 1.23456, labels: [{ label: 1, edge_mm: 0.617283 }] };
   const fitting = { factor: 0.617283, edge_mm: 1.23456, sizing: fitted, forecast: of(4990) };
   questions[0].answer({ ...of(1000), fitting });
   const found = await asked;
+  expect(engine.forecast).toHaveBeenLastCalledWith(expect.anything(), expect.anything(), 5000, signal);
   useSizes(found, 5000);
   expect(recipe.value!.sizing).toEqual({ ...before, edge_mm: 1.235, labels: [{ label: 1, edge_mm: 0.6173 }] });
   undo();

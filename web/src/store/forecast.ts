@@ -108,11 +108,11 @@ export function forecastUnderWay(): Readonly<typeof asked> {
   return asked;
 }
 
-/** The sizes that give so many tetrahedra: those of the recipe, all times one factor. */
-export async function fitSizes(elements: number): Promise<FittingSizes> {
+/** The sizes that give so many tetrahedra: the recipe's, all times one factor. `signal` ends the search. */
+export async function fitSizes(elements: number, signal: AbortSignal): Promise<FittingSizes> {
   const current = recipe.peek();
   if (!current) throw new Error('There is no case yet.');
-  const { fitting } = await engine.forecast(JSON.stringify(current), current.source, elements);
+  const { fitting } = await engine.forecast(JSON.stringify(current), current.source, elements, signal);
   if (!fitting) throw new Error('The engine gave no sizes.');
   return { ...fitting, sizing: rounded(current.sizing, fitting.sizing) };
 }

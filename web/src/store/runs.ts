@@ -5,7 +5,7 @@ import { engine, takeTurn, tellError } from './engine';
 import { forecastUnderWay } from './forecast';
 import { awaitedFile, volume } from './input';
 import { recipe } from './recipe';
-import { dropResults, isKept, keepResult, showResult, shownDigests } from './results';
+import { dropResults, isKept, keepResult, showResult, shownKeys } from './results';
 import {
   activity,
   announcement,
@@ -112,12 +112,12 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
       onProgress(stage, fraction) {
         if (newest()) setStage(stage, { state: 'running', fraction });
       },
-      wants: (summary) => !isKept(summary.name, summary.digest),
+      wants: (summary) => !isKept(summary.name, summary.key),
       onStage(summary, arrays) {
         if (!newest()) return;
         const known = stages.value[summary.name].summary;
         const kept =
-          known?.digest === summary.digest && summary.cached
+          known?.key === summary.key && summary.cached
             ? { ...summary, seconds: known.seconds }
             : summary;
         const madeFrom = stageInput(current, summary.name);
@@ -125,11 +125,11 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
         // Whatever follows the volume is made anew with another one, the same again is none.
         if (summary.name === 'volume' && JSON.stringify(summary.counts) !== JSON.stringify(volume.value))
           volume.value = summary.counts as unknown as VolumeSummary;
-        const changed = shownDigests.value[summary.name] !== summary.digest;
-        if (arrays) keepResult(summary.name, summary.digest, arrays);
+        const changed = shownKeys.value[summary.name] !== summary.key;
+        if (arrays) keepResult(summary.name, summary.key, arrays);
         // Measures are of one mesh.
         if (summary.name === 'optimise' && changed) dropResults(['quality']);
-        showResult(summary.name, summary.digest);
+        showResult(summary.name, summary.key);
         const previewed = summary.name === 'smooth' && changed && stageShown.value !== 'surface';
         const first = fit && (summary.name === 'surface' || summary.name === 'smooth');
         // What a run has kept is no news, unless it is what was asked for.

@@ -251,7 +251,7 @@ class Session {
         seconds: 0.01,
         cached,
         peak_mb: 1,
-        digest: hash(name + JSON.stringify(this.recipe)),
+        key: hash(name + JSON.stringify(this.recipe)),
         notes: [],
         counts: this.counts(name),
       });
