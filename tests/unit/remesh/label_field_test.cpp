@@ -79,8 +79,8 @@ TEST(LabelField, JoinsVoxelsOfSeveralLabelsAlongTheDiagonalsOfTheExtraction) {
 }
 
 TEST(LabelField, LeavesWaysBetweenTwoLabelsOpenThroughAThirdOne) {
-  // A wall of label 1 between background and label 2, pierced where two voxels touch along the diagonal of the
-  // extraction, both nearly lost to the wall.
+  // A wall of label 1 between background and label 2, pierced where two voxels touch along the diagonal of
+  // the extraction, both nearly lost to the wall.
   const auto label = [](int i, int j, int k) -> Label {
     if (std::min({i, j, k}) < 1 || std::max({i, j, k}) > 10) return 0;
     if (i == 5 && j == 5 && k == 5) return 0;
