@@ -122,8 +122,8 @@ bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& fi
   const Eigen::Vector3d middle = centroid(surface, t);
   const Eigen::Vector3d way = width_mm * cross_of(surface, surface.triangles[t]).normalized();
   const auto [behind, front] = surface.sides[t];
-  const auto at = [&](const Eigen::Vector3d& p) { return field.layers().parent(field.at(p)); };
-  return at(middle - way) != behind || at(middle + way) != front;
+  return field.at_index(field.to_index(middle - way)) != behind ||
+         field.at_index(field.to_index(middle + way)) != front;
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 namespace voxtet::remesh {
 namespace {
 
+constexpr double kContactLead = 0.3;  ///< of the two labels over the third
+
 /// A voxel's neighbours along edges of the Kuhn tetrahedra: seven up, by the bits of their number plus one,
 /// and those opposite.
 constexpr std::size_t kUp = 7, kNeighbours = 14;
@@ -50,8 +52,11 @@ class Widener {
   Widener(const LabelGrid& grid, LabelDistances& distances) : grid_(grid), distances_(distances) {
     const std::size_t sx = static_cast<std::size_t>(grid.size[0]);
     const std::size_t sxy = sx * static_cast<std::size_t>(grid.size[1]);
-    for (std::size_t n = 0; n < kUp; ++n)
-      up_[n] = ((n + 1) & 1) + ((n + 1) >> 1 & 1) * sx + ((n + 1) >> 2) * sxy;
+    for (std::size_t n = 0; n < kUp; ++n) {
+      const auto [x, y, z] = step_to(n);
+      up_[n] =
+          static_cast<std::size_t>(x) + static_cast<std::size_t>(y) * sx + static_cast<std::size_t>(z) * sxy;
+    }
   }
 
   /// False when there was nothing to widen.
@@ -118,8 +123,8 @@ void widen_contacts(const LabelGrid& grid, LabelDistances& distances) {
   // What is widened in one place may be too narrow in another one then; seldom, and less each time.
   constexpr int kRounds = 4;
   Widener widener(grid, distances);
-  for (int round = 0; round < kRounds && widener.run(); ++round) {
-  }
+  for (int round = 0; round < kRounds; ++round)
+    if (!widener.run()) return;
 }
 
 }  // namespace voxtet::remesh

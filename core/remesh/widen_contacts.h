@@ -8,11 +8,8 @@ namespace voxtet::remesh {
 /// Two neighbouring voxels' labels touch on the edge between them; between voxels' centres a third label's
 /// distance may be the largest there, and where that label stands on more than one side of the edge, or all
 /// around it, a tunnel through it would close, or the contact end. There the third label's distances are
-/// lowered at both voxels until it loses by kContactLead all along the edge. Neighbours are those of the Kuhn
-/// tetrahedra. Linear time.
+/// lowered at both voxels until it loses by 0.3 (of the smallest spacing) all along the edge. Neighbours are
+/// those of the Kuhn tetrahedra. Linear time.
 void widen_contacts(const LabelGrid& grid, LabelDistances& distances);
-
-/// Units of the smallest spacing.
-inline constexpr double kContactLead = 0.3;
 
 }  // namespace voxtet::remesh

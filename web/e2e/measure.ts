@@ -1,17 +1,11 @@
 /** Figures of the app on this machine, printed; nothing is judged. `npm run measure`, or one with -g. */
 import { loadavg } from 'node:os';
-import { chromium, type Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { stageNames } from '../src/engine/contract';
-import { browserUse } from './browser';
 import { idle, link, meshed, smallHeart, test } from './support';
 
 const repeats = 20;
 const jobs = Number(process.env.JOBS ?? 200);
-/**
- * For V8, in the measurement of memory. What it compiles of what is called often grows for hundreds of jobs:
- * JS_FLAGS='--no-opt --no-maglev --no-sparkplug' leaves that out.
- */
-const flags = process.env.JS_FLAGS ?? '';
 
 const quantile = (values: readonly number[], q: number) =>
   [...values].sort((a, b) => a - b)[Math.round(q * (values.length - 1))];
@@ -152,13 +146,7 @@ test('tasks of the main thread while a fine mesh is being made', async ({ page }
   );
 });
 
-test('memory of the page over many jobs', async ({ baseURL }) => {
-  const { launchOptions, viewport } = browserUse;
-  const browser = await chromium.launch({
-    ...launchOptions,
-    args: [...launchOptions.args, `--js-flags=${flags}`],
-  });
-  const page = await browser.newPage({ baseURL, viewport });
+test('memory of the page over many jobs', async ({ page }) => {
   await open(page, smallHeart);
   const devtools = await page.context().newCDPSession(page);
   const used: number[] = [];
@@ -186,5 +174,4 @@ test('memory of the page over many jobs', async ({ baseURL }) => {
   }
   const change = used.map((bytes) => 100 * (bytes / used[0] - 1));
   say(`from the 20th job on: ${Math.min(...change).toFixed(1)} to ${Math.max(...change).toFixed(1)} %`);
-  await browser.close();
 });

@@ -142,3 +142,6 @@ export function indexMap(from: readonly number[], to: readonly number[]): number
   );
   return origin.flatMap((start, row) => [...ends.map((end) => end[row] - start), start]);
 }
+
+/** A coordinate in mm, with a minus sign. */
+export const coordinate = (mm: number): string => mm.toFixed(1).replace('-', '−');

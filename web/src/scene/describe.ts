@@ -1,5 +1,6 @@
 /** The numbers of one element, in words: no three.js. */
 import type { StageArrays, StageName, TetArrays } from '../engine/contract';
+import { coordinate } from '../geometry/orientation';
 import { nameOf, voxelMm } from '../store/input';
 import { shownResult } from '../store/results';
 import { fractionLabel, type Picked } from '../store/view';
@@ -56,8 +57,7 @@ function distanceLines(
 }
 
 export function describe(stage: StageName, element: number, point?: readonly number[]): Picked | null {
-  const words = point?.map((x) => x.toFixed(1).replace('-', '−')).join(', ');
-  const at: [string, string][] = words === undefined ? [] : [['At', `${words} mm`]];
+  const at: [string, string][] = point ? [['At', `${point.map(coordinate).join(', ')} mm`]] : [];
   if (stage === 'optimise' || stage === 'quality') {
     const mesh = shownResult('optimise');
     const measures = shownResult('quality');

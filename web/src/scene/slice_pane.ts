@@ -8,7 +8,7 @@ import {
   type LineSegments,
   type RawShaderMaterial,
 } from 'three';
-import { cross, dot, obliqueness, sidesOf, toIndex, toMm, type SliceFrame } from '../geometry/orientation';
+import { coordinate, cross, dot, obliqueness, sidesOf, toIndex, toMm, type SliceFrame } from '../geometry/orientation';
 import type { Vec3 } from '../engine/contract';
 import { slicePlaces } from '../store/view';
 import type { Canvas, Pane } from './canvas';
@@ -177,8 +177,8 @@ export class SlicePane {
     }
     this.slider.value = String(this.index);
     const side = patientNames[name];
-    const mm = centre[{ R: 0, A: 1, S: 2 }[side]].toFixed(1).replace('-', '−');
-    this.place.textContent = `${axisNames[across]} ${this.index + 1}/${size[across]} · ${side} ${mm} mm`;
+    const mm = centre[{ R: 0, A: 1, S: 2 }[side]];
+    this.place.textContent = `${axisNames[across]} ${this.index + 1}/${size[across]} · ${side} ${coordinate(mm)} mm`;
     this.slider.setAttribute('aria-valuetext', this.place.textContent);
     this.placeLines(centre);
     this.regions.draw();
