@@ -22,8 +22,9 @@ class Adapter : public AdaptPasses {
   bool run_adaptive();
   bool run_paper();
   bool coarsen_to(double shortest) {
-    return coarsen(shortest, [&](std::uint32_t v, std::uint32_t other, double longest) {
-      return operations_.collapse(v, other, longest);
+    return coarsen(shortest, [&](std::uint32_t v, const std::vector<Near>& near, double longest) {
+      for (const Near& other : near)
+        if (operations_.collapse(v, other.v, longest)) return;
     });
   }
   bool coarsen_in_steps();

@@ -75,7 +75,7 @@ void AdaptPasses::fit_cells() {
       count += 3;
     }
   editor_.set_cell(
-      std::max(sum / static_cast<double>(std::max<std::size_t>(count, 1)), 1e-6 * params_.voxel_mm));
+      std::max(2 * sum / static_cast<double>(std::max<std::size_t>(count, 1)), 1e-6 * params_.voxel_mm));
 }
 
 bool AdaptPasses::refine() {
@@ -109,7 +109,7 @@ bool AdaptPasses::open_angles(double limit_cosine) {
   return !ctx_.cancelled();
 }
 
-void AdaptPasses::open_angle(std::uint32_t t) {
+bool AdaptPasses::open_angle(std::uint32_t t) {
   const ComplexMesh& mesh = editor_.mesh();
   const Triangle corners = mesh.triangle(t);
   std::array<std::pair<double, std::size_t>, 3> sides;  // by length; the second is the opposite corner
@@ -120,13 +120,14 @@ void AdaptPasses::open_angle(std::uint32_t t) {
     return corners[(sides[side].second + which) % 3];
   };
   for (const std::size_t side : {2, 1})
-    if (operations_.flip(end(side, 1), end(side, 2), Demand::kBetterAngle)) return;
+    if (operations_.flip(end(side, 1), end(side, 2), Demand::kBetterAngle)) return true;
   for (const std::uint32_t v : corners)
-    if (operations_.open(v, Demand::kBetterAngle)) return;
+    if (operations_.open(v, Demand::kBetterAngle)) return true;
   for (const std::size_t side : {0, 1, 2})
     if (operations_.collapse(end(side, 1), end(side, 2), kLongestPolished, Demand::kBetterAngle) ||
         operations_.collapse(end(side, 2), end(side, 1), kLongestPolished, Demand::kBetterAngle))
-      return;
+      return true;
+  return false;
 }
 
 bool AdaptPasses::open_folds() {

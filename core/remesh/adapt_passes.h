@@ -36,19 +36,23 @@ class AdaptPasses {
   static constexpr double kShortest = 4.0 / 5, kLongest = 4.0 / 3;  ///< Botsch and Kobbelt 2004
   static constexpr double kLongestPolished = 1.7;                   ///< where shape is at stake
 
-  /// Cells of the search as large as edges are long.
+  /// Cells of the search twice as large as edges are long: measured, the quickest.
   void fit_cells();
-  /// Each vertex goes to its nearest neighbour that takes it and is nearer than `shortest`:
-  /// collapse(v, neighbour, longest), `longest` a bound on edges, tells whether it did.
-  template <class Collapse>
-  bool coarsen(double shortest, Collapse&& collapse);
+  struct Near {
+    double length;
+    std::uint32_t v;
+  };
+  /// Each vertex goes to one of its neighbours nearer than `shortest`: collapse_to_one(v, neighbours,
+  /// longest), the nearest first, `longest` a bound on edges.
+  template <class CollapseToOne>
+  bool coarsen(double shortest, CollapseToOne&& collapse_to_one);
   bool refine();
   bool flip_all();
   bool relocate_all();
   /// Triangles with smaller planar angles than the limit: see open_angle.
   bool open_angles(double limit_cosine);
-  /// Flips away the longest edges, moves corners, or closes the triangle.
-  void open_angle(std::uint32_t t);
+  /// Flips away the longest edges, moves corners, or closes the triangle; whether anything was done.
+  bool open_angle(std::uint32_t t);
   /// Edges folded more sharply than the limits: whatever opens them.
   bool open_folds();
   /// Relocation puts sheets where the labels have the reference's volumes, to first order.
@@ -72,10 +76,10 @@ class AdaptPasses {
   const std::vector<double> volumes_;  ///< of the reference, by label
 };
 
-template <class Collapse>
-bool AdaptPasses::coarsen(double shortest, Collapse&& collapse) {
+template <class CollapseToOne>
+bool AdaptPasses::coarsen(double shortest, CollapseToOne&& collapse_to_one) {
   const ComplexMesh& mesh = editor_.mesh();
-  std::vector<std::pair<double, std::uint32_t>> near;
+  std::vector<Near> near;
   const double longest = std::min(kLongest, 2.2 * shortest);
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     if (v % 4096 == 0 && ctx_.cancelled()) return false;
@@ -83,11 +87,12 @@ bool AdaptPasses::coarsen(double shortest, Collapse&& collapse) {
     near.clear();
     for (const std::uint32_t other : operations_.neighbours(v)) {
       const double length = editor_.metric_length(v, other);
-      if (length < shortest && mesh.stratum(other) >= mesh.stratum(v)) near.emplace_back(length, other);
+      if (length < shortest && mesh.stratum(other) >= mesh.stratum(v)) near.push_back({length, other});
     }
-    std::sort(near.begin(), near.end());
-    for (const auto& [length, other] : near)
-      if (collapse(v, other, longest)) break;
+    std::sort(near.begin(), near.end(), [](const Near& p, const Near& q) {
+      return p.length != q.length ? p.length < q.length : p.v < q.v;
+    });
+    collapse_to_one(v, near, longest);
   }
   return true;
 }

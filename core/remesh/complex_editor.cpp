@@ -81,9 +81,18 @@ bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t h
     trial_.back().back.removed = slots_;
     placed_in_.resize(mesh_.slot_count(), 0);
     for (const std::uint32_t t : slots_) placed_in_[t] = trial_number_;
+  } else {
+    note_changed(slots_);
   }
   if (limits.verify) verify_from_scratch();
   return true;
+}
+
+void ComplexEditor::note_changed(const std::vector<std::uint32_t>& triangles) {
+  changed_at_.resize(mesh_.vertex_count(), 0);
+  for (const std::uint32_t t : triangles)
+    if (mesh_.alive(t))
+      for (const std::uint32_t v : mesh_.triangle(t)) changed_at_[v] = attempt_;
 }
 
 void ComplexEditor::look_at_old(const Change& change) {
@@ -102,8 +111,8 @@ Reason ComplexEditor::check(const Change& change, const Eigen::Vector3d& before)
     reason = samples_.try_surface(mesh_, change, reach_mm_,
                                   demand_ == Demand::kAllowed ? kNormalCosine : kNormalCosineOfSlivers,
                                   {old_corners_, old_normals_}, new_normals_);
-  if (reason == Reason::kNo) reason = check_envelope(change);
   if (reason == Reason::kNo) reason = check_contacts(change);
+  if (reason == Reason::kNo) reason = check_envelope(change);
   return reason;
 }
 

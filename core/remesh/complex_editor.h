@@ -75,9 +75,14 @@ class ComplexEditor {
   void drop_last_vertex();
   /// `hint` replaces that of the moved vertex.
   bool attempt(const Change& change, Demand demand, std::uint32_t hint = kNone);
+  /// Changes attempted so far.
+  std::uint32_t attempts() const { return attempt_; }
+  /// Which attempt last changed triangles of v, or ended a trial that did; 0 if none. What was taken back
+  /// does not count.
+  std::uint32_t changed_at(std::uint32_t v) const { return v < changed_at_.size() ? changed_at_[v] : 0; }
   /// From here on changes can be taken back, until keep_trial or undo_trial.
   void begin_trial();
-  void keep_trial() { trying_ = false; }
+  void keep_trial();
   /// Takes back what was accepted since begin_trial; vertices that were added stay without triangles.
   void undo_trial();
   /// Cosine of the smallest planar angle of what stood there before the trial.
@@ -132,6 +137,7 @@ class ComplexEditor {
   void remember(const Change& change, const Eigen::Vector3d& before);
   void commit(const Change& change, bool backwards);
   void place(const Change& change, std::size_t i);
+  void note_changed(const std::vector<std::uint32_t>& triangles);
   void verify_from_scratch();
 
   ComplexMesh mesh_;
@@ -141,7 +147,7 @@ class ComplexEditor {
   const SizingField& sizing_;
   double scale_ = 1, floor_ = 0;
   std::vector<double> sizes_;
-  std::vector<std::uint32_t> hints_;
+  std::vector<std::uint32_t> hints_, changed_at_;
   std::vector<Eigen::Vector3d> normals_;
   std::array<std::uint64_t, kReasonNames.size()> refusals_{};
   std::uint64_t violations_ = 0;

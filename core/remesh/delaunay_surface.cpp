@@ -36,19 +36,17 @@ struct Repair {
   double turned_cosine;       ///< of the largest angle between reference and surface
   double narrow_share = 1;    ///< of what counts as missed, in narrow places of those labels
 };
-/// One after the other, until there is nothing to repair.
-constexpr std::array<Repair, 7> kRepairs{{{false, 0.5, 0.3, 0},
+/// One after the other, until there is nothing to repair. What opens a handle may need a look at what it
+/// found.
+constexpr std::array<Repair, 9> kRepairs{{{false, 0.5, 0.3, 0},
                                           {true, 0.3, 0.2, 0.3},
-                                          {true, 0.15, 0.2, 0.3, 0.7},
                                           {true, 0.15, 0.1, 0.5, 0.4},
-                                          {true, 0.09, 0.1, 0.5, 0.4},
                                           {true, 0.09, 0.05, 0.7, 0.2},
-                                          {true, 0.09, 0.05, 0.7, 0.2}}};
-/// Pieces, handles and contacts that closer looks may win back: beyond, local operations are sooner done.
-constexpr std::int64_t kFewDifferences = 8;
-/// Missed places, by triangle of the reference, that are left to local operations.
-constexpr double kFewPlaces = 3e-5;
-
+                                          {true, 0.09, 0.05, 0.7, 0.2},
+                                          {true, 0.09, 0.05, 0.7, 0.2},
+                                          {true, 0.06, 0.03, 0.7, 0.1},
+                                          {true, 0.06, 0.03, 0.7, 0.1},
+                                          {true, 0.06, 0.03, 0.7, 0.1}}};
 double facet_area2(const CellComplex& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
     return cells.points[cells.vertices[facet.cell][static_cast<std::size_t>(kFacetCorners[facet.corner][c])]];
@@ -102,6 +100,12 @@ std::vector<Label> labels_of(const std::vector<TopologyDifference>& differences)
   return labels;
 }
 
+/// The surface that came nearest to a topology.
+struct Nearest {
+  SurfaceMesh surface;
+  std::int64_t differences;
+};
+
 /// The volumes that labels and their layers are to have: a layer keeps its part of its parent's.
 std::vector<double> with_layers_mm3(std::vector<double> volumes, const SurfaceMesh& surface,
                                     const WallLayers& layers) {
@@ -131,6 +135,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   refiner.insert(seeds.points, kSeedSeparation * voxel);
   MissedPlaces places(reference, field);
   const std::vector<Edge> junctions = junction_edges(reference);
+  std::optional<Nearest> nearest;
   auto repair = kRepairs.begin();
   for (;;) {
     if (!refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count()))))
@@ -148,27 +153,32 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     SurfaceMesh surface = extract_interface(cells);
     if (ctx.cancelled()) return cancelled_error("remesh");
     const SurfaceMesh merged = merge_layers(surface, field.layers());
-    std::optional<std::vector<TopologyDifference>> differences;
+    std::optional<std::vector<Label>> broken;
+    const auto compare = [&] {
+      if (broken) return;
+      const std::vector<TopologyDifference> differences = compare_topology(wanted, label_topology(merged));
+      broken = labels_of(differences);
+      const std::int64_t size = size_of(differences);
+      if (!nearest || size <= nearest->differences) nearest = {surface, size};
+    };
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {
-      if (repair->thorough && !differences) differences = compare_topology(wanted, label_topology(merged));
-      const std::vector<Label> broken = differences ? labels_of(*differences) : std::vector<Label>{};
-      const bool few = differences && size_of(*differences) <= kFewDifferences;
+      if (repair->thorough) compare();
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
-      const std::vector<Eigen::Vector3d> elsewhere =
-          places.of(merged, {params.missed_voxels * voxel, repair->separation * voxel, broken,
-                             repair->turned_cosine, few ? repair->narrow_share : 1});
+      const std::vector<Eigen::Vector3d> elsewhere = places.of(
+          merged, {params.missed_voxels * voxel, repair->separation * voxel,
+                   broken ? *broken : std::vector<Label>{}, repair->turned_cosine, repair->narrow_share});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
-      const double places_missed =
-          static_cast<double>(missed.size()) / static_cast<double>(reference.triangles.size());
-      if (repair->thorough && broken.empty() && places_missed <= kFewPlaces) break;
+      if (repair->thorough && broken->empty() && missed.empty()) break;
       // These first, because new points do away with cells.
       for (const InterfaceFacet& facet : flawed)
         added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);
       added += refiner.insert(missed, repair->separation * voxel);
     }
     if (added > 0) continue;
+    compare();
+    surface = std::move(nearest->surface);
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
     fit_surface(surface, field, with_layers_mm3(volumes, surface, field.layers()));
     if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error("remesh");

@@ -14,6 +14,11 @@ void ComplexEditor::begin_trial() {
   trial_cosine_ = -1;
 }
 
+void ComplexEditor::keep_trial() {
+  trying_ = false;
+  for (const Accepted& step : trial_) note_changed(step.back.removed);
+}
+
 void ComplexEditor::remember(const Change& change, const Eigen::Vector3d& before) {
   Accepted& step = trial_.emplace_back();
   for (std::size_t i = 0; i < change.removed.size(); ++i) {

@@ -17,7 +17,7 @@ constexpr const char* kStage = "remesh";
 constexpr double kContentVoxels = 0.1;  ///< a sample this near to a triangle may be its
 constexpr double kShort = 0.72;         ///< in wished lengths; refined surfaces have few natural edges below
 constexpr double kRefinedGapShare = 0.4;  ///< EditLimits::gap_share; where sheets are near, edges stay short
-constexpr double kTrialAngleDeg = 10;     ///< below this an angle is not worth opening again
+constexpr double kTrialAngleDeg = 14;     ///< below this an angle is not worth opening again
 constexpr double kLatticeVoxels = 0.6, kFineLatticeVoxels = 0.5;
 constexpr double kLeastReachVoxels = 0.4;  ///< nearer than this is near enough
 constexpr double kAimShare = 0.88;         ///< of the envelope: between samples facets may be farther
@@ -33,7 +33,9 @@ class Improver : public AdaptPasses {
   bool run();
 
  private:
+  bool coarsen_in_steps();
   bool coarsen_to(double shortest);
+  bool collapse(std::uint32_t v, std::uint32_t other, double longest);
   bool relocate_touched();
   bool come_nearer();
   bool approach(std::uint32_t t, double reach_mm);
@@ -45,7 +47,12 @@ class Improver : public AdaptPasses {
   bool with_healing(Operation&& operation, Demanded&& demanded);
   bool heal(double limit_cosine);
 
-  std::vector<bool> changed_;  ///< vertices, by the last round; none before the first
+  struct Tried {
+    std::uint32_t at = 0;  ///< after which attempt of the editor
+    double shortest = 0;
+  };
+  std::vector<Tried> tried_;        ///< by vertex: when it could last go to no neighbour nearer than that
+  std::uint32_t relocated_at_ = 0;  ///< after which attempt
   const double trial_cosine_ = cosine_of_deg(kTrialAngleDeg);
 };
 
@@ -56,22 +63,40 @@ bool Improver::run() {
   fit_cells();
   for (const double share : {0.8, 0.9}) {
     if (!step(share)) return false;
-    if (!coarsen_to(0.5 * kShort) || !coarsen_to(kShort) || !relocate_touched()) return false;
+    if (!coarsen_in_steps() || !relocate_touched()) return false;
     if (!open_angles(editor_.limits.angle_cosine) || !open_folds()) return false;
   }
   return come_nearer();
 }
 
+/// The shortest edges first: among edges of about one length, angles stay good.
+bool Improver::coarsen_in_steps() {
+  for (const double share : {0.125, 0.25, 0.5, 1.0})
+    if (!coarsen_to(share * kShort)) return false;
+  return true;
+}
+
 bool Improver::coarsen_to(double shortest) {
-  return coarsen(shortest, [&](std::uint32_t v, std::uint32_t other, double longest) {
-    // What could not be done cannot be now, if nothing around has changed.
-    if (!changed_.empty() && !changed_[v] && !changed_[other]) return false;
-    const auto collapse = [&] { return operations_.collapse(v, other, longest); };
-    const std::uint64_t angles = editor_.refusals(Reason::kAngle);
-    if (collapse()) return true;
-    // Healing is for angles alone.
-    return editor_.refusals(Reason::kAngle) > angles && with_healing(collapse, [] { return true; });
+  tried_.resize(editor_.mesh().vertex_count());
+  return coarsen(shortest, [&](std::uint32_t v, const std::vector<Near>& near, double longest) {
+    const std::uint64_t lengths = editor_.refusals(Reason::kLength);
+    for (const Near& other : near) {
+      // What could not be done cannot be now, if nothing around has changed.
+      const std::uint32_t changed = std::max(editor_.changed_at(v), editor_.changed_at(other.v));
+      if (changed <= tried_[v].at && other.length < tried_[v].shortest) continue;
+      if (collapse(v, other.v, longest)) return;
+    }
+    // Longer edges may be allowed to the next pass.
+    tried_[v] = {editor_.attempts(), editor_.refusals(Reason::kLength) > lengths ? 0 : shortest};
   });
+}
+
+bool Improver::collapse(std::uint32_t v, std::uint32_t other, double longest) {
+  const auto operation = [&] { return operations_.collapse(v, other, longest); };
+  const std::uint64_t angles = editor_.refusals(Reason::kAngle);
+  if (operation()) return true;
+  // Healing is for angles alone.
+  return editor_.refusals(Reason::kAngle) > angles && with_healing(operation, [] { return true; });
 }
 
 /// Vertices around what changed, and at first around junction curves, whose vertices refinement puts beside
@@ -79,13 +104,15 @@ bool Improver::coarsen_to(double shortest) {
 bool Improver::relocate_touched() {
   constexpr int kRounds = 2;
   const ComplexMesh& mesh = editor_.mesh();
-  const bool with_curves = changed_.empty();
-  std::vector<bool> touched = operations_.take_touched();
-  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
-    if (with_curves && alive(v) && mesh.stratum(v) == Stratum::kCurve) {
-      touched[v] = true;
-      for (const std::uint32_t other : operations_.neighbours(v)) touched[other] = true;
-    }
+  const bool with_curves = relocated_at_ == 0;
+  std::vector<bool> touched(mesh.vertex_count());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (!alive(v)) continue;
+    if (editor_.changed_at(v) > relocated_at_) touched[v] = true;
+    if (!with_curves || mesh.stratum(v) != Stratum::kCurve) continue;
+    touched[v] = true;
+    for (const std::uint32_t other : operations_.neighbours(v)) touched[other] = true;
+  }
   for (int round = 0; round < kRounds; ++round) {
     lift_towards_volumes();
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -93,7 +120,7 @@ bool Improver::relocate_touched() {
       if (touched[v] && alive(v)) operations_.relocate(v);
     }
   }
-  changed_ = std::move(touched);
+  relocated_at_ = editor_.attempts();
   return true;
 }
 
@@ -126,7 +153,7 @@ bool Improver::come_nearer() {
 /// Step by step; whether there was any.
 bool Improver::approach(std::uint32_t t, double reach_mm) {
   constexpr int kMostSteps = 6;
-  const double most_mm = 2 * reach_mm;  // beyond, another sheet may have been taken for the triangle's
+  const double most_mm = 4 * reach_mm;  // beyond, another sheet may have been taken for the triangle's
   bool any = false;
   for (int step = 0; step < kMostSteps && editor_.mesh().alive(t); ++step) {
     if (editor_.well_sampled(t, kNearShare * reach_mm)) break;
@@ -213,7 +240,8 @@ bool Improver::with_healing(Operation&& operation, Demanded&& demanded) {
   return good;
 }
 
-/// Opens the angles of what the trial made, down to the limit or to what it found.
+/// Opens the angles of what the trial made, down to the limit or to what it found; gives up at the first that
+/// cannot be opened.
 bool Improver::heal(double limit_cosine) {
   constexpr int kRounds = 4;
   const ComplexMesh& mesh = editor_.mesh();
@@ -229,7 +257,8 @@ bool Improver::heal(double limit_cosine) {
     std::sort(poor.begin(), poor.end());
     poor.erase(std::unique(poor.begin(), poor.end()), poor.end());
     for (const std::uint32_t t : poor)
-      if (mesh.alive(t)) open_angle(t);
+      if (mesh.alive(t) && sharpest_cosine(mesh.corners(mesh.triangle(t))) > limit && !open_angle(t))
+        return false;
   }
   return false;
 }

@@ -84,7 +84,6 @@ bool LocalOperations::collapse_onto(std::uint32_t a, std::uint32_t b, double lon
   describe_collapse(a, b);
   if (!editor_.attempt(change_, demand)) return false;
   ++accepted[1];
-  touch();
   return true;
 }
 
@@ -130,7 +129,6 @@ bool LocalOperations::merge(std::uint32_t a, std::uint32_t b, double longest, De
   change_.position = on;
   if (!editor_.attempt(change_, demand, hint)) return false;
   ++accepted[1];
-  touch();
   return true;
 }
 
@@ -198,7 +196,6 @@ bool LocalOperations::split_at(std::uint32_t a, std::uint32_t b, const Eigen::Ve
     return false;
   }
   ++accepted[0];
-  touch();
   return true;
 }
 
@@ -240,21 +237,7 @@ bool LocalOperations::flip(std::uint32_t a, std::uint32_t b, Demand demand) {
   change_.added = {{{c, a, d}, mesh.pair(first)}, {{d, b, c}, mesh.pair(first)}};
   if (!editor_.attempt(change_, demand)) return false;
   ++accepted[2];
-  touch();
   return true;
-}
-
-void LocalOperations::touch() {
-  touched_.resize(editor_.mesh().vertex_count(), false);
-  for (const Facet& facet : change_.added)
-    for (const std::uint32_t v : facet.corners) touched_[v] = true;
-}
-
-std::vector<bool> LocalOperations::take_touched() {
-  std::vector<bool> taken(editor_.mesh().vertex_count(), false);
-  taken.swap(touched_);
-  taken.resize(editor_.mesh().vertex_count(), false);
-  return taken;
 }
 
 bool LocalOperations::relocate(std::uint32_t v) {

@@ -30,9 +30,6 @@ class LocalOperations {
   /// The same with the poorest triangles first, in smaller and smaller steps until the demand is met.
   bool open(std::uint32_t v, Demand demand);
 
-  /// By vertex: whether a split, collapse or flip changed its triangles since this was last asked.
-  std::vector<bool> take_touched();
-
   /// How much a flip of the edge would bring the valences nearer to six; vertices on curves do not count.
   int valence_gain(std::uint32_t a, std::uint32_t b) const;
   /// Neighbours of v, each once.
@@ -40,7 +37,6 @@ class LocalOperations {
 
  private:
   bool collapse_onto(std::uint32_t a, std::uint32_t b, double longest, Demand demand);
-  void touch();
   bool merge(std::uint32_t a, std::uint32_t b, double longest, Demand demand);
   void describe_collapse(std::uint32_t a, std::uint32_t b);
   bool link_allows(std::uint32_t a, std::uint32_t b);
@@ -61,7 +57,6 @@ class LocalOperations {
 
   ComplexEditor& editor_;
   Change change_;
-  std::vector<bool> touched_;
   std::vector<std::uint32_t> marks_;
   std::uint32_t round_ = 0;
   std::vector<std::uint32_t> around_;

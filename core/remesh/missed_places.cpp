@@ -117,6 +117,18 @@ std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint3
   return std::nullopt;
 }
 
+/// The voxel of the padded grid in which a point lies.
+std::size_t voxel_at(const LabelField& field, const Eigen::Vector3d& mm) {
+  const Eigen::Vector3d index = field.to_index(mm);
+  std::size_t offset = 0;
+  for (int d = 2; d >= 0; --d) {
+    const int size = field.size()[static_cast<std::size_t>(d)];
+    const int at = std::clamp(static_cast<int>(std::floor(index[d] + 0.5)), 0, size - 1);
+    offset = offset * static_cast<std::size_t>(size) + static_cast<std::size_t>(at);
+  }
+  return offset;
+}
+
 /// Whether, straight behind or before a triangle, its label ends within so many mm.
 bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& field, double width_mm) {
   const Eigen::Vector3d middle = centroid(surface, t);
@@ -141,15 +153,21 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
   const std::vector<std::uint32_t> ids = by_pair(surface, [](std::uint32_t) { return true; });
   const std::vector<std::uint64_t> names = names_of(surface);
   const NamedTriangles named(names);
+  std::vector<bool> suspects;
+  if (!criteria.thorough.empty()) {
+    if (!suspects_) suspects_.emplace(reference_, field_);
+    suspects = suspects_->of(surface, criteria.thorough);
+  }
   std::vector<Eigen::Vector3d> missed;
   std::size_t from = 0;
   for (std::size_t s = 0; s < samples_.size();) {
     const Sides& sides = reference_.sides[samples_[s]];
-    const bool thorough = beside_any(sides, criteria.thorough);
+    const bool broken = beside_any(sides, criteria.thorough);
     while (from < ids.size() && pair_of(surface.sides[ids[from]]) < pair_of(sides)) ++from;
     std::size_t to = from;
     while (to < ids.size() && surface.sides[ids[to]] == sides) ++to;
-    const auto follows = [&](std::uint32_t sample, double limit, std::uint32_t t, double distance_mm) {
+    const auto follows = [&](bool thorough, std::uint32_t sample, double limit, std::uint32_t t,
+                             double distance_mm) {
       return distance_mm <= limit &&
              (!thorough || distance_mm <= kTurnedShare * limit ||
               !is_turned(cross_of(reference_, reference_.triangles[sample]),
@@ -166,6 +184,8 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
     std::uint32_t hint = 0;
     for (; s < samples_.size() && reference_.sides[samples_[s]] == sides; ++s) {
       const std::uint32_t sample = samples_[s];
+      const bool thorough =
+          broken && (suspects.empty() || suspects[voxel_at(field_, centroid(reference_, sample))]);
       if (!thorough && sample % stride != 0) continue;
       const bool narrow = thorough && criteria.narrow_share < 1 &&
                           is_narrow(reference_, sample, field_, kNarrowVoxels * field_.smallest_spacing_mm());
@@ -177,7 +197,7 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
       const Eigen::Vector3d middle = centroid(reference_, sample);
       const std::optional<std::uint32_t> last = named.find(followed_by_[s]);
       if (last && surface.sides[*last] == sides &&
-          follows(sample, limit, *last, distance_to(surface, *last, middle)))
+          follows(thorough, sample, limit, *last, distance_to(surface, *last, middle)))
         continue;
       if (!tree) {
         std::vector<Triangle> triangles;
@@ -188,7 +208,7 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
       hint = hit.triangle;
       const std::uint32_t closest = ids[from + hit.triangle];
       followed_by_[s] = names[closest];
-      if (!follows(sample, limit, closest, hit.distance_mm)) add(sample, limit);
+      if (!follows(thorough, sample, limit, closest, hit.distance_mm)) add(sample, limit);
     }
     from = to;
   }

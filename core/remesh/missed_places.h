@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "remesh/junction_points.h"
 #include "remesh/label_field.h"
+#include "remesh/suspect_voxels.h"
 #include "types/surface_mesh.h"
 
 namespace voxtet::remesh {
@@ -14,9 +16,9 @@ namespace voxtet::remesh {
 struct MissedCriteria {
   double limit_mm;       ///< farther than this from the surface counts as missed
   double separation_mm;  ///< between the places
-  /// Around these labels (ascending) every other triangle of the reference is a sample, not only some 100,000
-  /// of all, and missed also where the closest triangle is turned by more than an angle: the wall of a tunnel
-  /// has its lid near, but nothing parallel.
+  /// Around these labels (ascending), at suspect voxels or all over if there are none, every other triangle
+  /// of the reference is a sample, not only some 100,000 of all, and missed also where the closest triangle
+  /// is turned by more than an angle: the wall of a tunnel has its lid near, but nothing parallel.
   std::vector<Label> thorough = {};
   double turned_cosine = 0.3;  ///< of that angle
   double narrow_share = 1;     ///< of the limit: what it is there where labels are narrow
@@ -38,6 +40,7 @@ class MissedPlaces {
   const SurfaceMesh& reference_;
   const LabelField& field_;
   std::vector<std::uint32_t> samples_;      ///< triangles that may be samples, by their two labels
+  std::optional<SuspectVoxels> suspects_;   ///< once asked for
   std::vector<std::uint64_t> followed_by_;  ///< by sample, what names the triangle that was last closest
 };
 

@@ -86,7 +86,7 @@ TEST(RemeshMethods, KeepEveryPieceHandleAndContactOnDemand) {
 }
 
 TEST(RemeshMethods, WinBackAFewLostHandles) {
-  const RandomCase lossy(121);  // without closer looks at narrow places it falls back
+  const RandomCase lossy(199);  // without closer looks at narrow places it falls back
   const Outcome out = lossy.remeshed(KeepTopology::kAll);
   EXPECT_EQ(out.notes, kDelaunayNote);
   EXPECT_EQ(label_topology(out.surface), label_topology(lossy.reference));
