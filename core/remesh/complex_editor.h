@@ -122,7 +122,7 @@ class ComplexEditor {
   Breach farthest_point_of(std::uint32_t t, const Corners& p) const;
   std::uint32_t nearest_hint(const Facet& facet, const Corners& p) const;
   Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double content2,
-                        std::uint32_t hint) const;
+                        std::uint32_t hint, double enough2 = 0) const;
   Reason check_contacts(const Change& change);
   double least_wish(const Change& change) const;
   Reason check_pair(const Facet& facet, std::size_t i, const Triangle& other, const Corners& corners,

@@ -33,7 +33,7 @@ Reason ComplexEditor::check_envelope(const Change& change) const {
     met = change.added[i].pair;
     for (;;) {
       const double distance2 = farthest_point(change.added[i], new_corners_[i], moved, limit2,
-                                              nearest_hint(change.added[i], new_corners_[i]))
+                                              nearest_hint(change.added[i], new_corners_[i]), limit2)
                                    .distance2;
       if (distance2 <= limit2) break;
       if (looked_back || distance2 == kNowhere) return Reason::kEnvelope;
@@ -64,7 +64,8 @@ std::uint32_t ComplexEditor::nearest_hint(const Facet& facet, const Corners& p) 
 /// Of the facet's lattice points; the first one above `content2`. Its corners were looked at when they came
 /// to their places, and each edge inside the change is left to one of its two facets.
 ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved,
-                                                    double content2, std::uint32_t hint) const {
+                                                    double content2, std::uint32_t hint,
+                                                    double enough2) const {
   const int n = static_cast<int>(std::ceil(longest_edge_mm(p) / limits.lattice_mm));
   Breach worst;
   if (hint == kNone) {
@@ -84,7 +85,7 @@ ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Co
         if (u > w2 && !on_curves(u, w2)) continue;
       }
       const Eigen::Vector3d at = (w[0] * p[0] + w[1] * p[1] + w[2] * p[2]) / n;
-      const Eigen::Vector3d toward = reference_.walk(at, facet.pair, hint) - at;
+      const Eigen::Vector3d toward = reference_.walk(at, facet.pair, hint, enough2) - at;
       const double distance2 = toward.squaredNorm();
       if (distance2 <= worst.distance2) continue;
       worst = {distance2, toward, Eigen::Vector3d(w[0], w[1], w[2]) / n};

@@ -102,7 +102,7 @@ bool Improver::collapse(std::uint32_t v, std::uint32_t other, double longest) {
 /// Vertices around what changed, and at first around junction curves, whose vertices refinement puts beside
 /// the reference's; each round nearer to the labels' volumes.
 bool Improver::relocate_touched() {
-  constexpr int kRounds = 2;
+  constexpr int kRounds = 3;
   const ComplexMesh& mesh = editor_.mesh();
   const bool with_curves = relocated_at_ == 0;
   std::vector<bool> touched(mesh.vertex_count());

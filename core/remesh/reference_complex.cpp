@@ -77,17 +77,20 @@ double ReferenceComplex::walk_downhill(const Eigen::Vector3d& p, std::uint32_t& 
   return least;
 }
 
-Eigen::Vector3d ReferenceComplex::walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint) const {
+Eigen::Vector3d ReferenceComplex::walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint,
+                                       double enough2) const {
   const double least = walk_downhill(p, hint, [&](std::uint32_t from, const auto& visit) {
     for (const std::uint32_t t : star(from))
       if (pairs_[t] == pair)
         for (const std::uint32_t v : triangles_[t]) visit(v);
   });
   Foot best{points_[hint], least, kNone};
+  if (least <= enough2) return best.on;
   try_star(p, pair, hint, best);
   // Where triangles are long, the nearest vertex need not have the nearest one: go on from triangle to
   // triangle.
-  for (int step = 0; step < kLongestWalk && best.distance2 > near2_ && best.triangle != kNone; ++step) {
+  const double near2 = std::max(near2_, enough2);
+  for (int step = 0; step < kLongestWalk && best.distance2 > near2 && best.triangle != kNone; ++step) {
     const std::uint32_t from = best.triangle;
     for (const std::uint32_t v : triangles_[from])
       if (v != hint) try_star(p, pair, v, best);

@@ -31,8 +31,9 @@ class ReferenceComplex {
 
   /// A near point on the sheets of `pair`, found by walking downhill from vertex `hint`, which must have a
   /// triangle of the pair; `hint` becomes the vertex reached. It stays on the sheet where it starts, so it
-  /// never jumps across a thin wall; its distance bounds the true one from above.
-  Eigen::Vector3d walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint) const;
+  /// never jumps across a thin wall; its distance bounds the true one from above. Looks for none nearer than
+  /// `enough2`, a squared distance.
+  Eigen::Vector3d walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint, double enough2 = 0) const;
   /// The same along the curve of `hint`. A corner as a hint stands for a curve of one edge: p itself is
   /// returned.
   Eigen::Vector3d walk_curve(const Eigen::Vector3d& p, std::uint32_t& hint) const;
