@@ -11,8 +11,8 @@
 namespace voxtet {
 namespace {
 
-/// With more handles than that in a label, restricted Delaunay refinement is expected to lose some and to give
-/// way to local operations: with 367 it does, with 95 it keeps all (tests/sweep/sweep_forecast).
+/// With more handles than that in a label, restricted Delaunay refinement is expected to lose some and to
+/// give way to local operations: with 367 it does, with 95 it keeps all (tests/sweep/sweep_forecast).
 constexpr std::int64_t kManyHandles = 120;
 constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
 
