@@ -36,8 +36,8 @@ struct Repair {
   double turned_cosine;       ///< of the largest angle between reference and surface
   double narrow_share = 1;    ///< of what counts as missed, in narrow places of those labels
 };
-/// One after the other, until there is nothing to repair. What opens a handle may need a look at what it
-/// found.
+/// One after the other, until there is nothing to repair. The last ones come more than once: what one adds
+/// may show the next another place.
 constexpr std::array<Repair, 9> kRepairs{{{false, 0.5, 0.3, 0},
                                           {true, 0.3, 0.2, 0.3},
                                           {true, 0.15, 0.1, 0.5, 0.4},

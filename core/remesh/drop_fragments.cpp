@@ -33,12 +33,10 @@ void add_voxels(const CellComplex& cells, std::uint32_t cell, const LabelField& 
     first[k] = static_cast<int>(std::ceil(std::max(low[d], 0.0)));
     last[k] = static_cast<int>(std::floor(std::min(high[d], field.size()[k] - 1.0)));
   }
-  const auto sx = static_cast<std::size_t>(field.size()[0]), sy = static_cast<std::size_t>(field.size()[1]);
   for (int k = first[2]; k <= last[2]; ++k)
     for (int j = first[1]; j <= last[1]; ++j)
       for (int i = first[0]; i <= last[0]; ++i) {
-        const std::size_t voxel = static_cast<std::size_t>(i) +
-                                  sx * (static_cast<std::size_t>(j) + sy * static_cast<std::size_t>(k));
+        const std::size_t voxel = field.offset({i, j, k});
         if (field.centre_labels()[voxel] != cells.labels[cell]) continue;
         const Eigen::Vector3d x(i, j, k);
         if (whole * volume6(x, p[1], p[2], p[3]) >= 0 && whole * volume6(p[0], x, p[2], p[3]) >= 0 &&

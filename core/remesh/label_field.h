@@ -59,7 +59,14 @@ class LabelField {
 
   const std::array<int, 3>& size() const { return size_; }
   const WallLayers& layers() const { return layers_; }
-  /// Label at a voxel centre of the padded grid, offset x fastest.
+  /// Of a voxel of the padded grid, x fastest.
+  std::size_t offset(const Eigen::Vector3i& voxel) const {
+    return static_cast<std::size_t>(voxel[0]) +
+           static_cast<std::size_t>(size_[0]) *
+               (static_cast<std::size_t>(voxel[1]) +
+                static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(voxel[2]));
+  }
+  /// Label at each voxel centre of the padded grid, by offset.
   const std::vector<Label>& centre_labels() const { return centre_labels_; }
   double smallest_spacing_mm() const { return smallest_spacing_mm_; }
   /// Which voxels of a label are joined.

@@ -120,13 +120,11 @@ std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint3
 /// The voxel of the padded grid in which a point lies.
 std::size_t voxel_at(const LabelField& field, const Eigen::Vector3d& mm) {
   const Eigen::Vector3d index = field.to_index(mm);
-  std::size_t offset = 0;
-  for (int d = 2; d >= 0; --d) {
-    const int size = field.size()[static_cast<std::size_t>(d)];
-    const int at = std::clamp(static_cast<int>(std::floor(index[d] + 0.5)), 0, size - 1);
-    offset = offset * static_cast<std::size_t>(size) + static_cast<std::size_t>(at);
-  }
-  return offset;
+  Eigen::Vector3i voxel;
+  for (int d = 0; d < 3; ++d)
+    voxel[d] = std::clamp(static_cast<int>(std::floor(index[d] + 0.5)), 0,
+                          field.size()[static_cast<std::size_t>(d)] - 1);
+  return field.offset(voxel);
 }
 
 /// Whether, straight behind or before a triangle, its label ends within so many mm.

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "geometry/surface_measures.h"
 #include "geometry/triangle_measures.h"
+#include "remesh/kuhn_neighbours.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -18,46 +18,11 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-constexpr std::size_t kWayCount = 7, kNeighbourCount = 2 * kWayCount;
 constexpr int kReach = 1;  ///< voxels around a suspect one
 
-/// Edges of the Kuhn tetrahedra at a vertex: upwards, then the same downwards.
-std::array<Vector3i, kNeighbourCount> kuhn_neighbours() {
-  std::array<Vector3i, kNeighbourCount> out;
-  for (std::size_t way = 0; way < kWayCount; ++way) {
-    const int bits = static_cast<int>(way) + 1;
-    out[way] = Vector3i(bits & 1, bits >> 1 & 1, bits >> 2);
-    out[way + kWayCount] = -out[way];
-  }
-  return out;
-}
-
-const std::array<Vector3i, kNeighbourCount> kNeighbours = kuhn_neighbours();
-
-/// Which of the neighbours are joined by an edge.
-std::array<std::array<bool, kNeighbourCount>, kNeighbourCount> kuhn_links() {
-  std::array<std::array<bool, kNeighbourCount>, kNeighbourCount> joined{};
-  for (std::size_t a = 0; a < kNeighbourCount; ++a)
-    for (std::size_t b = 0; b < kNeighbourCount; ++b)
-      joined[a][b] = std::find(kNeighbours.begin(), kNeighbours.end(), kNeighbours[a] - kNeighbours[b]) !=
-                     kNeighbours.end();
-  return joined;
-}
-
-/// Whether a vertex can be taken from or added to a set without a change of topology: the set's part of the
-/// vertex's link and the rest are both of one piece.
-bool is_simple(const std::array<bool, kNeighbourCount>& in_set) {
-  static const auto joined = kuhn_links();
-  std::array<std::size_t, kNeighbourCount> piece{};
-  std::iota(piece.begin(), piece.end(), std::size_t{0});
-  std::size_t pieces = kNeighbourCount;
-  for (std::size_t a = 0; a < kNeighbourCount; ++a)
-    for (std::size_t b = 0; b < a; ++b) {
-      if (in_set[a] != in_set[b] || !joined[a][b] || piece[a] == piece[b]) continue;
-      std::replace(piece.begin(), piece.end(), std::size_t{piece[a]}, std::size_t{piece[b]});
-      --pieces;
-    }
-  return pieces == 2;
+Vector3i to_neighbour(std::size_t neighbour) {
+  const auto [i, j, k] = step_to(neighbour);
+  return {i, j, k};
 }
 
 /// Where the segment from `a` along `way` meets a triangle, as a share of it (Möller and Trumbore 1997).
@@ -79,14 +44,14 @@ bool is_one_of(Label label, const std::vector<Label>& labels) {
 
 SuspectVoxels::SuspectVoxels(const SurfaceMesh& reference, const LabelField& field) : field_(field) {
   for (const Crossing& crossing : crossings(reference))
-    if (crossing.way < kWayCount) reference_ways_.push_back(crossing.voxel * kWayCount + crossing.way);
+    if (crossing.way < kUp) reference_ways_.push_back(crossing.voxel * kUp + crossing.way);
   std::sort(reference_ways_.begin(), reference_ways_.end());
 }
 
 std::vector<SuspectVoxels::Crossing> SuspectVoxels::crossings(const SurfaceMesh& surface) const {
-  std::array<Vector3d, kWayCount> ways_mm;
-  for (std::size_t way = 0; way < kWayCount; ++way)
-    ways_mm[way] = field_.to_mm(kNeighbours[way].cast<double>()) - field_.to_mm(Vector3d::Zero());
+  std::array<Vector3d, kUp> ways_mm;
+  for (std::size_t way = 0; way < kUp; ++way)
+    ways_mm[way] = field_.to_mm(to_neighbour(way).cast<double>()) - field_.to_mm(Vector3d::Zero());
   std::vector<Crossing> out;
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     TriangleCorners p;
@@ -100,15 +65,15 @@ std::vector<SuspectVoxels::Crossing> SuspectVoxels::crossings(const SurfaceMesh&
     for (int k = low[2]; k <= high[2]; ++k)
       for (int j = low[1]; j <= high[1]; ++j)
         for (int i = low[0]; i <= high[0]; ++i)
-          for (std::uint8_t way = 0; way < kWayCount; ++way) {
-            const Vector3i from(i, j, k), to = from + kNeighbours[way];
+          for (std::uint8_t way = 0; way < kUp; ++way) {
+            const Vector3i from(i, j, k), to = from + to_neighbour(way);
             if (!inside(from) || !inside(to)) continue;
-            const std::optional<double> at = meets(from.cast<double>(), kNeighbours[way].cast<double>(), p);
+            const std::optional<double> at = meets(from.cast<double>(), to_neighbour(way).cast<double>(), p);
             if (!at) continue;
             const bool outwards = cross.dot(ways_mm[way]) > 0;
-            const auto backwards = static_cast<std::uint8_t>(way + kWayCount);
-            out.push_back({offset(from), *at, t, way, outwards ? behind : front});
-            out.push_back({offset(to), 1 - *at, t, backwards, outwards ? front : behind});
+            const auto backwards = static_cast<std::uint8_t>(way + kUp);
+            out.push_back({field_.offset(from), *at, t, way, outwards ? behind : front});
+            out.push_back({field_.offset(to), 1 - *at, t, backwards, outwards ? front : behind});
           }
   }
   std::sort(out.begin(), out.end(), [](const Crossing& a, const Crossing& b) {
@@ -136,27 +101,27 @@ std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vecto
     bool simple = true;
     for (const Label other : {label, centres[voxel]}) {
       if (!is_one_of(other, labels)) continue;
-      std::array<bool, kNeighbourCount> before{}, after{};
-      for (std::size_t n = 0; n < kNeighbourCount; ++n) {
-        const Vector3i next = middle + kNeighbours[n];
+      std::uint32_t before = 0, after = 0;
+      for (std::size_t n = 0; n < kNeighbours; ++n) {
+        const Vector3i next = middle + to_neighbour(n);
         const bool known = inside(next);
-        before[n] = (known ? centres[offset(next)] : kBackground) == other;
-        after[n] = (known ? label_by_surface(offset(next)) : kBackground) == other;
+        if ((known ? centres[field_.offset(next)] : kBackground) == other) before |= 1U << n;
+        if ((known ? label_by_surface(field_.offset(next)) : kBackground) == other) after |= 1U << n;
       }
       simple = simple && is_simple(before) && is_simple(after);
     }
     if (!simple) mark_around(voxel, marked);
   }
   for (const Crossing& crossing : all) {
-    if (crossing.way >= kWayCount) continue;
+    if (crossing.way >= kUp) continue;
     const Sides& sides = surface.sides[crossing.triangle];
     if (!is_one_of(sides[0], labels) && !is_one_of(sides[1], labels)) continue;
-    const std::uint64_t end = offset(voxel_of(crossing.voxel) + kNeighbours[crossing.way]);
+    const std::uint64_t end = field_.offset(voxel_of(crossing.voxel) + to_neighbour(crossing.way));
     const Label label = centres[crossing.voxel];
     if (centres[end] != label || label_by_surface(crossing.voxel) != label || label_by_surface(end) != label)
       continue;
     if (std::binary_search(reference_ways_.begin(), reference_ways_.end(),
-                           crossing.voxel * kWayCount + crossing.way))
+                           crossing.voxel * kUp + crossing.way))
       continue;
     mark_around(crossing.voxel, marked);
     mark_around(end, marked);
@@ -171,13 +136,6 @@ Vector3i SuspectVoxels::voxel_of(std::uint64_t offset) const {
           static_cast<int>(offset / nx / ny)};
 }
 
-std::uint64_t SuspectVoxels::offset(const Vector3i& voxel) const {
-  const auto nx = static_cast<std::uint64_t>(field_.size()[0]),
-             ny = static_cast<std::uint64_t>(field_.size()[1]);
-  return (static_cast<std::uint64_t>(voxel[2]) * ny + static_cast<std::uint64_t>(voxel[1])) * nx +
-         static_cast<std::uint64_t>(voxel[0]);
-}
-
 bool SuspectVoxels::inside(const Vector3i& voxel) const {
   for (int d = 0; d < 3; ++d)
     if (voxel[d] < 0 || voxel[d] >= field_.size()[static_cast<std::size_t>(d)]) return false;
@@ -190,7 +148,8 @@ void SuspectVoxels::mark_around(std::uint64_t voxel, std::vector<bool>& marked) 
   for (int k = -kReach; k <= kReach; ++k)
     for (int j = -kReach; j <= kReach; ++j)
       for (int i = -kReach; i <= kReach; ++i)
-        if (const Vector3i next = middle + Vector3i(i, j, k); inside(next)) marked[offset(next)] = true;
+        if (const Vector3i next = middle + Vector3i(i, j, k); inside(next))
+          marked[field_.offset(next)] = true;
 }
 
 }  // namespace voxtet::remesh

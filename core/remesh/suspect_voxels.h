@@ -37,7 +37,6 @@ class SuspectVoxels {
   /// Of both ends of each way, by voxel, then by the share of the way.
   std::vector<Crossing> crossings(const SurfaceMesh& surface) const;
   Eigen::Vector3i voxel_of(std::uint64_t offset) const;
-  std::uint64_t offset(const Eigen::Vector3i& voxel) const;
   bool inside(const Eigen::Vector3i& voxel) const;
   void mark_around(std::uint64_t voxel, std::vector<bool>& marked) const;
 

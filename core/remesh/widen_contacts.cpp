@@ -1,51 +1,15 @@
 #include "remesh/widen_contacts.h"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+
+#include "remesh/kuhn_neighbours.h"
 
 namespace voxtet::remesh {
 namespace {
 
 constexpr double kContactLead = 0.3;  ///< of the two labels over the third
-
-/// A voxel's neighbours along edges of the Kuhn tetrahedra: seven up, by the bits of their number plus one,
-/// and those opposite.
-constexpr std::size_t kUp = 7, kNeighbours = 14;
-
-constexpr std::array<int, 3> step_to(std::size_t neighbour) {
-  const int sign = neighbour < kUp ? 1 : -1, bits = static_cast<int>(neighbour % kUp) + 1;
-  return {sign * (bits & 1), sign * (bits >> 1 & 1), sign * (bits >> 2)};
-}
-
-/// By neighbour, those of the others that are neighbours of it, as bits: a ring around the edge to it.
-constexpr std::array<std::uint32_t, kNeighbours> kRings = [] {
-  std::array<std::uint32_t, kNeighbours> rings{};
-  for (std::size_t a = 0; a < kNeighbours; ++a)
-    for (std::size_t b = 0; b < kNeighbours; ++b) {
-      bool up = a != b, down = a != b;
-      for (std::size_t d = 0; d < 3; ++d) {
-        const int step = step_to(b)[d] - step_to(a)[d];
-        up = up && (step == 0 || step == 1);
-        down = down && (step == 0 || step == -1);
-      }
-      if (up || down) rings[a] |= 1U << b;
-    }
-  return rings;
-}();
-
-/// Whether voxels of a ring are joined with each other.
-bool is_one_arc(std::uint32_t voxels) {
-  std::uint32_t reached = voxels & -voxels;
-  for (std::uint32_t last = 0; reached != last;) {
-    std::uint32_t fresh = reached & ~last;
-    last = reached;
-    for (; fresh != 0; fresh &= fresh - 1)
-      reached |= kRings[static_cast<std::size_t>(std::countr_zero(fresh))] & voxels;
-  }
-  return reached == voxels;
-}
 
 class Widener {
  public:
@@ -109,7 +73,7 @@ class Widener {
       if (grid_.labels[v - up_[m]] == label) like |= 1U << (m + kUp);
     }
     like &= kRings[n];
-    return like == kRings[n] || !is_one_arc(like);
+    return like == kRings[n] || !are_joined(like);
   }
 
   const LabelGrid& grid_;

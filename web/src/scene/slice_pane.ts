@@ -8,7 +8,16 @@ import {
   type LineSegments,
   type RawShaderMaterial,
 } from 'three';
-import { coordinate, cross, dot, obliqueness, sidesOf, toIndex, toMm, type SliceFrame } from '../geometry/orientation';
+import {
+  coordinate,
+  cross,
+  dot,
+  obliqueness,
+  sidesOf,
+  toIndex,
+  toMm,
+  type SliceFrame,
+} from '../geometry/orientation';
 import type { Vec3 } from '../engine/contract';
 import { slicePlaces } from '../store/view';
 import type { Canvas, Pane } from './canvas';
