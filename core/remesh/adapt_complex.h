@@ -35,7 +35,7 @@ struct AdaptRecord {
   std::array<std::uint64_t, 4> accepted{};  ///< splits, collapses, flips, relocations
   struct Refusal {
     std::string reason;  ///< "link", "length", "angle", "curve", "normal", "envelope", "reverse",
-                         ///< "intersection", "dihedral", "gap"; an attempt counts for its first
+                         ///< "intersection", "dihedral", "gap", "ball"; an attempt counts for its first
     std::uint64_t count = 0;
   };
   std::vector<Refusal> refused;

@@ -43,9 +43,10 @@ enum class Reason : std::uint8_t {
   kIntersection,
   kDihedral,
   kGap,
+  kBall,
 };
-inline constexpr std::array<const char*, 11> kReasonNames = {
+inline constexpr std::array<const char*, 12> kReasonNames = {
     "",         "link",    "length",       "angle",    "curve", "normal",
-    "envelope", "reverse", "intersection", "dihedral", "gap"};
+    "envelope", "reverse", "intersection", "dihedral", "gap",   "ball"};
 
 }  // namespace voxtet::remesh

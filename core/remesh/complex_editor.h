@@ -27,7 +27,9 @@ struct EditLimits {
   double junction_cosine = 0.9;  ///< angles between two facets where curves run
   double gap_share = 0;          ///< least distance of sheets that face each other, in wished edge lengths
   /// The complex is adapted already: it may be beyond its reach somewhere, where it must not go farther, and
-  /// where sheets are nearer than the gap edges grow no faster than it.
+  /// where sheets are nearer than the gap edges grow no faster than it. Facets that may be Delaunay stay so,
+  /// unless distances are at stake: tetrahedra between sheets that are near each other need no other points
+  /// then.
   bool adapted = false;
   bool verify = false;
 };
@@ -124,6 +126,9 @@ class ComplexEditor {
   Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double content2,
                         std::uint32_t hint, double enough2 = 0) const;
   Reason check_contacts(const Change& change);
+  Reason check_balls(const Change& change, const Eigen::Vector3d& before);
+  bool all_have_balls(const Change& change) const;
+  bool has_ball(const Triangle& corners, const Corners& p) const;
   double least_wish(const Change& change) const;
   Reason check_pair(const Facet& facet, std::size_t i, const Triangle& other, const Corners& corners,
                     const Eigen::Vector3d& normal, PairId pair, bool boxes_meet);
@@ -161,7 +166,8 @@ class ComplexEditor {
   std::vector<Eigen::Vector3d> old_normals_, new_normals_;
   std::vector<FloatBox> new_boxes_, wide_boxes_;
   double gap_mm_ = 0, gap_growth_ = 1, reach_mm_ = 0;
-  std::vector<std::uint32_t> near_, slots_;
+  std::vector<std::uint32_t> near_, slots_, near_vertices_;
+  std::vector<Eigen::Vector3d> near_points_;
 
   /// What takes an accepted change back.
   struct Accepted {

@@ -18,14 +18,15 @@
 #include "remesh/missed_places.h"
 #include "remesh/refine_delaunay.h"
 #include "remesh/relabel_cells.h"
+#include "remesh/relax_surface.h"
 #include "remesh/seed_interfaces.h"
 
 namespace voxtet::remesh {
 namespace {
 
-/// Measured on hearts, aorta and spheres: the median edge of a refined surface is 1.30 times the largest
+/// Measured on hearts, aorta and spheres: the median edge of a relaxed surface is 1.32 times the largest
 /// radius allowed for the surface Delaunay balls.
-constexpr double kEdgePerRadius = 1.30;
+constexpr double kEdgePerRadius = 1.32;
 constexpr double kSeedSeparation = 0.25;  ///< between first points, in units of the smallest spacing
 
 /// How a surface is refined where it does not follow the reference; lengths in units of the smallest spacing.
@@ -180,6 +181,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     compare();
     surface = std::move(nearest->surface);
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
+    relax_surface(surface, sizing);
     fit_surface(surface, field, with_layers_mm3(volumes, surface, field.layers()));
     if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error("remesh");
     return surface;

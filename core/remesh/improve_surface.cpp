@@ -16,7 +16,7 @@ namespace {
 constexpr const char* kStage = "remesh";
 constexpr double kContentVoxels = 0.1;  ///< a sample this near to a triangle may be its
 constexpr double kShort = 0.72;         ///< in wished lengths; refined surfaces have few natural edges below
-constexpr double kRefinedGapShare = 0.4;  ///< EditLimits::gap_share; where sheets are near, edges stay short
+constexpr double kRefinedGapShare = 0.2;  ///< EditLimits::gap_share; where sheets are near, edges stay short
 constexpr double kTrialAngleDeg = 14;     ///< below this an angle is not worth opening again
 constexpr double kLatticeVoxels = 0.6, kFineLatticeVoxels = 0.5;
 constexpr double kLeastReachVoxels = 0.4;  ///< nearer than this is near enough

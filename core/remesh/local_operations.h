@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "remesh/complex_editor.h"
+#include "remesh/tangential_way.h"
 
 namespace voxtet::remesh {
 
@@ -46,9 +47,8 @@ class LocalOperations {
   bool attempt_move(std::uint32_t v, std::uint32_t hint, Demand demand);
   std::uint32_t other_curve_end(std::uint32_t v, std::uint32_t not_this) const;
   bool move(std::uint32_t v, Demand demand, double step);
-  Eigen::Vector3d surface_target(std::uint32_t v, Demand demand, double step, std::uint32_t& hint) const;
+  Eigen::Vector3d surface_target(std::uint32_t v, Demand demand, double step, std::uint32_t& hint);
   double wished_area(const Triangle& t) const;
-  double projected_area(const Triangle& t, const Eigen::Vector3d& normal) const;
   Eigen::Vector3d curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, double step,
                                std::uint32_t& hint) const;
   Eigen::Vector3d fit_height(std::uint32_t v, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
@@ -60,6 +60,7 @@ class LocalOperations {
   std::vector<std::uint32_t> marks_;
   std::uint32_t round_ = 0;
   std::vector<std::uint32_t> around_;
+  std::vector<RingTriangle> ring_;
 };
 
 }  // namespace voxtet::remesh

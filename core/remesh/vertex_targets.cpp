@@ -1,6 +1,5 @@
 // Where relocation would like a vertex to be.
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -11,65 +10,34 @@
 namespace voxtet::remesh {
 namespace {
 
-constexpr double kHalfSqrt3 = 0.8660254037844386;
 constexpr double kOwnWeight = 0.1;    ///< of the vertex itself among the samples, where there are few
 constexpr double kLongestLift = 0.8;  ///< of the envelope, in one step
 
 }  // namespace
 
-/// Along the surface: between the point that gives the triangles their wished shares of the area (Surazhsky
-/// and Gotsman, "Explicit surface remeshing", 2003: least squares, areas being linear in the tangent plane)
-/// and the mean of the apexes that would make each triangle equilateral; where angles or folds shall open,
-/// apexes alone, weighted by how poor their triangles are. Across it: the height that fits the samples.
+/// Along the surface: tangential_way(), where angles or folds shall open by shapes alone, weighted by how
+/// poor they are. Across it: the height that fits the samples.
 Eigen::Vector3d LocalOperations::surface_target(std::uint32_t v, Demand demand, double step,
-                                                std::uint32_t& hint) const {
+                                                std::uint32_t& hint) {
   const ComplexMesh& mesh = editor_.mesh();
-  const Eigen::Vector3d x = mesh.point(v);
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double wishes = 0;
-  for (const std::uint32_t t : mesh.star(v)) {
-    const Corners p = mesh.corners(mesh.triangle(t));
-    normal += triangle_cross(p[0], p[1], p[2]);
-    wishes += wished_area(mesh.triangle(t));
-  }
-  normal.normalize();
-  double area = 0;
-  for (const std::uint32_t t : mesh.star(v)) area += projected_area(mesh.triangle(t), normal);
-  Eigen::Matrix3d system = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d excess = Eigen::Vector3d::Zero(), by_shape = excess;
-  double shape_weights = 0;
+  const Eigen::Vector3d& x = mesh.point(v);
+  ring_.clear();
   for (const std::uint32_t t : mesh.star(v)) {
     const Triangle& c = mesh.triangle(t);
     const std::size_t at = c[0] == v ? 0 : c[1] == v ? 1 : 2;
-    const Eigen::Vector3d &p = mesh.point(c[(at + 1) % 3]), &q = mesh.point(c[(at + 2) % 3]);
-    const Eigen::Vector3d growth = 0.5 * normal.cross(q - p);
-    system += growth * growth.transpose();
-    excess += growth * (area * wished_area(c) / wishes - projected_area(c, normal));
-    double need = 1;
-    if (demand != Demand::kAllowed) {
-      const double open = 1.001 - sharpest_cosine({x, p, q});
-      need = 1 / (open * open);
-    }
-    by_shape += need * (0.5 * (p + q) + kHalfSqrt3 * editor_.normal(t).cross(q - p));
-    shape_weights += need;
+    ring_.push_back({mesh.point(c[(at + 1) % 3]), mesh.point(c[(at + 2) % 3]), wished_area(c)});
+    if (demand == Demand::kAllowed) continue;
+    const double open = 1.001 - sharpest_cosine({x, ring_.back().p, ring_.back().q});
+    ring_.back().need = 1 / (open * open);
   }
-  system += system.trace() * normal * normal.transpose();
-  const double weight = demand == Demand::kAllowed ? shape_weight : 1;
-  Eigen::Vector3d way = weight * (by_shape / shape_weights - x);
-  if (weight < 1) way += (1 - weight) * (system.inverse() * excess);
-  way -= way.dot(normal) * normal;
-  return fit_height(v, x + step * way, normal, hint);
+  const TangentialWay to = tangential_way(x, ring_, demand == Demand::kAllowed ? shape_weight : 1);
+  return fit_height(v, x + step * to.way, to.normal, hint);
 }
 
 /// In squares of the wished length.
 double LocalOperations::wished_area(const Triangle& t) const {
   const double wish = editor_.size(t[0]) + editor_.size(t[1]) + editor_.size(t[2]);
   return wish * wish;
-}
-
-double LocalOperations::projected_area(const Triangle& t, const Eigen::Vector3d& normal) const {
-  const Corners p = editor_.mesh().corners(t);
-  return 0.5 * triangle_cross(p[0], p[1], p[2]).dot(normal);
 }
 
 /// Moves `at` along the normal so that the facets from it to the link pass between the samples in the sense

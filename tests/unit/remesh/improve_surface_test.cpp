@@ -14,6 +14,7 @@
 #include "geometry/self_intersections.h"
 #include "geometry/surface_measures.h"
 #include "remesh/complex_editor.h"
+#include "remesh/empty_balls.h"
 #include "remesh/local_operations.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
@@ -84,6 +85,35 @@ TEST(ImproveSurface, BringsBackWhatIsBeyondTheEnvelope) {
   double deepest = 0;
   for (const Eigen::Vector3d& p : surface.points) deepest = std::max(deepest, std::abs(p.norm() - 12));
   EXPECT_LE(deepest, 0.45 + 1e-9);
+}
+
+/// Triangles that are no facets of the Delaunay triangulation of all points, or far from its small balls.
+std::size_t count_without_balls(const SurfaceMesh& surface) {
+  std::size_t count = 0;
+  for (const Triangle& t : surface.triangles) {
+    EmptyBalls balls({surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]});
+    for (std::uint32_t v = 0; v < surface.points.size(); ++v)
+      if (v != t[0] && v != t[1] && v != t[2]) balls.leave_out(surface.points[v]);
+    count += !balls.any();
+  }
+  return count;
+}
+
+TEST(ImproveSurface, KeepsFacetsOfThinBodiesDelaunay) {
+  // As thick in the middle as half an edge of those wished.
+  SurfaceMesh reference = test::sphere({0, 0, 0}, 12, 5, 1, 0);
+  for (Eigen::Vector3d& p : reference.points) p.z() *= 0.06;
+  RunContext ctx;
+  AdaptParams coarse;
+  coarse.min_dihedral_deg = 10;
+  const SurfaceMesh fine = adapt_complex(reference, test::uniform_sizing(0.9), coarse, ctx).value();
+  AdaptParams params = strict_params();
+  params.min_dihedral_deg = 10;
+  const SurfaceMesh surface =
+      improve_surface(fine, reference, test::uniform_sizing(2.4), params, ctx).value();
+  EXPECT_LT(surface.triangles.size(), fine.triangles.size());
+  EXPECT_LT(count_without_balls(fine), fine.triangles.size() / 50);
+  EXPECT_LT(count_without_balls(surface), surface.triangles.size() / 100);
 }
 
 TEST(ImproveSurface, StopsWhenCancelled) {

@@ -226,7 +226,7 @@ TEST(RemeshSurface, GivesTheSameBytesOnEveryRunAndPlatform) {
   const SizingField sizing = test::uniform_sizing(2);
   const std::string first = digest_of(remesh(volume, sizing));
   EXPECT_EQ(digest_of(remesh(volume, sizing)), first);
-  EXPECT_EQ(first, "edab1ecbafd86953693ed89867d95d66f68faca3b8b1c94c2c468db5762c5abc");
+  EXPECT_EQ(first, "1a09379c79f031512e80f9add1109d101af123838adbb582dccf596c55631ae5");
 }
 
 /// Smooth random blobs: the argmax of a few random cosines per label.
@@ -280,7 +280,12 @@ TEST_P(RemeshBlobs, StayClosedConformingAndFreeOfIntersections) {
   RecordProperty("dihedral_deg", std::to_string(report.least_dihedral_deg));
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, RemeshBlobs, ::testing::Range(0, 40));
+#ifdef __SANITIZE_ADDRESS__
+constexpr int kSeeds = 12;  // each takes ten times as long
+#else
+constexpr int kSeeds = 40;
+#endif
+INSTANTIATE_TEST_SUITE_P(Seeds, RemeshBlobs, ::testing::Range(0, kSeeds));
 
 TEST(RemeshSurface, RefusesMalformedInputInWords) {
   RunContext ctx;
