@@ -21,7 +21,6 @@ using Eigen::Vector3d;
 
 /// Of a point's own system: keeps shifts along the surface small where the normals hardly differ.
 constexpr double kTangentialWeight = 0.05;
-constexpr double kLeastPlanarCosine = 0.8724960070727971;    // cos 29.25 deg
 constexpr double kLeastDihedralCosine = 0.6427876096865394;  // cos 50 deg
 constexpr int kRounds = 12;
 constexpr int kSteps = 3;
@@ -94,7 +93,7 @@ class Shifts {
       const auto cosine = [&](double scale) {
         return sharpest_cosine({at(t[0], scale), at(t[1], scale), at(t[2], scale)});
       };
-      if (!worsens(cosine(0), cosine(1), kLeastPlanarCosine)) continue;
+      if (!worsens(cosine(0), cosine(1), kThinnestCosine)) continue;
       changed = true;
       for (const std::uint32_t p : t) by_point[p] *= factor;
     }
@@ -183,7 +182,7 @@ void widen_thin(SurfaceMesh& surface, Shifts& shifts) {
     bool any = false;
     for (const Triangle& t : surface.triangles) {
       const std::array<Vector3d, 3> p{surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]};
-      if (!(sharpest_cosine(p) > kLeastPlanarCosine)) continue;
+      if (!(sharpest_cosine(p) > kThinnestCosine)) continue;
       any = true;
       const auto edge = [&](std::size_t i) -> Vector3d { return p[(i + 2) % 3] - p[(i + 1) % 3]; };
       std::size_t apex = 0;

@@ -18,5 +18,8 @@ namespace voxtet::remesh {
 void fit_surface(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& volumes_mm3);
 
 inline constexpr double kMostShiftVoxels = 0.15;
+/// Of the angle below which a triangle is not to become thinner: that to which refinement brings all, or
+/// nearly.
+inline constexpr double kThinnestCosine = 0.8724960070727971;  // 29.25 degrees
 
 }  // namespace voxtet::remesh

@@ -9,6 +9,7 @@
 #include "geometry/buckets.h"
 #include "geometry/surface_measures.h"
 #include "geometry/triangle_measures.h"
+#include "remesh/fit_surface.h"
 #include "remesh/tangential_way.h"
 
 namespace voxtet::remesh {
@@ -20,7 +21,6 @@ constexpr int kRounds = 4;
 constexpr double kShapeWeight = 0.5;
 constexpr double kBentCosine = 0.87;  ///< to the mean normal around a point: bent where one has less
 constexpr double kTurnCosine = 0.98;
-constexpr double kLeastPlanarCosine = 0.8724960070727971;  // cos 29.25 deg
 
 /// The other two corners, in order.
 struct Opposite {
@@ -67,7 +67,7 @@ class Relaxer {
   void relax(std::uint32_t v) {
     const Vector3d x = surface_.points[v];
     ring_.clear();
-    double thinnest = kLeastPlanarCosine;
+    double thinnest = kThinnestCosine;
     for (const Opposite& t : stars_.at(v)) {
       const double wish = sizes_[v] + sizes_[t.p] + sizes_[t.q];
       ring_.push_back({surface_.points[t.p], surface_.points[t.q], wish * wish});
