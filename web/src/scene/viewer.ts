@@ -13,8 +13,10 @@ const directions: Record<ViewDirection, [number, number, number]> = {
 };
 
 const flightMs = 420;
-/** Share of the view that a fitted body fills. */
-const fitMargin = 0.84;
+/** Share of the view's height that a fitted body fills, where that leaves room for the cards above and below. */
+const fitShare = 0.84;
+const cardsPx = 50;
+const leastShare = 0.5;
 /** From the patient's left front and a little above, as hearts are drawn. */
 const threeQuarters = new Vector3(-0.62, 1, 0.4).normalize();
 
@@ -31,6 +33,7 @@ export class Viewer {
   private readonly pane: Pane;
   private readonly afterDraw: (() => void)[] = [];
   private outline: Float32Array = new Float32Array(0);
+  private share = fitShare;
   private flight: { begin: number; from: Vector3[]; to: Vector3[] } | null = null;
 
   constructor(canvas: Canvas, parent: HTMLElement) {
@@ -54,12 +57,13 @@ export class Viewer {
     this.pane = {
       element: this.element,
       resized: (width, height) => {
-        const before = Math.min(1, this.camera.aspect);
+        const before = this.share * Math.min(1, this.camera.aspect);
+        this.share = Math.max(leastShare, Math.min(fitShare, 1 - (2 * cardsPx) / height));
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
-        // What was in sight stays in sight when the pane becomes narrow.
+        // What was in sight stays in sight when the pane becomes narrow or low.
         const { target } = this.controls;
-        const nearer = before / Math.min(1, this.camera.aspect);
+        const nearer = before / (this.share * Math.min(1, this.camera.aspect));
         this.camera.position.sub(target).multiplyScalar(nearer).add(target);
       },
       draw: (renderer) => {
@@ -129,7 +133,7 @@ export class Viewer {
     const centre = this.bounds.getCenter(new Vector3());
     const right = new Vector3().crossVectors(this.camera.up, direction).normalize();
     const up = new Vector3().crossVectors(direction, right);
-    const tall = Math.tan((this.camera.fov * Math.PI) / 360) * fitMargin;
+    const tall = Math.tan((this.camera.fov * Math.PI) / 360) * this.share;
     const wide = tall * this.camera.aspect;
     const step = 3 * Math.max(1, Math.floor(this.outline.length / 3 / 4000));
     const point = new Vector3();
