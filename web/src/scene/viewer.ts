@@ -13,10 +13,8 @@ const directions: Record<ViewDirection, [number, number, number]> = {
 };
 
 const flightMs = 420;
-/** Share of the view's height that a fitted body fills, where that leaves room for the cards above and below. */
+/** Share of the view that a fitted body fills. */
 const fitShare = 0.84;
-const cardsPx = 50;
-const leastShare = 0.5;
 /** From the patient's left front and a little above, as hearts are drawn. */
 const threeQuarters = new Vector3(-0.62, 1, 0.4).normalize();
 
@@ -58,7 +56,7 @@ export class Viewer {
       element: this.element,
       resized: (width, height) => {
         const before = this.share * Math.min(1, this.camera.aspect);
-        this.share = Math.max(leastShare, Math.min(fitShare, 1 - (2 * cardsPx) / height));
+        this.share = this.shareFor(height);
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
         // What was in sight stays in sight when the pane becomes narrow or low.
@@ -144,6 +142,12 @@ export class Viewer {
       distance = Math.max(distance, point.dot(direction) + reach);
     }
     this.moveTo(centre, direction, distance, animated);
+  }
+
+  /** Above and below, what lies over a pane may ask for room: `--cards` of its style, in pixels. */
+  private shareFor(height: number): number {
+    const cards = Number(getComputedStyle(this.element).getPropertyValue('--cards'));
+    return Math.min(fitShare, Math.max(fitShare / 2, 1 - (2 * cards) / height));
   }
 
   private distanceFor(radius: number): number {
