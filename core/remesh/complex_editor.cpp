@@ -112,7 +112,7 @@ Reason ComplexEditor::check(const Change& change, const Eigen::Vector3d& before)
                                   demand_ == Demand::kAllowed ? kNormalCosine : kNormalCosineOfSlivers,
                                   {old_corners_, old_normals_}, new_normals_);
   if (reason == Reason::kNo) reason = check_contacts(change);
-  if (reason == Reason::kNo && limits.adapted && demand_ != Demand::kNearer)
+  if (reason == Reason::kNo && limits.keeps_balls && demand_ != Demand::kNearer)
     reason = check_balls(change, before);
   if (reason == Reason::kNo) reason = check_envelope(change);
   return reason;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "remesh/change.h"
@@ -27,10 +28,11 @@ struct EditLimits {
   double junction_cosine = 0.9;  ///< angles between two facets where curves run
   double gap_share = 0;          ///< least distance of sheets that face each other, in wished edge lengths
   /// The complex is adapted already: it may be beyond its reach somewhere, where it must not go farther, and
-  /// where sheets are nearer than the gap edges grow no faster than it. Facets that may be Delaunay stay so,
-  /// unless distances are at stake: tetrahedra between sheets that are near each other need no other points
-  /// then.
+  /// where sheets are nearer than the gap edges grow no faster than it.
   bool adapted = false;
+  /// Facets that may be Delaunay stay so, unless that is demanded that brings facets nearer: tetrahedra
+  /// between sheets that are near each other need no other points then.
+  bool keeps_balls = false;
   bool verify = false;
 };
 
@@ -105,8 +107,8 @@ class ComplexEditor {
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< of the corners at the triangle's end
   };
   Breach farthest(std::uint32_t t) const;
-  /// Whether the triangle lies inside a sheet and hosts samples for most of its area, none farther than
-  /// `reach_mm`.
+  /// Whether the triangle lies inside a sheet that is not folded there and hosts samples for most of its
+  /// area, none farther than `reach_mm`.
   bool well_sampled(std::uint32_t t, double reach_mm) const;
   /// Books a refusal found before the change was described in full.
   bool refuse(Reason reason) {
@@ -122,9 +124,12 @@ class ComplexEditor {
   Reason check_shapes(const Change& change);
   Reason check_envelope(const Change& change) const;
   Breach farthest_point_of(std::uint32_t t, const Corners& p) const;
+  bool is_folded(std::uint32_t t) const;
+  void look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const;
   std::uint32_t nearest_hint(const Facet& facet, const Corners& p) const;
   Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double content2,
-                        std::uint32_t hint, double enough2 = 0) const;
+                        std::uint32_t hint, double enough2 = 0,
+                        std::span<const std::uint32_t> more_hints = {}) const;
   Reason check_contacts(const Change& change);
   Reason check_balls(const Change& change, const Eigen::Vector3d& before);
   bool all_have_balls(const Change& change) const;

@@ -64,9 +64,10 @@ std::uint32_t ComplexEditor::nearest_hint(const Facet& facet, const Corners& p) 
 /// Of the facet's lattice points; the first one above `content2`. Its corners were looked at when they came
 /// to their places, and each edge inside the change is left to one of its two facets.
 ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved,
-                                                    double content2, std::uint32_t hint,
-                                                    double enough2) const {
+                                                    double content2, std::uint32_t hint, double enough2,
+                                                    std::span<const std::uint32_t> more_hints) const {
   const int n = static_cast<int>(std::ceil(longest_edge_mm(p) / limits.lattice_mm));
+  const double reach2 = limits.reach_mm * limits.reach_mm;
   Breach worst;
   if (hint == kNone) {
     worst.distance2 = kNowhere;
@@ -85,8 +86,18 @@ ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Co
         if (u > w2 && !on_curves(u, w2)) continue;
       }
       const Eigen::Vector3d at = (w[0] * p[0] + w[1] * p[1] + w[2] * p[2]) / n;
-      const Eigen::Vector3d toward = reference_.walk(at, facet.pair, hint, enough2) - at;
-      const double distance2 = toward.squaredNorm();
+      Eigen::Vector3d toward = reference_.walk(at, facet.pair, hint, enough2) - at;
+      double distance2 = toward.squaredNorm();
+      const auto walk_from = [&](std::uint32_t from) {
+        if (distance2 <= reach2 || from == kNone || !reference_.beside(from, facet.pair)) return;
+        const Eigen::Vector3d other = reference_.walk(at, facet.pair, from) - at;
+        if (other.squaredNorm() >= distance2) return;
+        toward = other;
+        distance2 = other.squaredNorm();
+        hint = from;
+      };
+      for (const std::uint32_t v : facet.corners) walk_from(hints_[v]);
+      for (const std::uint32_t s : more_hints) walk_from(s);
       if (distance2 <= worst.distance2) continue;
       worst = {distance2, toward, Eigen::Vector3d(w[0], w[1], w[2]) / n};
       if (distance2 > content2) return worst;
@@ -97,13 +108,9 @@ ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Co
 /// Walks may end on the way: what seems to be beyond the envelope is looked at from more places.
 ComplexEditor::Breach ComplexEditor::farthest_point_of(std::uint32_t t, const Corners& p) const {
   const Facet facet{mesh_.triangle(t), mesh_.pair(t)};
-  Breach worst = farthest_point(facet, p, kEveryCorner, kNowhere, nearest_hint(facet, p));
-  samples_.for_samples(t, [&](std::uint32_t s) {
-    if (worst.distance2 <= limits.reach_mm * limits.reach_mm) return;
-    const Breach other = farthest_point(facet, p, kEveryCorner, worst.distance2, s);
-    if (other.distance2 < worst.distance2) worst = other;
-  });
-  return worst;
+  std::vector<std::uint32_t> hints;
+  samples_.for_samples(t, [&](std::uint32_t s) { hints.push_back(s); });
+  return farthest_point(facet, p, kEveryCorner, kNowhere, nearest_hint(facet, p), 0, hints);
 }
 
 ComplexEditor::Breach ComplexEditor::farthest(std::uint32_t t) const {
@@ -115,12 +122,46 @@ ComplexEditor::Breach ComplexEditor::farthest(std::uint32_t t) const {
     const double distance2 = (at - on).squaredNorm();
     if (distance2 > worst.distance2) worst = {distance2, at - on, barycentric(on, p)};
   });
+  look_between_samples(t, p, worst);
   return worst;
+}
+
+/// Whether other facets of its labels at its corners are much turned against it.
+bool ComplexEditor::is_folded(std::uint32_t t) const {
+  constexpr double kFoldedCosine = 0.9;
+  for (const std::uint32_t v : mesh_.triangle(t))
+    for (const std::uint32_t other : mesh_.star(v))
+      if (mesh_.pair(other) == mesh_.pair(t) && normals_[other].dot(normals_[t]) < kFoldedCosine) return true;
+  return false;
+}
+
+/// Where the surface is folded, the reference may be farther from it between two samples than at both: in the
+/// middle of edges from samples of `t` to others'.
+void ComplexEditor::look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const {
+  if (!is_folded(t)) return;
+  std::vector<std::uint32_t> own;
+  samples_.for_samples(t, [&](std::uint32_t s) { own.push_back(s); });
+  for (const std::uint32_t s : own)
+    reference_.for_neighbours(s, mesh_.pair(t), [&](std::uint32_t r) {
+      if (std::find(own.begin(), own.end(), r) != own.end()) return;
+      const Eigen::Vector3d at = 0.5 * (reference_.point(s) + reference_.point(r));
+      const Eigen::Vector3d on = closest_on_triangle(at, p[0], p[1], p[2]);
+      double distance2 = (at - on).squaredNorm();
+      for (const std::uint32_t v : mesh_.triangle(t))
+        for (const std::uint32_t other : mesh_.star(v)) {
+          if (distance2 <= worst.distance2) return;
+          if (mesh_.pair(other) != mesh_.pair(t)) continue;
+          const Corners q = mesh_.corners(mesh_.triangle(other));
+          distance2 = std::min(distance2, (closest_on_triangle(at, q[0], q[1], q[2]) - at).squaredNorm());
+        }
+      if (distance2 > worst.distance2) worst = {distance2, at - on, barycentric(on, p)};
+    });
 }
 
 bool ComplexEditor::well_sampled(std::uint32_t t, double reach_mm) const {
   for (const std::uint32_t v : mesh_.triangle(t))
     if (mesh_.stratum(v) != Stratum::kSurface) return false;
+  if (is_folded(t)) return false;
   const Corners p = mesh_.corners(mesh_.triangle(t));
   double covered = 0, farthest2 = 0;
   samples_.for_samples(t, [&](std::uint32_t s) {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <new>
-#include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "geometry/triangle_measures.h"
@@ -18,7 +18,8 @@ constexpr double kContentVoxels = 0.1;  ///< a sample this near to a triangle ma
 constexpr double kShort = 0.72;         ///< in wished lengths; refined surfaces have few natural edges below
 constexpr double kRefinedGapShare = 0.2;  ///< EditLimits::gap_share; where sheets are near, edges stay short
 constexpr double kTrialAngleDeg = 14;     ///< below this an angle is not worth opening again
-constexpr double kLatticeVoxels = 0.6, kFineLatticeVoxels = 0.5;
+constexpr int kHealingSplits = 12;        ///< to bring a facet nearer
+constexpr double kLatticeVoxels = 0.6, kFineLatticeVoxels = 0.33;
 constexpr double kLeastReachVoxels = 0.4;  ///< nearer than this is near enough
 constexpr double kAimShare = 0.88;         ///< of the envelope: between samples facets may be farther
 constexpr double kNearShare = 0.4;         ///< of the envelope: samples that need no closer look
@@ -44,8 +45,9 @@ class Improver : public AdaptPasses {
   template <class Operation, class Demanded>
   bool tried(Operation&& operation, Demanded&& demanded);
   template <class Operation, class Demanded>
-  bool with_healing(Operation&& operation, Demanded&& demanded);
-  bool heal(double limit_cosine);
+  bool with_healing(Operation&& operation, Demanded&& demanded, int most_splits);
+  bool heal(double limit_cosine, int most_splits);
+  bool split_ahead_of(std::uint32_t t);
 
   struct Tried {
     std::uint32_t at = 0;  ///< after which attempt of the editor
@@ -57,7 +59,7 @@ class Improver : public AdaptPasses {
 };
 
 bool Improver::run() {
-  editor_.limits.adapted = true;
+  editor_.limits.adapted = editor_.limits.keeps_balls = true;
   editor_.limits.gap_share = kRefinedGapShare;
   editor_.limits.lattice_mm = kLatticeVoxels * params_.voxel_mm;
   fit_cells();
@@ -96,7 +98,8 @@ bool Improver::collapse(std::uint32_t v, std::uint32_t other, double longest) {
   const std::uint64_t angles = editor_.refusals(Reason::kAngle);
   if (operation()) return true;
   // Healing is for angles alone.
-  return editor_.refusals(Reason::kAngle) > angles && with_healing(operation, [] { return true; });
+  return editor_.refusals(Reason::kAngle) > angles && with_healing(
+                                                          operation, [] { return true; }, 0);
 }
 
 /// Vertices around what changed, and at first around junction curves, whose vertices refinement puts beside
@@ -124,28 +127,28 @@ bool Improver::relocate_touched() {
   return true;
 }
 
-/// Facets beyond the envelope; in a narrow one only those that are far. Again around those that were, which
-/// an operation on another may have taken as far as that one was.
+/// Facets beyond the envelope; in a narrow one only those that are far. Again around what changed: what could
+/// not be done may be possible then, and an operation may have taken another facet as far as its own was.
 bool Improver::come_nearer() {
-  constexpr int kPasses = 4;
+  constexpr int kPasses = 6;
   const ComplexMesh& mesh = editor_.mesh();
   const double reach_mm = std::max(kAimShare * editor_.limits.reach_mm, kLeastReachVoxels * params_.voxel_mm);
   editor_.limits.lattice_mm = kFineLatticeVoxels * params_.voxel_mm;
-  std::vector<std::uint32_t> queue(mesh.slot_count());
-  std::iota(queue.begin(), queue.end(), 0U);
-  for (int pass = 0; pass < kPasses && !queue.empty(); ++pass) {
-    std::vector<std::uint32_t> around;
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      if (i % 4096 == 0 && ctx_.cancelled()) return false;
-      if (!mesh.alive(queue[i])) continue;
-      const Triangle corners = mesh.triangle(queue[i]);
-      if (!approach(queue[i], reach_mm)) continue;
-      for (const std::uint32_t v : corners)
-        around.insert(around.end(), mesh.star(v).begin(), mesh.star(v).end());
+  std::uint32_t since = 0;
+  bool any = true;
+  for (int pass = 0; pass < kPasses && any; ++pass) {
+    const std::uint32_t now = editor_.attempts();
+    any = false;
+    for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
+      if (t % 4096 == 0 && ctx_.cancelled()) return false;
+      if (!mesh.alive(t)) continue;
+      const Triangle& corners = mesh.triangle(t);
+      if (pass > 0 && std::none_of(corners.begin(), corners.end(),
+                                   [&](std::uint32_t v) { return editor_.changed_at(v) > since; }))
+        continue;
+      any = approach(t, reach_mm) || any;
     }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    queue.swap(around);
+    since = now;
   }
   return true;
 }
@@ -166,7 +169,7 @@ bool Improver::approach(std::uint32_t t, double reach_mm) {
 }
 
 /// Shifts of corners, flips, splits and collapses, whichever brings what is farthest nearer; first those that
-/// keep the angles.
+/// keep the angles, then those after which they can be opened, last by more points.
 bool Improver::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach) {
   const ComplexMesh& mesh = editor_.mesh();
   const Triangle corners = mesh.triangle(t);
@@ -178,10 +181,12 @@ bool Improver::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach
   std::sort(by_weight.begin(), by_weight.end());
   std::sort(by_length.begin(), by_length.end());
   editor_.limits.nearer_mm = kNearerShare * std::sqrt(breach.distance2);
-  for (const bool healing : {false, true}) {
+  constexpr int kNoHealing = -1;
+  for (const int most_splits : {kNoHealing, 0, kHealingSplits}) {
     const auto nearer = [&] { return is_nearer(); };
     const auto attempt = [&](auto&& operation) {
-      return healing ? with_healing(operation, nearer) : tried(operation, nearer);
+      return most_splits == kNoHealing ? tried(operation, nearer)
+                                       : with_healing(operation, nearer, most_splits);
     };
     const auto shift = [&](std::uint32_t v, const Eigen::Vector3d& by) {
       return attempt([&] { return operations_.shift(v, by, Demand::kNearer); });
@@ -230,35 +235,67 @@ bool Improver::tried(Operation&& operation, Demanded&& demanded) {
 }
 
 /// An operation that may leave poorer angles than allowed, if they can be opened again; else it is taken
-/// back.
+/// back. Where points may be added facets need not stay Delaunay.
 template <class Operation, class Demanded>
-bool Improver::with_healing(Operation&& operation, Demanded&& demanded) {
-  const double strict = editor_.limits.angle_cosine;
-  editor_.limits.angle_cosine = std::max(strict, trial_cosine_);
-  const bool good = tried(operation, [&] { return heal(strict) && demanded(); });
-  editor_.limits.angle_cosine = strict;
+bool Improver::with_healing(Operation&& operation, Demanded&& demanded, int most_splits) {
+  const EditLimits strict = editor_.limits;
+  editor_.limits.angle_cosine = std::max(strict.angle_cosine, trial_cosine_);
+  if (most_splits > 0) editor_.limits.keeps_balls = false;
+  const bool good = tried(operation, [&] { return heal(strict.angle_cosine, most_splits) && demanded(); });
+  editor_.limits = strict;
   return good;
 }
 
 /// Opens the angles of what the trial made, down to the limit or to what it found; gives up at the first that
-/// cannot be opened.
-bool Improver::heal(double limit_cosine) {
+/// can be opened neither by what adds no points nor by so many splits.
+bool Improver::heal(double limit_cosine, int most_splits) {
   constexpr int kRounds = 4;
+  const int rounds = kRounds + most_splits;
   const ComplexMesh& mesh = editor_.mesh();
   std::vector<std::uint32_t> poor;
-  for (int round = 0; round <= kRounds; ++round) {
+  for (int round = 0; round <= rounds; ++round) {
     const double limit = std::max(limit_cosine, editor_.trial_cosine_before());
+    const auto is_poor = [&](std::uint32_t t) {
+      return sharpest_cosine(mesh.corners(mesh.triangle(t))) > limit;
+    };
     poor.clear();
     editor_.for_trial_triangles([&](std::uint32_t t) {
-      if (sharpest_cosine(mesh.corners(mesh.triangle(t))) > limit) poor.push_back(t);
+      if (is_poor(t)) poor.push_back(t);
     });
     if (poor.empty()) return true;
-    if (round == kRounds) break;
+    if (round == rounds) break;
     std::sort(poor.begin(), poor.end());
     poor.erase(std::unique(poor.begin(), poor.end()), poor.end());
     for (const std::uint32_t t : poor)
-      if (mesh.alive(t) && sharpest_cosine(mesh.corners(mesh.triangle(t))) > limit && !open_angle(t))
+      if (mesh.alive(t) && is_poor(t) && !open_angle(t) && (most_splits-- <= 0 || !split_ahead_of(t)))
         return false;
+  }
+  return false;
+}
+
+/// Splits the first edge on the way from longest edge to longest edge that is the longest of all triangles
+/// at it (Rivara 1997).
+bool Improver::split_ahead_of(std::uint32_t t) {
+  constexpr int kMostSteps = 8;
+  const ComplexMesh& mesh = editor_.mesh();
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Triangle corners = mesh.triangle(t);
+    double longest = longest_edge_mm(mesh.corners(corners));
+    std::uint32_t a = corners[0], b = corners[1];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t u = corners[i], w = corners[(i + 1) % 3];
+      if ((mesh.point(u) - mesh.point(w)).norm() == longest) std::tie(a, b) = std::pair{u, w};
+    }
+    const std::uint32_t from = t;
+    for (const std::uint32_t other : mesh.star(a)) {
+      if (other == from || !has_corner(mesh.triangle(other), b)) continue;
+      const double length = longest_edge_mm(mesh.corners(mesh.triangle(other)));
+      if (length > longest) {
+        longest = length;
+        t = other;
+      }
+    }
+    if (t == from) return operations_.split(a, b, Demand::kNearer);
   }
   return false;
 }

@@ -79,11 +79,8 @@ double ReferenceComplex::walk_downhill(const Eigen::Vector3d& p, std::uint32_t& 
 
 Eigen::Vector3d ReferenceComplex::walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint,
                                        double enough2) const {
-  const double least = walk_downhill(p, hint, [&](std::uint32_t from, const auto& visit) {
-    for (const std::uint32_t t : star(from))
-      if (pairs_[t] == pair)
-        for (const std::uint32_t v : triangles_[t]) visit(v);
-  });
+  const double least = walk_downhill(
+      p, hint, [&](std::uint32_t from, const auto& visit) { for_neighbours(from, pair, visit); });
   Foot best{points_[hint], least, kNone};
   if (least <= enough2) return best.on;
   try_star(p, pair, hint, best);

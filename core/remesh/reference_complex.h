@@ -26,6 +26,14 @@ class ReferenceComplex {
   bool beside(std::uint32_t r, PairId pair) const {
     return std::any_of(star(r).begin(), star(r).end(), [&](std::uint32_t t) { return pairs_[t] == pair; });
   }
+  /// Vertices that share a triangle of the pair with r, some more than once.
+  template <class Visit>
+  void for_neighbours(std::uint32_t r, PairId pair, Visit&& visit) const {
+    for (const std::uint32_t t : star(r))
+      if (pairs_[t] == pair)
+        for (const std::uint32_t v : triangles_[t])
+          if (v != r) visit(v);
+  }
   /// The two neighbours along the curve of a vertex on one.
   const std::array<std::uint32_t, 2>& along_curve(std::uint32_t r) const { return curve_[r]; }
 
