@@ -48,23 +48,52 @@ test('compare.png', async ({ page }) => {
   await page.screenshot({ path: join(docs, 'compare.png') });
 });
 
-/** The gallery's pictures stand on nothing, so that they suit either theme. */
-test.describe('gallery', () => {
+/** The view on nothing, without what lies around it. */
+const viewAlone = {
+  content: `html, body, .app, .view, .view-body { background: none !important }
+    .triad, .scale-bar { display: none !important }
+    .pipeline, .panel { visibility: hidden }`,
+};
+
+test.describe('view alone', () => {
   test.use({ bypassCSP: true, deviceScaleFactor: 1 });
+
+  /** The gallery's pictures suit either theme. */
   for (const { name, recipe } of gallery) {
     test(`${name}.png`, async ({ page }) => {
       await mkdir(pictures, { recursive: true });
       await page.setViewportSize({ width: 976, height: 482 });
       await openAndRun(page, recipe);
-      await page.addStyleTag({
-        content: `html, body, .app, .view, .view-body { background: none !important }
-          .triad, .scale-bar { display: none !important }
-          .pipeline, .panel { visibility: hidden }`,
-      });
+      await page.addStyleTag(viewAlone);
       await page.waitForTimeout(1000);
       await page.locator('.view-host').screenshot({ path: join(pictures, `${name}.png`), omitBackground: true });
     });
   }
+
+  /** One flat cut for each number of layers, seen along the heart's axis. */
+  test('wall-layers', async ({ page }) => {
+    const folder = join(examples, 'wall-layers');
+    const recipe = JSON.parse(await readFile(join(folder, 'case.json'), 'utf8'));
+    await page.setViewportSize({ width: 1900, height: 1280 });
+    const cuts: string[] = [];
+    for (const layers of [1, 2, 3, 4]) {
+      recipe.sizing.thickness[0].layers = layers;
+      await openCut(page, recipe, 'light');
+      await page.getByRole('button', { name: 'Flat', exact: true }).click();
+      await page.getByRole('button', { name: 'Cut from head to feet' }).click();
+      await page.getByRole('button', { name: "View from the patient's head" }).click();
+      await page.addStyleTag(viewAlone);
+      await page.waitForTimeout(1500);
+      const cut = await page.locator('.view-host').screenshot({ omitBackground: true });
+      cuts.push(`<img src="data:image/png;base64,${cut.toString('base64')}">`);
+      await page.goto('about:blank');
+    }
+    await page.setContent(
+      `<style>body { margin: 0; background: #fff } img { width: 100% }
+        div { display: grid; grid-template-columns: 1fr 1fr; width: 1400px }</style><div>${cuts.join('')}</div>`,
+    );
+    await page.locator('div').screenshot({ path: join(folder, 'picture.png') });
+  });
 });
 
 test('examples', async ({ page }) => {
