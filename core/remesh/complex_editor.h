@@ -124,6 +124,7 @@ class ComplexEditor {
   Reason check_shapes(const Change& change);
   Reason check_envelope(const Change& change) const;
   Breach farthest_point_of(std::uint32_t t, const Corners& p) const;
+  std::vector<std::uint32_t> samples_of(std::uint32_t t) const;
   bool is_folded(std::uint32_t t) const;
   void look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const;
   std::uint32_t nearest_hint(const Facet& facet, const Corners& p) const;

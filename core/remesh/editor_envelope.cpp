@@ -105,12 +105,16 @@ ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Co
   return worst;
 }
 
+std::vector<std::uint32_t> ComplexEditor::samples_of(std::uint32_t t) const {
+  std::vector<std::uint32_t> samples;
+  samples_.for_samples(t, [&](std::uint32_t s) { samples.push_back(s); });
+  return samples;
+}
+
 /// Walks may end on the way: what seems to be beyond the envelope is looked at from more places.
 ComplexEditor::Breach ComplexEditor::farthest_point_of(std::uint32_t t, const Corners& p) const {
   const Facet facet{mesh_.triangle(t), mesh_.pair(t)};
-  std::vector<std::uint32_t> hints;
-  samples_.for_samples(t, [&](std::uint32_t s) { hints.push_back(s); });
-  return farthest_point(facet, p, kEveryCorner, kNowhere, nearest_hint(facet, p), 0, hints);
+  return farthest_point(facet, p, kEveryCorner, kNowhere, nearest_hint(facet, p), 0, samples_of(t));
 }
 
 ComplexEditor::Breach ComplexEditor::farthest(std::uint32_t t) const {
@@ -139,8 +143,7 @@ bool ComplexEditor::is_folded(std::uint32_t t) const {
 /// middle of edges from samples of `t` to others'.
 void ComplexEditor::look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const {
   if (!is_folded(t)) return;
-  std::vector<std::uint32_t> own;
-  samples_.for_samples(t, [&](std::uint32_t s) { own.push_back(s); });
+  const std::vector<std::uint32_t> own = samples_of(t);
   for (const std::uint32_t s : own)
     reference_.for_neighbours(s, mesh_.pair(t), [&](std::uint32_t r) {
       if (std::find(own.begin(), own.end(), r) != own.end()) return;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <new>
-#include <tuple>
 #include <utility>
 
 #include "geometry/triangle_measures.h"
@@ -280,12 +279,14 @@ bool Improver::split_ahead_of(std::uint32_t t) {
   const ComplexMesh& mesh = editor_.mesh();
   for (int step = 0; step < kMostSteps; ++step) {
     const Triangle corners = mesh.triangle(t);
-    double longest = longest_edge_mm(mesh.corners(corners));
-    std::uint32_t a = corners[0], b = corners[1];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t u = corners[i], w = corners[(i + 1) % 3];
-      if ((mesh.point(u) - mesh.point(w)).norm() == longest) std::tie(a, b) = std::pair{u, w};
-    }
+    const auto length_of = [&](std::size_t i) {
+      return (mesh.point(corners[i]) - mesh.point(corners[(i + 1) % 3])).norm();
+    };
+    std::size_t side = 2;
+    for (const std::size_t i : {1, 0})
+      if (length_of(i) > length_of(side)) side = i;
+    const std::uint32_t a = corners[side], b = corners[(side + 1) % 3];
+    double longest = length_of(side);
     const std::uint32_t from = t;
     for (const std::uint32_t other : mesh.star(a)) {
       if (other == from || !has_corner(mesh.triangle(other), b)) continue;
