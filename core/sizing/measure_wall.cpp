@@ -76,19 +76,28 @@ std::vector<Triangle> wall_triangles(const WallInput& input, const std::vector<L
 template <class Starts>
 std::size_t reach(const WallGrid& grid, Starts&& starts, std::size_t most, std::vector<std::uint8_t>& marks) {
   marks.assign(grid.kind.size(), 0);
+  const std::array<std::size_t, 3> stride = grid.strides();  // no wall voxel is at the grid's border
   std::vector<std::size_t> front, next;
-  for (std::size_t at = 0; at < grid.kind.size(); ++at)
-    if (grid.kind[at] >= wall::kInner && starts(grid.kind[at])) front.push_back(at);
+  for (std::size_t at = 0; at < grid.kind.size(); ++at) {
+    if (grid.kind[at] != wall::kWall) continue;
+    const auto begins = [&](std::size_t other) {
+      return grid.kind[other] >= wall::kInner && starts(grid.kind[other]);
+    };
+    for (const std::size_t step : stride)
+      if (begins(at - step) || begins(at + step)) marks[at] = 1;
+    if (marks[at]) front.push_back(at);
+  }
   std::size_t steps = 0;
-  for (; steps < most; ++steps) {
+  for (; steps < most && !front.empty(); ++steps) {
     next.clear();
-    for (const std::size_t at : front)
-      for_face_neighbours(grid.size, at, [&](std::size_t other, std::size_t) {
-        if (grid.kind[other] != wall::kWall || marks[other]) return;
-        marks[other] = 1;
-        next.push_back(other);
-      });
-    if (next.empty()) break;
+    if (steps + 1 < most)
+      for (const std::size_t at : front)
+        for (const std::size_t step : stride)
+          for (const std::size_t other : {at - step, at + step}) {
+            if (grid.kind[other] != wall::kWall || marks[other]) continue;
+            marks[other] = 1;
+            next.push_back(other);
+          }
     front.swap(next);
   }
   return steps;

@@ -48,31 +48,37 @@ std::vector<Slope> slopes_of(const WallGrid& grid, const WallGraph& graph, const
   return slopes;
 }
 
+/// The direction, of the two along an axis, from which a length comes.
+std::size_t upwind(const Slope& slope, std::size_t axis, bool from_inner) {
+  return 2 * axis + ((slope[axis] < 0) == from_inner ? 1 : 0);
+}
+
 /// The transport of lengths from one of the surfaces. The nodes are numbered anew, in the order in which they
 /// are reached, and those reached about together in the order of the grid, as memory has them.
 class Transport {
  public:
   Transport(const WallGrid& grid, const WallGraph& graph, const std::vector<Slope>& slopes,
-            const std::vector<std::uint32_t>& order, bool from_inner)
-      : order_(order), tolerance_(kTolerance * static_cast<float>(grid.spacing_mm().minCoeff())) {
+            std::vector<std::uint32_t> order, bool from_inner)
+      : order_(std::move(order)), tolerance_(kTolerance * static_cast<float>(grid.spacing_mm().minCoeff())) {
     std::vector<std::uint32_t> place(graph.nodes.size(), kNothing);
-    for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
-    links_.resize(order.size());
+    for (std::uint32_t i = 0; i < order_.size(); ++i) place[order_[i]] = i;
+    links_.resize(order_.size());
     const std::uint32_t end = from_inner ? kInnerEnd : kOuterEnd;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const std::uint32_t n = order[i];
+    for (std::size_t n = 0; n < place.size(); ++n) {
+      if (place[n] == kNothing) continue;
       const auto number_of = [&](std::size_t direction) {
         const std::uint32_t to = graph.nodes[n].neighbour[direction];
         if (to < kInnerEnd) return place[to];
         if (to != end) return kNothing;
         beyond_.push_back(-grid.distance_mm[across(graph, graph.voxel[n], direction)]);
-        return static_cast<std::uint32_t>(order.size() + beyond_.size() - 1);
+        return static_cast<std::uint32_t>(order_.size() + beyond_.size() - 1);
       };
+      Link& link = links_[place[n]];
       for (std::size_t d = 0; d < 3; ++d) {
-        const std::size_t up = 2 * d + ((slopes[n][d] < 0) == from_inner ? 1 : 0);
-        links_[i].weight[d] = std::abs(slopes[n][d]);
-        links_[i].before[d] = number_of(up);
-        links_[i].after[d] = number_of(up ^ 1U);
+        const std::size_t up = upwind(slopes[n], d, from_inner);
+        link.weight[d] = std::abs(slopes[n][d]);
+        link.before[d] = number_of(up);
+        link.after[d] = number_of(up ^ 1U);
       }
     }
   }
@@ -135,33 +141,48 @@ class Transport {
     return slope;
   }
 
-  const std::vector<std::uint32_t>& order_;
+  std::vector<std::uint32_t> order_;
   std::vector<Link> links_;
   std::vector<float> beyond_;  ///< minus the distance to the surface; numbered after the nodes
   float tolerance_;
 };
 
-/// The nodes that have a direction, by rising potential in steps of 1/64 and then as the grid has them.
-std::vector<std::uint32_t> rising_order(const WallGraph& graph, const std::vector<float>& potential,
-                                        const std::vector<Slope>& slopes) {
-  constexpr std::size_t kSteps = 64;
-  const auto step_of = [&](std::size_t n) {
-    return static_cast<std::size_t>(std::clamp(potential[n], 0.F, 1.F) * (kSteps - 1));
-  };
-  std::array<std::size_t, kSteps + 1> start{};
-  for (std::size_t n = 0; n < slopes.size(); ++n)
-    if (slopes[n] != Slope{}) ++start[step_of(n) + 1];
-  for (std::size_t s = 0; s < kSteps; ++s) start[s + 1] += start[s];
-  std::vector<std::uint32_t> order(start[kSteps]);
-  const auto take = [&](std::size_t n) {
-    if (slopes[n] != Slope{}) order[start[step_of(n)]++] = static_cast<std::uint32_t>(n);
+/// The nodes that have a direction, each after those of lower potential from which its length comes (of
+/// higher potential, if lengths come from the outer surface). Those free at the same time go as the grid has
+/// them.
+std::vector<std::uint32_t> upwind_order(const WallGraph& graph, const std::vector<float>& potential,
+                                        const std::vector<Slope>& slopes, bool from_inner) {
+  // Bit d: waits for the neighbour in direction d.
+  std::vector<std::uint8_t> waits(slopes.size(), 0);
+  std::vector<std::uint32_t> order;
+  order.reserve(slopes.size());
+  const auto look_at = [&](std::size_t n) {
+    if (slopes[n] == Slope{}) return;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const std::size_t up = upwind(slopes[n], d, from_inner);
+      const std::uint32_t to = graph.nodes[n].neighbour[up];
+      if (to >= kInnerEnd || slopes[n][d] == 0 || slopes[to] == Slope{}) continue;
+      if (from_inner ? potential[to] < potential[n] : potential[to] > potential[n])
+        waits[n] = static_cast<std::uint8_t>(waits[n] | 1U << up);
+    }
+    if (waits[n] == 0) order.push_back(static_cast<std::uint32_t>(n));
   };
   // The two colours of the graph, merged back into the order of the grid.
   std::size_t even = 0, odd = graph.even;
   while (even < graph.even || odd < slopes.size()) {
     const bool take_even =
         odd == slopes.size() || (even < graph.even && graph.voxel[even] < graph.voxel[odd]);
-    take(take_even ? even++ : odd++);
+    look_at(take_even ? even++ : odd++);
+  }
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t head = 0; head < order.size(); ++head) {
+    if (head + kAhead < order.size()) __builtin_prefetch(&graph.nodes[order[head + kAhead]]);
+    for (std::size_t d = 0; d < 6; ++d) {
+      const std::uint32_t to = graph.nodes[order[head]].neighbour[d];
+      if (to >= kInnerEnd || !(waits[to] >> (d ^ 1U) & 1U)) continue;
+      waits[to] = static_cast<std::uint8_t>(waits[to] & ~(1U << (d ^ 1U)));
+      if (waits[to] == 0) order.push_back(to);
+    }
   }
   return order;
 }
@@ -171,13 +192,14 @@ std::vector<std::uint32_t> rising_order(const WallGraph& graph, const std::vecto
 WallLengths wall_lengths(const WallGrid& grid, const WallGraph& graph, const std::vector<float>& potential,
                          int threads) {
   const std::vector<Slope> slopes = slopes_of(grid, graph, potential, threads);
-  const std::vector<std::uint32_t> rising = rising_order(graph, potential, slopes);
-  const std::vector<std::uint32_t> falling(rising.rbegin(), rising.rend());
   WallLengths out;
   parallel_for(threads, 2, [&](std::size_t first, std::size_t last) {
-    for (std::size_t which = first; which < last; ++which)
-      (which == 0 ? out.to_inner : out.to_outer) =
-          Transport(grid, graph, slopes, which == 0 ? rising : falling, which == 0).lengths(slopes.size());
+    for (std::size_t which = first; which < last; ++which) {
+      const bool from_inner = which == 0;
+      (from_inner ? out.to_inner : out.to_outer) =
+          Transport(grid, graph, slopes, upwind_order(graph, potential, slopes, from_inner), from_inner)
+              .lengths(slopes.size());
+    }
   });
   return out;
 }

@@ -1,5 +1,6 @@
 #include "sizing/wall_potential.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -12,11 +13,14 @@ constexpr float kOmega = 1.75F;
 constexpr int kMostSweeps = 500;
 constexpr std::size_t kFewNodes = 5000;  ///< for which a start is not worth the trouble
 constexpr float kTolerance = 1e-3F;
-constexpr double kLeastStep = 0.02;  ///< of a voxel
+constexpr std::uint32_t kLongestRun = 256;  ///< so that parts of equally many runs take about equally long
+constexpr double kLeastStep = 0.02;         ///< of a voxel
 
-/// A node with the surface or a side beside it: what its neighbours weigh, and what the surfaces add.
+/// A node with the surface or a side beside it: what its neighbours weigh, and what the surfaces add. Where
+/// it has no neighbour, it is its own with no weight.
 struct EdgeNode {
   std::uint32_t node;
+  std::array<std::uint32_t, 6> neighbour;
   std::array<float, 6> weight;
   float constant;
 };
@@ -35,30 +39,78 @@ EdgeNode edge_node(const WallGrid& grid, const WallGraph& graph, std::size_t nod
       if (to == kOuterEnd) constant += weight[e];
     }
   }
-  EdgeNode out{static_cast<std::uint32_t>(node), {}, 0};
+  EdgeNode out{static_cast<std::uint32_t>(node), {}, {}, 0};
+  out.neighbour.fill(out.node);
   if (!(sum > 0)) return out;
-  for (std::size_t e = 0; e < 6; ++e)
-    if (graph.nodes[node].neighbour[e] < kInnerEnd) out.weight[e] = static_cast<float>(weight[e] / sum);
+  for (std::size_t e = 0; e < 6; ++e) {
+    const std::uint32_t to = graph.nodes[node].neighbour[e];
+    if (to >= kInnerEnd) continue;
+    out.neighbour[e] = to;
+    out.weight[e] = static_cast<float>(weight[e] / sum);
+  }
   out.constant = static_cast<float>(constant / sum);
   return out;
 }
 
+/// Nodes with all six neighbours, numbered one after the other, and so are their neighbours in each
+/// direction.
+struct Run {
+  std::uint32_t node, count;
+  std::array<std::uint32_t, 6> neighbour;  ///< of the first node
+};
+
 /// One colour of the nodes: those with all six neighbours, and those with less.
 struct Colour {
-  std::vector<std::uint32_t> whole;
+  std::vector<Run> whole;
   std::vector<EdgeNode> edge;
 };
+
+bool continues(const Run& run, std::size_t node, const std::array<std::uint32_t, 6>& neighbour) {
+  if (node != run.node + run.count || run.count == kLongestRun) return false;
+  for (std::size_t d = 0; d < 6; ++d)
+    if (neighbour[d] != run.neighbour[d] + run.count) return false;
+  return true;
+}
 
 Colour colour_of(const WallGrid& grid, const WallGraph& graph, std::size_t first, std::size_t last) {
   Colour colour;
   for (std::size_t n = first; n < last; ++n) {
     const auto& to = graph.nodes[n].neighbour;
-    if (std::all_of(to.begin(), to.end(), [](std::uint32_t t) { return t < kInnerEnd; }))
-      colour.whole.push_back(static_cast<std::uint32_t>(n));
-    else
+    if (!std::all_of(to.begin(), to.end(), [](std::uint32_t t) { return t < kInnerEnd; })) {
       colour.edge.push_back(edge_node(grid, graph, n));
+      continue;
+    }
+    if (colour.whole.empty() || !continues(colour.whole.back(), n, to))
+      colour.whole.push_back({static_cast<std::uint32_t>(n), 0, to});
+    ++colour.whole.back().count;
   }
   return colour;
+}
+
+/// Over-relaxes the nodes of a run; returns the largest change. The largest is found among the bits, whose
+/// order is that of the values, because that vectorises.
+float relax(const Run& run, const std::array<float, 3>& share, std::vector<float>& u) {
+  // Neighbours are of the other colour, so that what is written is not read.
+  float* __restrict own = u.data() + run.node;
+  std::array<const float*, 6> beside{};
+  for (std::size_t d = 0; d < 6; ++d) beside[d] = u.data() + run.neighbour[d];
+  std::int32_t most = 0;
+  for (std::uint32_t i = 0; i < run.count; ++i) {
+    const float mean = share[0] * (beside[0][i] + beside[1][i]) + share[1] * (beside[2][i] + beside[3][i]) +
+                       share[2] * (beside[4][i] + beside[5][i]);
+    const float step = kOmega * (mean - own[i]);
+    own[i] += step;
+    most = std::max(most, Eigen::numext::bit_cast<std::int32_t>(step) & 0x7fffffff);
+  }
+  return Eigen::numext::bit_cast<float>(most);
+}
+
+float relax(const EdgeNode& edge, std::vector<float>& u) {
+  float mean = edge.constant;
+  for (std::size_t d = 0; d < 6; ++d) mean += edge.weight[d] * u[edge.neighbour[d]];
+  const float step = kOmega * (mean - u[edge.node]);
+  u[edge.node] += step;
+  return std::abs(step);
 }
 
 /// The grid of every other voxel; no wall at its border. What it says of distances is typical, not measured.
@@ -164,33 +216,6 @@ std::vector<float> wall_potential(const WallGrid& grid, const WallGraph& graph, 
 
   std::vector<float> u =
       count < kFewNodes ? std::vector<float>(count, 0.5F) : start_values(grid, graph, threads);
-  const auto relax = [&u](std::uint32_t n, float mean) {
-    const float step = kOmega * (mean - u[n]);
-    u[n] += step;
-    return std::abs(step);
-  };
-  const auto relax_whole = [&](const std::vector<std::uint32_t>& nodes, std::size_t first, std::size_t last) {
-    float most = 0;
-    for (std::size_t i = first; i < last; ++i) {
-      const auto& to = graph.nodes[nodes[i]].neighbour;
-      const float mean = share[0] * (u[to[0]] + u[to[1]]) + share[1] * (u[to[2]] + u[to[3]]) +
-                         share[2] * (u[to[4]] + u[to[5]]);
-      most = std::max(most, relax(nodes[i], mean));
-    }
-    return most;
-  };
-  const auto relax_edge = [&](const std::vector<EdgeNode>& nodes, std::size_t first, std::size_t last) {
-    float most = 0;
-    for (std::size_t i = first; i < last; ++i) {
-      const EdgeNode& e = nodes[i];
-      const auto& to = graph.nodes[e.node].neighbour;
-      float mean = e.constant;
-      for (std::size_t d = 0; d < 6; ++d)
-        if (to[d] < kInnerEnd) mean += e.weight[d] * u[to[d]];
-      most = std::max(most, relax(e.node, mean));
-    }
-    return most;
-  };
   // The largest change is found part by part, so that it does not depend on the number of threads.
   constexpr std::size_t kParts = 16;
   std::array<float, kParts> change{};
@@ -201,8 +226,12 @@ std::vector<float> wall_potential(const WallGrid& grid, const WallGraph& graph, 
         for (std::size_t part = first; part < last; ++part) {
           const auto begin = [&](std::size_t size, std::size_t p) { return size * p / kParts; };
           const std::size_t whole = colour.whole.size(), edge = colour.edge.size();
-          change[part] = std::max(relax_whole(colour.whole, begin(whole, part), begin(whole, part + 1)),
-                                  relax_edge(colour.edge, begin(edge, part), begin(edge, part + 1)));
+          float most_here = 0;
+          for (std::size_t r = begin(whole, part); r < begin(whole, part + 1); ++r)
+            most_here = std::max(most_here, relax(colour.whole[r], share, u));
+          for (std::size_t e = begin(edge, part); e < begin(edge, part + 1); ++e)
+            most_here = std::max(most_here, relax(colour.edge[e], u));
+          change[part] = most_here;
         }
       });
       most = std::max(most, *std::max_element(change.begin(), change.end()));
