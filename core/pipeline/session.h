@@ -76,14 +76,13 @@ class Session {
 
   const LabelVolume* source_volume() const { return source_.get(); }   ///< all labels, as read
   const std::string& source_digest() const { return source_digest_; }  ///< digest_of(*source_volume())
-  /// The labels to be meshed on the source's grid: what fidelity is measured against.
+  /// The labels to be meshed on the source's voxels: what fidelity is measured against.
   const LabelVolume* selected_volume() const { return volume_.selected.get(); }
-  /// The labels to be meshed, thick slices interpolated and specks removed: what the later stages see.
+  /// The labels to be meshed, thick slices interpolated and specks removed: what the later stages see. Its
+  /// axes are in the order of mesh_order(), not in the source's.
   const LabelVolume* volume() const { return volume_.prepared.get(); }
   /// All labels of the source on the grid of volume().
-  const LabelVolume* anatomy() const {
-    return volume_.interpolated ? volume_.interpolated.get() : source_.get();
-  }
+  const LabelVolume* anatomy() const { return volume_.anatomy.get(); }
   const SurfaceMesh* surface() const { return surface_ ? &*surface_ : nullptr; }
   const SurfaceMesh* smooth() const { return smooth_ ? &*smooth_ : nullptr; }
   const SizingField* sizing() const { return sizing_ ? &*sizing_ : nullptr; }

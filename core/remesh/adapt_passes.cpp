@@ -47,7 +47,6 @@ AdaptRecord AdaptPasses::record() const {
   return record;
 }
 
-/// Each edge once, ascending by its ends.
 std::vector<AdaptPasses::Edge> AdaptPasses::edges() const {
   const ComplexMesh& mesh = editor_.mesh();
   std::vector<Edge> out;
@@ -130,33 +129,38 @@ bool AdaptPasses::open_angle(std::uint32_t t) {
   return false;
 }
 
-bool AdaptPasses::open_folds() {
+double AdaptPasses::sharpest_fold(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& around) const {
   const ComplexMesh& mesh = editor_.mesh();
-  for (const Edge& e : edges()) {
-    std::vector<std::uint32_t> around;
-    for (const std::uint32_t t : mesh.star(e.a))
-      if (has_corner(mesh.triangle(t), e.b)) around.push_back(third_corner(mesh.triangle(t), e.a, e.b));
-    double sharpest = -1;
-    for (std::size_t i = 0; i < around.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        sharpest = std::max(sharpest, fold_cosine(mesh.point(e.a), mesh.point(e.b), mesh.point(around[i]),
-                                                  mesh.point(around[j])));
-    if (sharpest > editor_.fold_limit(e.a, e.b)) open_fold(e, around);
-  }
+  around.clear();
+  for (const std::uint32_t t : mesh.star(a))
+    if (has_corner(mesh.triangle(t), b)) around.push_back(third_corner(mesh.triangle(t), a, b));
+  double sharpest = -1;
+  for (std::size_t i = 0; i < around.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      sharpest = std::max(sharpest, fold_cosine(mesh.point(a), mesh.point(b), mesh.point(around[i]),
+                                                mesh.point(around[j])));
+  return sharpest;
+}
+
+bool AdaptPasses::open_folds() {
+  std::vector<std::uint32_t> around;
+  for (const Edge& e : edges())
+    if (sharpest_fold(e.a, e.b, around) > editor_.fold_limit(e.a, e.b)) open_fold(e.a, e.b, around);
   return !ctx_.cancelled();
 }
 
-void AdaptPasses::open_fold(const Edge& e, const std::vector<std::uint32_t>& around) {
-  if (operations_.flip(e.a, e.b, Demand::kBetterFold)) return;
-  for (const std::uint32_t v : {e.a, e.b})
-    if (operations_.open(v, Demand::kBetterFold)) return;
+bool AdaptPasses::open_fold(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& around) {
+  if (operations_.flip(a, b, Demand::kBetterFold)) return true;
+  for (const std::uint32_t v : {a, b})
+    if (operations_.open(v, Demand::kBetterFold)) return true;
   for (const std::uint32_t v : around)
-    if (operations_.open(v, Demand::kBetterFold)) return;
+    if (operations_.open(v, Demand::kBetterFold)) return true;
   for (const std::uint32_t v : around)
-    for (const std::uint32_t end : {e.a, e.b})
+    for (const std::uint32_t end : {a, b})
       if (operations_.collapse(v, end, kLongestPolished, Demand::kBetterFold) ||
           operations_.collapse(end, v, kLongestPolished, Demand::kBetterFold))
-        return;
+        return true;
+  return false;
 }
 
 void AdaptPasses::lift_towards_volumes() {

@@ -53,8 +53,14 @@ class AdaptPasses {
   bool open_angles(double limit_cosine);
   /// Flips away the longest edges, moves corners, or closes the triangle; whether anything was done.
   bool open_angle(std::uint32_t t);
+  /// Each edge once, ascending by its ends.
+  std::vector<Edge> edges() const;
+  /// Cosine of the sharpest fold at an edge; `around` becomes the corners opposite to it.
+  double sharpest_fold(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& around) const;
   /// Edges folded more sharply than the limits: whatever opens them.
   bool open_folds();
+  /// Flips the edge away, moves corners, or closes triangles; whether anything was done.
+  bool open_fold(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& around);
   /// Relocation puts sheets where the labels have the reference's volumes, to first order.
   void lift_towards_volumes();
 
@@ -70,9 +76,6 @@ class AdaptPasses {
   LocalOperations operations_;
 
  private:
-  std::vector<Edge> edges() const;
-  void open_fold(const Edge& e, const std::vector<std::uint32_t>& around);
-
   const std::vector<double> volumes_;  ///< of the reference, by label
 };
 

@@ -38,6 +38,9 @@ class Improver : public AdaptPasses {
   bool collapse(std::uint32_t v, std::uint32_t other, double longest);
   bool relocate_touched();
   bool come_nearer();
+  bool unfold();
+  bool unfold(std::uint32_t a, std::uint32_t b);
+  bool is_opener(double sharpest);
   bool approach(std::uint32_t t, double reach_mm);
   bool bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach);
   bool is_nearer();
@@ -67,7 +70,7 @@ bool Improver::run() {
     if (!coarsen_in_steps() || !relocate_touched()) return false;
     if (!open_angles(editor_.limits.angle_cosine) || !open_folds()) return false;
   }
-  return come_nearer();
+  return come_nearer() && unfold();
 }
 
 /// The shortest edges first: among edges of about one length, angles stay good.
@@ -209,6 +212,72 @@ bool Improver::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach
     }
   }
   return false;
+}
+
+/// Edges that are still folded more sharply than the limits, again as long as that helps.
+bool Improver::unfold() {
+  constexpr int kPasses = 3;
+  std::vector<std::uint32_t> around;
+  bool any = true;
+  for (int pass = 0; pass < kPasses && any; ++pass) {
+    any = false;
+    for (const Edge& e : edges()) {
+      constexpr int kMostSteps = 6;
+      for (int step = 0; step < kMostSteps; ++step) {
+        if (sharpest_fold(e.a, e.b, around) <= editor_.fold_limit(e.a, e.b) || !unfold(e.a, e.b)) break;
+        any = true;
+      }
+    }
+    if (ctx_.cancelled()) return false;
+  }
+  return true;
+}
+
+/// Whatever opens the fold at an edge: first what keeps the angles, then that after which they can be opened,
+/// last by more points.
+bool Improver::unfold(std::uint32_t a, std::uint32_t b) {
+  const ComplexMesh& mesh = editor_.mesh();
+  std::vector<std::uint32_t> around;
+  const double sharpest = sharpest_fold(a, b, around);
+  constexpr int kNoHealing = -1;
+  for (const int most_splits : {kNoHealing, 0, kHealingSplits}) {
+    const auto opener = [&] { return is_opener(sharpest); };
+    const auto attempt = [&](auto&& operation) {
+      return most_splits == kNoHealing ? tried(operation, opener)
+                                       : with_healing(operation, opener, most_splits);
+    };
+    if (attempt([&] { return open_fold(a, b, around); })) return true;
+    if (around.size() != 2) continue;
+    const Eigen::Vector3d c = mesh.point(around[0]), d = mesh.point(around[1]);
+    const Eigen::Vector3d inwards = 0.5 * (c + d - mesh.point(a) - mesh.point(b));
+    for (const double step : {0.4, 0.2, 0.1}) {
+      for (const std::uint32_t v : {a, b})
+        if (attempt([&] { return operations_.shift(v, step * inwards, Demand::kBetterFold); })) return true;
+      for (std::size_t i = 0; i < 2; ++i)
+        if (attempt([&] {
+              return operations_.shift(around[i], (i == 0 ? step : -step) * (c - d), Demand::kBetterFold);
+            }))
+          return true;
+    }
+  }
+  return false;
+}
+
+/// Whether no fold of what the trial made is as sharp, or beyond the limits.
+bool Improver::is_opener(double sharpest) {
+  constexpr double kLeastGain = 1e-3;
+  const ComplexMesh& mesh = editor_.mesh();
+  std::vector<std::uint32_t> around;
+  bool opener = true;
+  editor_.for_trial_triangles([&](std::uint32_t t) {
+    const Triangle corners = mesh.triangle(t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t u = corners[i], w = corners[(i + 1) % 3];
+      const double limit = std::max(editor_.fold_limit(u, w), sharpest - kLeastGain);
+      opener = opener && sharpest_fold(u, w, around) <= limit;
+    }
+  });
+  return opener;
 }
 
 /// Whether all that the trial made is: the operations themselves look at samples that have changed hosts, and

@@ -1,6 +1,7 @@
 #include "volume/prepare_volume.h"
 
 #include "volume/interpolate_slices.h"
+#include "volume/mesh_order.h"
 #include "volume/remove_specks.h"
 
 namespace voxtet {
@@ -15,14 +16,17 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
                  {}};
   Result<std::shared_ptr<const LabelVolume>> chosen = select_labels(source, labels, merge);
   if (!chosen) return chosen.error();
-  PreparedVolume out;
-  out.selected = *chosen;
-  out.prepared = out.selected;
-  if (has_thick_slices(*source, params.slice_ratio)) {
-    Result<LabelVolume> fine = interpolate_slices(*source, params.slice_ratio, ctx);
+  PreparedVolume out{*chosen, *chosen, source};
+  if (const AxisOrder order = mesh_order(*out.selected); !order.is_identity()) {
+    out.anatomy = std::make_shared<const LabelVolume>(reordered(*source, order));
+    out.selected = out.prepared =
+        *chosen == source ? out.anatomy : std::make_shared<const LabelVolume>(reordered(**chosen, order));
+  }
+  if (has_thick_slices(*out.anatomy, params.slice_ratio)) {
+    Result<LabelVolume> fine = interpolate_slices(*out.anatomy, params.slice_ratio, ctx);
     if (!fine) return fine.error();
-    out.interpolated = std::make_shared<const LabelVolume>(std::move(fine).value());
-    chosen = select_labels(out.interpolated, labels, merge);
+    out.anatomy = std::make_shared<const LabelVolume>(std::move(fine).value());
+    chosen = select_labels(out.anatomy, labels, merge);
     if (!chosen) return chosen.error();
     out.prepared = *chosen;
   }

@@ -19,14 +19,14 @@ struct VolumeParams {
   std::uint32_t hole_voxels = 0;   ///< smaller enclosed components of background are removed; 0: none
 };
 
-/// `selected` and `prepared` hold the labels to be meshed, on the source's grid and on the one to be meshed;
-/// the same object where nothing was interpolated or removed, and the source itself where it is meshed as it
-/// is. `interpolated` holds all labels on the grid of `prepared`; null where that is the source's.
+/// `selected` and `prepared` hold the labels to be meshed, on the source's voxels and on those to be meshed;
+/// the same object where nothing was interpolated or removed. `anatomy` holds all labels on the grid of
+/// `prepared`. All are stored as mesh_order() has it, and are the source itself where that changes nothing.
 struct PreparedVolume {
-  std::shared_ptr<const LabelVolume> selected, prepared, interpolated;
+  std::shared_ptr<const LabelVolume> selected, prepared, anatomy;
 };
 
-/// interpolate_slices over all labels of the source, then select_labels, then remove_specks; what they did is
+/// select_labels and reordered, interpolate_slices over all labels, then remove_specks; what they did is
 /// noted in `ctx`. Errors: those of select_labels; kUsage for parameters out of range; kCancelled.
 Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& source,
                                       const std::vector<Label>& labels, const std::vector<LabelGroup>& merge,

@@ -12,6 +12,7 @@
 #include "support/label_bodies.h"
 #include "support/test_random.h"
 #include "types/label_volume.h"
+#include "volume/mesh_order.h"
 
 namespace voxtet::test {
 
@@ -193,12 +194,15 @@ inline Eigen::Matrix3d random_rotation(TestRandom& random) {
 }
 
 /// Axes in any order and direction: one of the 48 symmetries of the cube.
-inline Eigen::Matrix3d axis_symmetry(int n) {
+inline constexpr int kAxisOrders = 48;
+inline AxisOrder axis_order(int n) {
   constexpr std::array<std::array<int, 3>, 6> kOrders{
       {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
+  return {kOrders[static_cast<std::size_t>(n / 8)], {(n & 1) != 0, (n & 2) != 0, (n & 4) != 0}};
+}
+inline Eigen::Matrix3d matrix_of(const AxisOrder& order) {
   Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
-  for (int d = 0; d < 3; ++d)
-    m(kOrders[static_cast<std::size_t>(n / 8)][static_cast<std::size_t>(d)], d) = (n >> d) & 1 ? -1 : 1;
+  for (std::size_t d = 0; d < 3; ++d) m(order.axis[d], static_cast<int>(d)) = order.reversed[d] ? -1 : 1;
   return m;
 }
 
@@ -210,7 +214,7 @@ inline std::string set_random_affine(LabelVolume& volume, TestRandom& random) {
     for (int d = 0; d < 3; ++d)
       if (random.below(2)) spacing[d] *= kRatios[static_cast<std::size_t>(random.below(6))];
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  if (kind >= 2) axes = axis_symmetry(random.below(48));
+  if (kind >= 2) axes = matrix_of(axis_order(random.below(kAxisOrders)));
   if (kind == 3) axes = random_rotation(random) * axes;
   volume.index_to_mm.topLeftCorner<3, 3>() = axes * spacing.asDiagonal();
   for (int d = 0; d < 3; ++d) volume.index_to_mm(d, 3) = 0.5 * random.below(400) - 100;

@@ -9,6 +9,7 @@
 #include "sweep/findings.h"
 #include "sweep/load_labels.h"
 #include "sweep/surface_figures.h"
+#include "volume/mesh_order.h"
 
 using namespace voxtet;
 using namespace voxtet::sweep;
@@ -16,27 +17,6 @@ using namespace voxtet::sweep;
 namespace {
 
 constexpr double kLeastDice = 0.99;
-
-/// The same labels at the same places in patient space, stored in another order: `axes` is axis_symmetry(n).
-LabelVolume reordered(const LabelVolume& volume, const Eigen::Matrix3d& axes) {
-  LabelVolume out = volume;
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();  // the old index of the new first voxel
-  for (int d = 0; d < 3; ++d)
-    for (int old = 0; old < 3; ++old) {
-      if (axes(old, d) != 0)
-        out.size[static_cast<std::size_t>(d)] = volume.size[static_cast<std::size_t>(old)];
-      if (axes(old, d) < 0) first[old] = volume.size[static_cast<std::size_t>(old)] - 1;
-    }
-  for (int k = 0; k < out.size[2]; ++k)
-    for (int j = 0; j < out.size[1]; ++j)
-      for (int i = 0; i < out.size[0]; ++i) {
-        const Eigen::Vector3i from = (axes * Eigen::Vector3d(i, j, k) + first).cast<int>();
-        out.labels[out.offset(i, j, k)] = volume.at(from.x(), from.y(), from.z());
-      }
-  out.index_to_mm.topLeftCorner<3, 3>() = volume.linear() * axes;
-  out.index_to_mm.topRightCorner<3, 1>() = volume.to_mm(first);
-  return out;
-}
 
 LabelVolume turned(const LabelVolume& volume, const Eigen::Matrix3d& rotation) {
   LabelVolume out = volume;
@@ -109,7 +89,7 @@ int main(int argc, char** argv) {
   CommandLine line{"One heart in 48 storage orders and 20 oblique positions. Exit code 1 beyond any limit."};
   std::string file = "biv_mean_2mm_float32.nii.gz";
   std::vector<Label> labels{1, 2};
-  int orders = 48, turns = 20;
+  int orders = test::kAxisOrders, turns = 20;
   line.app.add_option("--volume", file, "a volume of the data folder");
   line.app.add_option("--labels", labels, "labels meshed")->delimiter(',');
   line.app.add_option("--orders", orders, "storage orders, of 48");
@@ -127,7 +107,7 @@ int main(int argc, char** argv) {
   for (const std::string& method : line.methods) {
     Sweep sweep{method, labels, findings};
     for (int n = 0; n < orders; ++n)
-      sweep.add("order " + std::to_string(n), reordered(*volume, test::axis_symmetry(n)), *volume);
+      sweep.add("order " + std::to_string(n), reordered(*volume, test::axis_order(n)), *volume);
     test::TestRandom random(1);
     for (int n = 1; n <= turns; ++n) {
       const LabelVolume oblique = turned(*volume, test::random_rotation(random));

@@ -47,7 +47,8 @@ function ReadFacts({ known }: { known: VolumeSummary }) {
       'Where each voxel axis leads: right or left, anterior or posterior, superior or inferior',
     ],
   ];
-  if (prepared && prepared.size.join() !== size.join())
+  const voxels = ([x, y, z]: Vec3) => x * y * z;
+  if (prepared && voxels(prepared.size) !== voxels(size))
     rows.push(['Interpolated to', `${product(prepared.spacing_mm.map(short))} mm`]);
   return (
     <dl class="read-facts">
