@@ -87,7 +87,7 @@ struct Sweep {
 
 int main(int argc, char** argv) {
   CommandLine line{"One heart in 48 storage orders and 20 oblique positions. Exit code 1 beyond any limit."};
-  std::string file = "biv_mean_2mm_float32.nii.gz";
+  std::string file = "biv_mean_1mm.nii.gz";
   std::vector<Label> labels{1, 2};
   int orders = test::kAxisOrders, turns = 20;
   line.app.add_option("--volume", file, "a volume of the data folder");
