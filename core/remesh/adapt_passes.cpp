@@ -129,7 +129,8 @@ bool AdaptPasses::open_angle(std::uint32_t t) {
   return false;
 }
 
-double AdaptPasses::sharpest_fold(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& around) const {
+double AdaptPasses::sharpest_fold(std::uint32_t a, std::uint32_t b,
+                                  std::vector<std::uint32_t>& around) const {
   const ComplexMesh& mesh = editor_.mesh();
   around.clear();
   for (const std::uint32_t t : mesh.star(a))
@@ -137,8 +138,8 @@ double AdaptPasses::sharpest_fold(std::uint32_t a, std::uint32_t b, std::vector<
   double sharpest = -1;
   for (std::size_t i = 0; i < around.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      sharpest = std::max(sharpest, fold_cosine(mesh.point(a), mesh.point(b), mesh.point(around[i]),
-                                                mesh.point(around[j])));
+      sharpest = std::max(
+          sharpest, fold_cosine(mesh.point(a), mesh.point(b), mesh.point(around[i]), mesh.point(around[j])));
   return sharpest;
 }
 

@@ -119,11 +119,13 @@ class ComplexEditor {
   std::uint64_t violations() const { return violations_; }
 
  private:
+  inline static const Breach kUnknown{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+
   void look_at_old(const Change& change);
   Reason check(const Change& change, const Eigen::Vector3d& before);
   Reason check_shapes(const Change& change);
   Reason check_envelope(const Change& change) const;
-  Breach farthest_point_of(std::uint32_t t, const Corners& p) const;
+  const Breach& farthest_point_of(std::uint32_t t, const Corners& p) const;
   std::vector<std::uint32_t> samples_of(std::uint32_t t) const;
   bool is_folded(std::uint32_t t) const;
   void look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const;
@@ -162,6 +164,9 @@ class ComplexEditor {
   std::vector<Eigen::Vector3d> normals_;
   std::array<std::uint64_t, kReasonNames.size()> refusals_{};
   std::uint64_t violations_ = 0;
+  /// Of triangles as they are, by slot, on the lattice of that spacing; distance2 < 0 where not known.
+  mutable std::vector<Breach> breaches_;
+  mutable double breaches_lattice_mm_ = 0;
 
   // Of the change under way.
   const Change* change_ = nullptr;
@@ -178,7 +183,8 @@ class ComplexEditor {
   /// What takes an accepted change back.
   struct Accepted {
     Change back;
-    double size = 0;  ///< of the moved vertex
+    std::vector<Breach> breaches;  ///< of what it adds, where known
+    double size = 0;               ///< of the moved vertex
     std::uint32_t hint = kNone;
   };
   std::vector<Accepted> trial_;

@@ -67,7 +67,7 @@ ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Co
                                                     double content2, std::uint32_t hint, double enough2,
                                                     std::span<const std::uint32_t> more_hints) const {
   const int n = static_cast<int>(std::ceil(longest_edge_mm(p) / limits.lattice_mm));
-  const double reach2 = limits.reach_mm * limits.reach_mm;
+  const double far2 = content2 < kNowhere ? content2 : limits.reach_mm * limits.reach_mm;
   Breach worst;
   if (hint == kNone) {
     worst.distance2 = kNowhere;
@@ -89,7 +89,7 @@ ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Co
       Eigen::Vector3d toward = reference_.walk(at, facet.pair, hint, enough2) - at;
       double distance2 = toward.squaredNorm();
       const auto walk_from = [&](std::uint32_t from) {
-        if (distance2 <= reach2 || from == kNone || !reference_.beside(from, facet.pair)) return;
+        if (distance2 <= far2 || from == kNone || !reference_.beside(from, facet.pair)) return;
         const Eigen::Vector3d other = reference_.walk(at, facet.pair, from) - at;
         if (other.squaredNorm() >= distance2) return;
         toward = other;
@@ -111,10 +111,20 @@ std::vector<std::uint32_t> ComplexEditor::samples_of(std::uint32_t t) const {
   return samples;
 }
 
-/// Walks may end on the way: what seems to be beyond the envelope is looked at from more places.
-ComplexEditor::Breach ComplexEditor::farthest_point_of(std::uint32_t t, const Corners& p) const {
-  const Facet facet{mesh_.triangle(t), mesh_.pair(t)};
-  return farthest_point(facet, p, kEveryCorner, kNowhere, nearest_hint(facet, p), 0, samples_of(t));
+/// Walks may end on the way: what seems to be beyond the envelope is looked at from more places. Remembered,
+/// because the same triangles are to be replaced again and again.
+const ComplexEditor::Breach& ComplexEditor::farthest_point_of(std::uint32_t t, const Corners& p) const {
+  if (breaches_lattice_mm_ != limits.lattice_mm) {
+    breaches_.clear();
+    breaches_lattice_mm_ = limits.lattice_mm;
+  }
+  if (t >= breaches_.size()) breaches_.resize(mesh_.slot_count(), kUnknown);
+  Breach& breach = breaches_[t];
+  if (breach.distance2 < 0) {
+    const Facet facet{mesh_.triangle(t), mesh_.pair(t)};
+    breach = farthest_point(facet, p, kEveryCorner, kNowhere, nearest_hint(facet, p), 0, samples_of(t));
+  }
+  return breach;
 }
 
 ComplexEditor::Breach ComplexEditor::farthest(std::uint32_t t) const {

@@ -25,6 +25,7 @@ void ComplexEditor::remember(const Change& change, const Eigen::Vector3d& before
     const std::uint32_t t = change.removed[i];
     step.back.added.push_back({mesh_.triangle(t), mesh_.pair(t)});
     const bool own = t < placed_in_.size() && placed_in_[t] == trial_number_;
+    step.breaches.push_back(t < breaches_.size() ? breaches_[t] : kUnknown);
     if (!own) trial_cosine_ = std::max(trial_cosine_, sharpest_cosine(old_corners_[i]));
   }
   step.back.curves_removed = change.curves_added;
@@ -58,6 +59,8 @@ void ComplexEditor::undo_trial() {
     samples_.try_curves(mesh_, back, kAnywhere, before);
     samples_.try_surface(mesh_, back, kAnywhere, kAnyhow, {old_corners_, old_normals_}, new_normals_);
     commit(back, true);
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+      if (slots_[i] < breaches_.size()) breaches_[slots_[i]] = step->breaches[i];
   }
 }
 
@@ -85,6 +88,7 @@ void ComplexEditor::place(const Change& change, std::size_t i) {
   }
   if (slots_[i] >= normals_.size()) normals_.resize(slots_[i] + 1);
   normals_[slots_[i]] = new_normals_[i];
+  if (slots_[i] < breaches_.size()) breaches_[slots_[i]] = kUnknown;
 }
 
 }  // namespace voxtet::remesh
