@@ -26,27 +26,33 @@ AxisOrder patient_order(const LabelVolume& volume) {
 /// by a diagonal along which both indices rise, and by one along which one rises and the other falls.
 using Joined = std::array<std::array<std::ptrdiff_t, 2>, 3>;
 
+/// Adds one plane's squares of four voxels, the lowest ones of which lie in the row at `here`; along the row
+/// where `u` is 1.
+void count_row(const Label* here, int count, std::size_t u, std::size_t v,
+               std::array<std::ptrdiff_t, 2>& out) {
+  const auto score = [](Label joined) -> std::ptrdiff_t { return joined == kBackground ? -1 : 1; };
+  for (const Label* const end = here + count; here != end; ++here) {
+    const Label a = here[0], b = here[u], c = here[v], d = here[u + v];
+    if (a == b || a == c || d == b || d == c) continue;
+    if (a == d) out[0] += score(a);
+    if (b == c) out[1] += score(b);
+  }
+}
+
 Joined count_joined(const LabelVolume& volume) {
   Joined joined{};
-  const std::array<std::size_t, 3> stride{1, volume.offset(0, 1, 0), volume.offset(0, 0, 1)};
-  const auto score = [](Label own, Label opposite, Label a, Label b) -> std::ptrdiff_t {
-    if (own != opposite || own == a || own == b) return 0;
-    return own == kBackground ? -1 : 1;
-  };
-  for (std::size_t across = 0; across < 3; ++across) {
-    const std::size_t u = (across + 1) % 3, v = (across + 2) % 3;
-    std::array<int, 3> end = volume.size;
-    --end[u], --end[v];
-    for (int k = 0; k < end[2]; ++k)
-      for (int j = 0; j < end[1]; ++j) {
-        const Label* here = volume.labels.data() + volume.offset(0, j, k);
-        for (int i = 0; i < end[0]; ++i, ++here) {
-          const Label a = here[0], b = here[stride[u]], c = here[stride[v]], d = here[stride[u] + stride[v]];
-          joined[across][0] += score(a, d, b, c);
-          joined[across][1] += score(b, c, a, d);
-        }
-      }
-  }
+  const auto [nx, ny, nz] = volume.size;
+  const std::size_t to_y = volume.offset(0, 1, 0), to_z = volume.offset(0, 0, 1);
+  for (int k = 0; k < nz; ++k)
+    for (int j = 0; j < ny; ++j) {
+      const Label* here = volume.labels.data() + volume.offset(0, j, k);
+      // Most rows are as the one beside them, and have nothing that counts.
+      const bool other_y = j + 1 < ny && !std::equal(here, here + nx, here + to_y);
+      const bool other_z = k + 1 < nz && !std::equal(here, here + nx, here + to_z);
+      if (other_y && other_z) count_row(here, nx, to_y, to_z, joined[0]);
+      if (other_z) count_row(here, nx - 1, 1, to_z, joined[1]);
+      if (other_y) count_row(here, nx - 1, 1, to_y, joined[2]);
+    }
   return joined;
 }
 
