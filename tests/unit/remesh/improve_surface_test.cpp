@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,23 @@ TEST(ImproveSurface, KeepsFacetsOfThinBodiesDelaunay) {
   EXPECT_LT(surface.triangles.size(), fine.triangles.size());
   EXPECT_LT(count_without_balls(fine), fine.triangles.size() / 50);
   EXPECT_LT(count_without_balls(surface), surface.triangles.size() / 100);
+}
+
+TEST(ImproveSurface, OpensTheFoldsOfARoughSurface) {
+  const SurfaceMesh reference = test::sphere({0, 0, 0}, 6, 5, 1, 0);
+  const SizingField sizing = test::uniform_sizing(0.4);
+  RunContext ctx;
+  const SurfaceMesh smooth = adapt_complex(reference, sizing, {}, ctx).value();
+  for (const unsigned seed : {1U, 3U}) {
+    SurfaceMesh rough = smooth;
+    std::mt19937 random(seed);
+    for (Eigen::Vector3d& p : rough.points) p *= 1 + 0.5 / 6 * (random() % 1000 / 500.0 - 1);
+    EXPECT_LT(test::report_on(rough, sizing).least_dihedral_deg, 40);
+    const SurfaceMesh surface = improve_surface(rough, reference, sizing, strict_params(), ctx).value();
+    EXPECT_GE(test::report_on(surface, sizing).least_dihedral_deg, 60 - 1e-9);
+    EXPECT_TRUE(test::is_valid_surface(surface));
+    EXPECT_TRUE(find_self_intersections(surface, 1).empty());
+  }
 }
 
 TEST(ImproveSurface, StopsWhenCancelled) {

@@ -1,0 +1,31 @@
+// Single facets of an adapted surface brought nearer to the reference, and folds between them opened.
+#pragma once
+
+#include <cstdint>
+
+#include "remesh/healing_passes.h"
+
+namespace voxtet::remesh {
+
+/// Each pass is false when cancelled.
+class FacetMender : public HealingPasses {
+ public:
+  using HealingPasses::HealingPasses;
+
+ protected:
+  /// Facets beyond the envelope; in a narrow one only those that are far. Again around what changed: what
+  /// could not be done may be possible then, and an operation may have taken another facet as far as its own
+  /// was.
+  bool come_nearer();
+  /// Edges that open_folds() left folded more sharply than the limits, again as long as that helps.
+  bool unfold();
+
+ private:
+  bool approach(std::uint32_t t, double reach_mm);
+  bool bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach);
+  bool is_nearer();
+  bool unfold(std::uint32_t a, std::uint32_t b);
+  bool is_flatter(double sharpest);
+};
+
+}  // namespace voxtet::remesh
