@@ -10,6 +10,7 @@
 #include "io/files.h"
 #include "io/write_volume.h"
 #include "pipeline/session.h"
+#include "volume/mesh_order.h"
 
 using namespace voxtet;
 
@@ -29,7 +30,10 @@ double peak_mb(const Session& session) {
 }
 
 Status leave_inputs(const Session& session, const std::string& out) {
-  const Result<Bytes> volume = write_nifti(*session.volume(), false);
+  // As files store it: of the systole, mirrored, CGAL found no first point.
+  AxisOrder order;
+  order.reversed[0] = session.volume()->linear().determinant() < 0;
+  const Result<Bytes> volume = write_nifti(reordered(*session.volume(), order), false);
   if (!volume) return volume.error();
   if (Status placed = place_files({{out + ".nii", *volume}}); !placed) return placed;
   return peers::write_fill_task({*session.remeshed(), *session.sizing()}, out + ".surface");
