@@ -1,12 +1,9 @@
 #include "remesh/improve_surface.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <new>
-#include <utility>
+#include <vector>
 
-#include "geometry/triangle_measures.h"
 #include "remesh/facet_mender.h"
 
 namespace voxtet::remesh {

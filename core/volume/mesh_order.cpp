@@ -1,7 +1,7 @@
 #include "volume/mesh_order.h"
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace voxtet {
 namespace {
