@@ -12,10 +12,6 @@
 namespace voxtet {
 namespace {
 
-Error usage(const std::string& message) {
-  return {ErrorCode::kUsage, "cli", message, {}};
-}
-
 bool is_case_file(const std::string& input) {
   return input.size() > 5 && input.ends_with(".json");
 }
@@ -39,14 +35,16 @@ Status load_file(const std::string& path, Load load, Session& session) {
 /// "a=b" -> {a, b}. Errors: kUsage.
 Result<std::pair<std::string, std::string>> split_pair(const std::string& option, const std::string& text) {
   const std::size_t at = text.find('=');
-  if (at == std::string::npos || at == 0) return usage(option + " " + text + ": expected NAME=VALUE");
+  if (at == std::string::npos || at == 0)
+    return usage_error("cli", option + " " + text + ": expected NAME=VALUE");
   return std::pair{text.substr(0, at), text.substr(at + 1)};
 }
 
 Result<double> to_number(const std::string& option, const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0') return usage(option + ": found '" + text + "', expected a number");
+  if (text.empty() || *end != '\0')
+    return usage_error("cli", option + ": found '" + text + "', expected a number");
   return value;
 }
 
@@ -71,7 +69,8 @@ Result<nlohmann::json> to_group(const std::string& text) {
   const bool whole = !group.is_discarded() && std::all_of(group.begin(), group.end(), [](const auto& label) {
     return label.is_number_unsigned();
   });
-  if (!whole) return usage("--merge " + text + ": expected labels as 1,5,6, and the input before it");
+  if (!whole)
+    return usage_error("cli", "--merge " + text + ": expected labels as 1,5,6, and the input before it");
   return group;
 }
 
@@ -110,8 +109,8 @@ Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
   if (!options.labels.empty()) json["labels"] = options.labels;
   if (!options.look_up.empty()) json["lookup"]["labels"] = options.look_up;
   if (merges_all(options) && options.merge.size() > 1)
-    return usage("--merge: found all labels and " + std::to_string(options.merge.size() - 1) +
-                 " more groups, expected one or the other");
+    return usage_error("cli", "--merge: found all labels and " + std::to_string(options.merge.size() - 1) +
+                                  " more groups, expected one or the other");
   if (!options.merge.empty()) json["merge"] = nlohmann::json::array();
   for (const std::string& text : options.merge) {
     if (text.empty()) continue;
@@ -131,7 +130,8 @@ Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
   const Result<nlohmann::json> mask_edges = to_edges("--mask-edge", options.mask_edges);
   if (!mask_edges) return mask_edges.error();
   if (!mask_edges->empty() && options.masks.empty())
-    return usage("--mask-edge " + options.mask_edges[0] + ": found no --mask, expected one that it sizes");
+    return usage_error(
+        "cli", "--mask-edge " + options.mask_edges[0] + ": found no --mask, expected one that it sizes");
   for (const std::string& path : options.masks)
     json["sizing"]["masks"].push_back({{"name", file_name(path)}, {"edges", *mask_edges}});
   for (const std::string& path : options.size_images)

@@ -7,7 +7,7 @@
 namespace voxtet {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 4;
+constexpr std::uint32_t kLeafTriangles = 4;
 /// A box is passed over only when clearly farther: the rounding of single precision, in which boxes are
 /// compared, must not hide an equally close triangle.
 constexpr float kCaution = 1.00001F, kRounding = 1e-6F;
@@ -86,7 +86,7 @@ ClosestPointTree::Child ClosestPointTree::build(std::span<Item> items, std::uint
   };
   const auto count = static_cast<std::uint32_t>(items.size());
   whole = items.front();
-  if (count <= kLeafSize) {
+  if (count <= kLeafTriangles) {
     std::sort(items.begin(), items.end(),
               [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
     for (const Item& item : items) extend(whole, item);

@@ -8,8 +8,6 @@
 namespace voxtet {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
-
 /// Distance along x to the nearest mask voxel of the same row, squared.
 void squared_distance_in_row(const std::uint8_t* mask, int n, double spacing, float* squared) {
   int last = -1;

@@ -4,13 +4,17 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace voxtet {
 
+/// Distance from where there is nothing.
+inline constexpr float kFar = std::numeric_limits<float>::infinity();
+
 /// Distance (mm) from each voxel centre to the nearest voxel centre whose mask value is not 0; 0 on the mask
-/// itself, +infinity everywhere if the mask is empty. `mask` holds size[0]*size[1]*size[2] values, x fastest;
+/// itself, kFar everywhere if the mask is empty. `mask` holds size[0]*size[1]*size[2] values, x fastest;
 /// `spacing_mm` is the distance between centres along each axis, and the axes are orthogonal. Linear time.
 /// Lower envelope of parabolas: Felzenszwalb and Huttenlocher, "Distance Transforms of Sampled Functions",
 /// Theory of Computing 8 (2012).

@@ -68,8 +68,9 @@ void grow(Box& box, const Box& other) {
 template <class Box>
 bool overlap(const Box& a, const Box& b) {
   // One branch instead of six that nobody can predict.
-  return (a.low[0] <= b.high[0]) & (b.low[0] <= a.high[0]) & (a.low[1] <= b.high[1]) &
-         (b.low[1] <= a.high[1]) & (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2]);
+  const auto reaches = [](auto low, auto high) { return static_cast<int>(low <= high); };
+  return (reaches(a.low[0], b.high[0]) & reaches(b.low[0], a.high[0]) & reaches(a.low[1], b.high[1]) &
+          reaches(b.low[1], a.high[1]) & reaches(a.low[2], b.high[2]) & reaches(b.low[2], a.high[2])) != 0;
 }
 
 }  // namespace

@@ -7,11 +7,11 @@
 namespace voxtet {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
+constexpr std::uint32_t kNowhere = 0xffffffffU;
 
-/// The number of the wall that most voxels of each label lie in, or kNone.
+/// The number of the wall that most voxels of each label lie in, or kNowhere.
 std::vector<std::uint32_t> walls_of_labels(const LabelVolume& volume, std::span<const LayeredWall> walls) {
-  std::vector<std::uint32_t> wall_of(65536, kNone);
+  std::vector<std::uint32_t> wall_of(65536, kNowhere);
   for (std::uint32_t w = 0; w < walls.size(); ++w) {
     const Eigen::Matrix4d to_wall = walls[w].field.mm_to_index * volume.index_to_mm;
     std::vector<std::int64_t> balance(65536, 0);
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> walls_of_labels(const LabelVolume& volume, std::span<
           balance[volume.labels[at]] += walls[w].field.holds(index.head<3>()) ? 1 : -1;
         }
     for (std::size_t label = 1; label < balance.size(); ++label)
-      if (balance[label] > 0 && wall_of[label] == kNone) wall_of[label] = w;
+      if (balance[label] > 0 && wall_of[label] == kNowhere) wall_of[label] = w;
   }
   return wall_of;
 }
@@ -42,12 +42,12 @@ void add_triangle(Triangle triangle, Sides sides, std::vector<Triangle>& triangl
 
 /// Leaves out points that no triangle uses.
 void drop_unused_points(SurfaceMesh& surface) {
-  std::vector<std::uint32_t> place(surface.points.size(), kNone);
+  std::vector<std::uint32_t> place(surface.points.size(), kNowhere);
   for (const Triangle& t : surface.triangles)
     for (const std::uint32_t p : t) place[p] = 0;
   std::uint32_t kept = 0;
   for (std::size_t p = 0; p < place.size(); ++p) {
-    if (place[p] == kNone) continue;
+    if (place[p] == kNowhere) continue;
     surface.points[kept] = surface.points[p];
     place[p] = kept++;
   }
@@ -64,10 +64,10 @@ WallLayers::WallLayers(const LabelVolume& volume, std::span<const LayeredWall> w
   const Label last =
       volume.labels.empty() ? kBackground : *std::max_element(volume.labels.begin(), volume.labels.end());
   first_ = static_cast<Label>(last + 1);
-  first_of_.assign(65536, kNone);
+  first_of_.assign(65536, kNowhere);
   for (std::uint32_t label = 1; label <= last; ++label) {
     const std::uint32_t w = wall_of[label];
-    if (w == kNone || walls[w].layers == 0) continue;
+    if (w == kNowhere || walls[w].layers == 0) continue;
     const std::uint32_t each = walls[w].layers / 2, odd = walls[w].layers % 2;
     const auto surfaces = static_cast<std::uint32_t>(1 + walls[w].field.inner_shares.size());
     if (last + layers_.size() + std::size_t{surfaces} * each + odd > std::numeric_limits<Label>::max())
@@ -85,8 +85,8 @@ bool WallLayers::has_wall(std::size_t wall) const {
 }
 
 Label WallLayers::at(Label label, const Eigen::Vector3d& mm) const {
-  const std::uint32_t first = first_of_.empty() ? kNone : first_of_[label];
-  if (first == kNone) return label;
+  const std::uint32_t first = first_of_.empty() ? kNowhere : first_of_[label];
+  if (first == kNowhere) return label;
   const Wall& wall = walls_[layers_[first].wall];
   const WallField::Shares shares = wall.field->shares_at(mm);
   if (shares.size() == 0) return label;
@@ -132,7 +132,7 @@ double WallLayers::depth_mm(const Eigen::Vector3d& mm, Label label) const {
   double depth = own.step > 0 ? 1 - steps - share : std::numeric_limits<double>::infinity();
   if (own.middle) return depth * wall.field->thickness_at(mm);
   depth = std::min(depth, share - (1 - steps - next));
-  for (Eigen::Index s = 0; s < shares.size(); ++s)
+  for (std::uint32_t s = 0; s < static_cast<std::uint32_t>(shares.size()); ++s)
     if (s != own.surface) depth = std::min(depth, share - shares[s]);
   return depth * wall.field->thickness_at(mm);
 }

@@ -11,7 +11,7 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "inflate";
+constexpr const char* kInflater = "inflate";
 constexpr std::size_t kBlock = std::size_t{1} << 20;
 
 class MemorySource : public ByteSource {
@@ -55,11 +55,11 @@ class InflateSource : public ByteSource {
       if (code == Z_STREAM_END) {
         if (Status next = next_member(); !next) return next.error();
       } else if (code == Z_BUF_ERROR && left_.empty()) {
-        return bad_input(kStage, name() + " data are truncated: they end before their trailer");
+        return bad_input(kInflater, name() + " data are truncated: they end before their trailer");
       } else if (code == Z_MEM_ERROR) {
         throw std::bad_alloc();
       } else if (code != Z_OK && code != Z_BUF_ERROR) {
-        return bad_input(kStage,
+        return bad_input(kInflater,
                          name() + " data are damaged: " +
                              (stream_.msg != nullptr ? stream_.msg : "a preset dictionary is asked for"));
       }
@@ -83,8 +83,8 @@ class InflateSource : public ByteSource {
       return std::monostate{};
     }
     if (!gzip_ || left_.size() < 2 || left_[0] != 0x1f || left_[1] != 0x8b)
-      return bad_input(kStage, std::to_string(left_.size()) + " bytes follow the end of the " + name() +
-                                   " data; expected none");
+      return bad_input(kInflater, std::to_string(left_.size()) + " bytes follow the end of the " + name() +
+                                      " data; expected none");
     inflateReset(&stream_);
     return std::monostate{};
   }
@@ -105,8 +105,9 @@ Status skip_bytes(ByteSource& source, std::uint64_t count, const std::string& wh
     Result<std::size_t> got = source.read({dropped.data(), block});
     if (!got) return got.error();
     if (*got < block)
-      return bad_input(kStage, what + " skips " + std::to_string(asked) + " bytes, but the data end after " +
-                                   std::to_string(asked - count + *got));
+      return bad_input(kInflater, what + " skips " + std::to_string(asked) +
+                                      " bytes, but the data end after " +
+                                      std::to_string(asked - count + *got));
     count -= block;
   }
   return std::monostate{};

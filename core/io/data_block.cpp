@@ -8,10 +8,10 @@ Result<Bytes> read_sibling(const VolumeFile& file, const std::string& stage, con
                            const std::string& name) {
   const bool drive = name.size() > 1 && name[1] == ':';
   if (name.empty() || name[0] == '/' || name[0] == '\\' || drive || name.find("..") != std::string::npos)
-    return bad_input(stage, field + " is " + quoted(name) + "; expected a file beside the header");
+    return bad_input(stage, field + " is " + in_quotes(name) + "; expected a file beside the header");
   if (!file.sibling)
     return bad_input(stage,
-                     field + " names the file " + quoted(name) + ", which was not given with the header");
+                     field + " names the file " + in_quotes(name) + ", which was not given with the header");
   Result<Bytes> bytes = file.sibling(name);
   if (!bytes) return bad_input(stage, field + " names a file that cannot be read: " + bytes.error().message);
   return bytes;

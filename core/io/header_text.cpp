@@ -79,7 +79,7 @@ std::string number_text(double value) {
   return text;
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string safe(1, '"');
   for (const char c : text.substr(0, 60)) safe += c < ' ' || c > '~' ? '?' : c;
   safe += text.size() > 60 ? "...\"" : "\"";

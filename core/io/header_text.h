@@ -30,7 +30,7 @@ std::optional<std::vector<std::int64_t>> parse_integers(std::string_view text);
 /// Shortest text of 9 significant digits, for messages.
 std::string number_text(double value);
 /// At most 60 characters of file content in quotes, unprintable ones replaced by '?'.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// One line starting at `at`, without its line end (\n or \r\n); `at` moves behind it.
 /// Nothing when the data are over. `ended` tells whether a line end was there.

@@ -11,7 +11,7 @@ namespace voxtet {
 namespace {
 
 constexpr double kLargestLabel = 65535;
-constexpr std::size_t kBlock = std::size_t{1} << 16;
+constexpr std::size_t kVoxelBlock = std::size_t{1} << 16;
 
 std::string voxel_name(const VoxelLayout& layout, std::uint64_t value_index) {
   const auto layers = static_cast<std::uint64_t>(layout.layers);
@@ -117,7 +117,7 @@ Result<std::vector<Value>> read_values(ByteSource& source, const VoxelLayout& la
                         expected);
 
   std::vector<Value> values(static_cast<std::size_t>(count));
-  std::vector<std::uint8_t> block(static_cast<std::size_t>(std::min<std::uint64_t>(expected, kBlock)));
+  std::vector<std::uint8_t> block(static_cast<std::size_t>(std::min<std::uint64_t>(expected, kVoxelBlock)));
   std::uint64_t done = 0;
   while (done < count) {
     const auto batch = static_cast<std::size_t>(std::min<std::uint64_t>(count - done, block.size() / width));

@@ -62,7 +62,7 @@ void MeshCursor::expect_end(const char* what) {
   if (at_ == end_)
     fail(std::string("the file ends inside the line of ") + what);
   else if (!at_end())
-    fail("found " + quoted(peek_word()) + " behind " + what);
+    fail("found " + in_quotes(peek_word()) + " behind " + what);
 }
 
 std::string_view MeshCursor::peek_word() {
@@ -95,7 +95,7 @@ std::int64_t MeshCursor::integer(const char* what, std::int64_t lo, std::int64_t
   std::int64_t value = 0;
   const auto [stop, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code != std::errc{} || stop != text.data() + text.size() || value < lo || value > hi) {
-    fail(std::string(what) + " is " + quoted(text) + ", expected an integer from " + std::to_string(lo) +
+    fail(std::string(what) + " is " + in_quotes(text) + ", expected an integer from " + std::to_string(lo) +
          " to " + std::to_string(hi));
     return 0;
   }
@@ -111,7 +111,7 @@ double MeshCursor::real(const char* what) {
   }
   double value = 0;
   if (!parse_real(text, value)) {
-    fail(std::string(what) + " is " + quoted(text) + ", expected a finite number");
+    fail(std::string(what) + " is " + in_quotes(text) + ", expected a finite number");
     return 0;
   }
   at_ += text.size();
@@ -122,7 +122,7 @@ void MeshCursor::expect(std::string_view wanted) {
   const std::string_view found = peek_word();
   if (found != wanted) {
     fail("expected " + std::string(wanted) +
-         (found.empty() ? ", the file ends" : ", found " + quoted(found)));
+         (found.empty() ? ", the file ends" : ", found " + in_quotes(found)));
     return;
   }
   at_ += found.size();

@@ -18,6 +18,9 @@
 
 namespace voxtet {
 
+/// Most points or elements of a file: they are numbered in 32 bits.
+inline constexpr std::int64_t kMostItems = 0xffffffff;
+
 class MeshCursor {
  public:
   /// `reader` is the stage of errors, `comment` a character that hides the rest of a line ('\0': none).

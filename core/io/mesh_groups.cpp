@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 60;
 constexpr std::size_t kLongestWord = 32;
-constexpr std::uint32_t kNone = 0xffffffff;
+constexpr std::uint32_t kNoGroup = 0xffffffff;
 
 std::string plain_name(const std::string& name) {
   std::string result;
@@ -64,10 +64,10 @@ FaceGroups group_faces(std::span<const Sides> sides) {
 
 LabelGroups group_tets(std::span<const Label> labels) {
   LabelGroups groups;
-  std::vector<std::uint32_t> place(1U << 16, kNone);
+  std::vector<std::uint32_t> place(1U << 16, kNoGroup);
   for (const Label label : labels) place[label] = 0;
   for (std::size_t label = 0; label < place.size(); ++label) {
-    if (place[label] == kNone) continue;
+    if (place[label] == kNoGroup) continue;
     place[label] = static_cast<std::uint32_t>(groups.labels.size());
     groups.labels.push_back(static_cast<Label>(label));
   }

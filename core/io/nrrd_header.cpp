@@ -9,8 +9,6 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "read_nrrd";
-
 constexpr std::array<const char*, 29> kKnownFields{
     "content",        "number",         "type",       "dimension",
     "blocksize",      "encoding",       "endian",     "datafile",
@@ -21,10 +19,6 @@ constexpr std::array<const char*, 29> kKnownFields{
     "space",          "spacedimension", "spaceunits", "spaceorigin",
     "spacedirections"};
 constexpr std::array<const char*, 2> kIgnoredFields{"measurementframe", "sampleunits"};
-
-Error bad(const std::string& message) {
-  return bad_input(kStage, message);
-}
 
 std::string without_spaces(std::string_view text) {
   std::string name = lower_case(text);
@@ -46,7 +40,7 @@ Status parse_line(std::string_view line, NrrdHeader& header) {
   const std::size_t colon = line.find(':');
   if (colon == std::string_view::npos || colon + 1 >= line.size() ||
       (line[colon + 1] != '=' && line[colon + 1] != ' '))
-    return bad("the header line " + quoted(line) + " is neither \"field: value\" nor \"key:=value\"");
+    return bad_nrrd("the header line " + in_quotes(line) + " is neither \"field: value\" nor \"key:=value\"");
   if (line[colon + 1] == '=') {
     header.key_values[unescaped(line.substr(0, colon))] = unescaped(line.substr(colon + 2));
     return std::monostate{};
@@ -54,9 +48,9 @@ Status parse_line(std::string_view line, NrrdHeader& header) {
   const std::string name = without_spaces(line.substr(0, colon));
   if (std::find(kKnownFields.begin(), kKnownFields.end(), name) == kKnownFields.end() &&
       std::find(kIgnoredFields.begin(), kIgnoredFields.end(), name) == kIgnoredFields.end())
-    return bad("unknown field " + quoted(line.substr(0, colon)));
+    return bad_nrrd("unknown field " + in_quotes(line.substr(0, colon)));
   if (!header.fields.emplace(name, trimmed(line.substr(colon + 1))).second)
-    return bad("the field " + quoted(line.substr(0, colon)) + " is given twice");
+    return bad_nrrd("the field " + in_quotes(line.substr(0, colon)) + " is given twice");
   return std::monostate{};
 }
 
@@ -90,15 +84,15 @@ Result<Eigen::Vector3d> signs_of(const NrrdHeader& header) {
   if (space == nullptr) {
     const std::string* dimension = header.find("spacedimension");
     if (dimension != nullptr && *dimension != "3")
-      return bad("space dimension is " + quoted(*dimension) + "; expected 3");
+      return bad_nrrd("space dimension is " + in_quotes(*dimension) + "; expected 3");
     return Eigen::Vector3d(-1, -1, 1);
   }
   const std::string name = lower_case(*space);
   if (name == "right-anterior-superior" || name == "ras") return Eigen::Vector3d(1, 1, 1);
   if (name == "left-anterior-superior" || name == "las") return Eigen::Vector3d(-1, 1, 1);
   if (name == "left-posterior-superior" || name == "lps") return Eigen::Vector3d(-1, -1, 1);
-  return bad("space is " + quoted(*space) +
-             "; expected right-anterior-superior, left-anterior-superior or left-posterior-superior");
+  return bad_nrrd("space is " + in_quotes(*space) +
+                  "; expected right-anterior-superior, left-anterior-superior or left-posterior-superior");
 }
 
 /// Quoted strings of `field`, each as mm per unit; one where the field is absent.
@@ -111,7 +105,7 @@ Result<std::vector<double>> mm_per_unit(const NrrdHeader& header, const std::str
   while (!(rest = trimmed(rest)).empty()) {
     const std::size_t close = rest.find('"', 1);
     if (rest.front() != '"' || close == std::string_view::npos)
-      return bad(field + " is " + quoted(*text) + "; expected strings in quotes");
+      return bad_nrrd(field + " is " + in_quotes(*text) + "; expected strings in quotes");
     const std::string_view unit = trimmed(rest.substr(1, close - 1));
     rest.remove_prefix(close + 1);
     if (unit == "mm" || unit == "millimeter" || unit.empty() || unit == "???" || unit == "none")
@@ -123,10 +117,11 @@ Result<std::vector<double>> mm_per_unit(const NrrdHeader& header, const std::str
     else if (unit == "um" || unit == "\xc2\xb5m" || unit == "micron")
       scales.push_back(0.001);
     else
-      return bad(field + " holds the unit " + quoted(unit) + "; expected mm, m, cm or um");
+      return bad_nrrd(field + " holds the unit " + in_quotes(unit) + "; expected mm, m, cm or um");
   }
   if (scales.size() != count)
-    return bad(field + " has " + std::to_string(scales.size()) + " units; expected " + std::to_string(count));
+    return bad_nrrd(field + " has " + std::to_string(scales.size()) + " units; expected " +
+                    std::to_string(count));
   return scales;
 }
 
@@ -166,7 +161,7 @@ Result<std::vector<std::optional<bool>>> spatial_kinds(const NrrdHeader& header,
   if (text == nullptr) return spatial;
   const std::vector<std::string> words = words_of(*text);
   if (words.size() != dimension)
-    return bad("kinds is " + quoted(*text) + "; expected " + std::to_string(dimension) + " words");
+    return bad_nrrd("kinds is " + in_quotes(*text) + "; expected " + std::to_string(dimension) + " words");
   for (std::size_t axis = 0; axis < dimension; ++axis) {
     const std::string kind = lower_case(words[axis]);
     if (kind == "domain" || kind == "space")
@@ -174,7 +169,7 @@ Result<std::vector<std::optional<bool>>> spatial_kinds(const NrrdHeader& header,
     else if (std::find(other.begin(), other.end(), kind) != other.end())
       spatial[axis] = false;
     else if (kind != "none" && kind != "???")
-      return bad("kinds holds the unknown kind " + quoted(words[axis]));
+      return bad_nrrd("kinds holds the unknown kind " + in_quotes(words[axis]));
   }
   return spatial;
 }
@@ -185,15 +180,16 @@ Result<std::size_t> find_list_axis(const std::vector<std::optional<bool>>& spati
   std::optional<std::size_t> found;
   for (std::size_t axis = 0; axis < sizes.size(); ++axis) {
     if (spatial[axis] != false) continue;
-    if (found) return bad("space directions or kinds leave fewer than three spatial axes; expected three");
+    if (found)
+      return bad_nrrd("space directions or kinds leave fewer than three spatial axes; expected three");
     found = axis;
   }
   if (!found && sizes.back() == 1) found = sizes.size() - 1;
   if (!found)
-    return bad("dimension is 4, but no axis is marked as a list of layers; expected three spatial axes");
+    return bad_nrrd("dimension is 4, but no axis is marked as a list of layers; expected three spatial axes");
   if (*found != 0 && sizes[*found] != 1)
-    return bad("sizes has " + std::to_string(sizes[*found]) + " frames along axis " + std::to_string(*found) +
-               "; expected 1, or layers along the first axis");
+    return bad_nrrd("sizes has " + std::to_string(sizes[*found]) + " frames along axis " +
+                    std::to_string(*found) + "; expected 1, or layers along the first axis");
   return *found;
 }
 
@@ -205,7 +201,8 @@ Result<Vectors> directions_from_spacings(const NrrdHeader& header, std::size_t d
   if (const std::string* text = header.find("spacings"); text != nullptr) {
     const auto numbers = parse_doubles(*text);
     if (!numbers || numbers->size() != dimension)
-      return bad("spacings is " + quoted(*text) + "; expected " + std::to_string(dimension) + " numbers");
+      return bad_nrrd("spacings is " + in_quotes(*text) + "; expected " + std::to_string(dimension) +
+                      " numbers");
     spacings = *numbers;
   }
   Vectors directions(dimension);
@@ -213,7 +210,7 @@ Result<Vectors> directions_from_spacings(const NrrdHeader& header, std::size_t d
   for (std::size_t axis = 0; axis < dimension; ++axis) {
     if (spatial[axis] == false || row == 3) continue;
     if (!(spacings[axis] > 0))
-      return bad("spacings holds " + number_text(spacings[axis]) + "; expected voxel sizes above 0");
+      return bad_nrrd("spacings holds " + number_text(spacings[axis]) + "; expected voxel sizes above 0");
     directions[axis] = Eigen::Vector3d::Unit(row++) * (spacings[axis] * (*scales)[axis]);
   }
   return directions;
@@ -227,17 +224,17 @@ Result<Vectors> directions_of(const NrrdHeader& header, std::size_t dimension,
   if (text == nullptr) return directions_from_spacings(header, dimension, spatial);
   auto directions = parse_vectors(*text);
   if (!directions || directions->size() != dimension)
-    return bad("space directions is " + quoted(*text) + "; expected " + std::to_string(dimension) +
-               " vectors (x,y,z) or none");
+    return bad_nrrd("space directions is " + in_quotes(*text) + "; expected " + std::to_string(dimension) +
+                    " vectors (x,y,z) or none");
   if (const std::string* spacings = header.find("spacings"); spacings != nullptr)
     for (const std::string& word : words_of(*spacings))
       if (lower_case(word) != "nan")
-        return bad("spacings is " + quoted(*spacings) +
-                   " although there are space directions; expected one of both");
+        return bad_nrrd("spacings is " + in_quotes(*spacings) +
+                        " although there are space directions; expected one of both");
   for (std::size_t axis = 0; axis < dimension; ++axis) {
     if ((*directions)[axis] && spatial[axis] == false)
-      return bad("kinds says that axis " + std::to_string(axis) +
-                 " is not spatial, but space directions has a vector");
+      return bad_nrrd("kinds says that axis " + std::to_string(axis) +
+                      " is not spatial, but space directions has a vector");
     spatial[axis] = (*directions)[axis].has_value();
     if (!(*directions)[axis]) continue;
     for (int row = 0; row < 3; ++row)
@@ -249,14 +246,15 @@ Result<Vectors> directions_of(const NrrdHeader& header, std::size_t dimension,
 Result<std::vector<std::int64_t>> sizes_of(const NrrdHeader& header) {
   const std::string* dimension = header.find("dimension");
   const std::string* sizes = header.find("sizes");
-  if (dimension == nullptr) return bad("the header has no dimension");
-  if (sizes == nullptr) return bad("the header has no sizes");
+  if (dimension == nullptr) return bad_nrrd("the header has no dimension");
+  if (sizes == nullptr) return bad_nrrd("the header has no sizes");
   if (*dimension != "3" && *dimension != "4")
-    return bad("dimension is " + quoted(*dimension) + "; expected 3, or 4 with layers or one frame");
+    return bad_nrrd("dimension is " + in_quotes(*dimension) + "; expected 3, or 4 with layers or one frame");
   const std::size_t count = *dimension == "3" ? 3 : 4;
   const auto extents = parse_integers(*sizes);
   if (!extents || extents->size() != count)
-    return bad("sizes is " + quoted(*sizes) + "; expected " + std::to_string(count) + " whole numbers");
+    return bad_nrrd("sizes is " + in_quotes(*sizes) + "; expected " + std::to_string(count) +
+                    " whole numbers");
   return *extents;
 }
 
@@ -268,15 +266,15 @@ Result<NrrdHeader> parse_nrrd_header(std::span<const std::uint8_t> bytes) {
   const auto magic = next_line(bytes, header.data_at, ended);
   if (!magic || magic->size() != 8 || !magic->starts_with("NRRD000") || (*magic)[7] < '1' ||
       (*magic)[7] > '5')
-    return bad("the first line is " + quoted(magic.value_or("")) + "; expected NRRD0001 to NRRD0005");
+    return bad_nrrd("the first line is " + in_quotes(magic.value_or("")) + "; expected NRRD0001 to NRRD0005");
   while (const auto line = next_line(bytes, header.data_at, ended)) {
-    if (!ended) return bad("the header is truncated inside the line " + quoted(*line));
+    if (!ended) return bad_nrrd("the header is truncated inside the line " + in_quotes(*line));
     if (line->empty()) return header;
     if (line->front() == '#') continue;
     if (Status parsed = parse_line(*line, header); !parsed) return parsed.error();
   }
   // Only a header that names its data file may end with its own file.
-  if (header.find("datafile") == nullptr) return bad("the header is truncated: no empty line ends it");
+  if (header.find("datafile") == nullptr) return bad_nrrd("the header is truncated: no empty line ends it");
   return header;
 }
 
@@ -309,19 +307,19 @@ Result<NrrdGeometry> nrrd_geometry(const NrrdHeader& header) {
   for (std::size_t axis = 0; axis < sizes->size(); ++axis) {
     if (axis == geometry.list_axis) continue;
     if (!(*directions)[axis])
-      return bad("axis " + std::to_string(axis) + " is not spatial; expected three spatial axes");
+      return bad_nrrd("axis " + std::to_string(axis) + " is not spatial; expected three spatial axes");
     affine.block<3, 1>(0, static_cast<int>(found)) = *(*directions)[axis];
     geometry.axes[found++] = axis;
   }
   if (const std::string* origin = header.find("spaceorigin"); origin != nullptr) {
     const auto vectors = parse_vectors(*origin);
     if (!vectors || vectors->size() != 1 || !vectors->front())
-      return bad("space origin is " + quoted(*origin) + "; expected one vector (x,y,z)");
+      return bad_nrrd("space origin is " + in_quotes(*origin) + "; expected one vector (x,y,z)");
     for (int row = 0; row < 3; ++row)
       affine(row, 3) = (*vectors->front())[row] * (*space_scales)[static_cast<std::size_t>(row)];
   }
   for (int row = 0; row < 3; ++row) affine.row(row) *= (*signs)[row];
-  if (Status good = check_affine(kStage, "space directions, space origin or spacings", affine); !good)
+  if (Status good = check_affine(kNrrdReader, "space directions, space origin or spacings", affine); !good)
     return good.error();
   geometry.index_to_mm = affine;
   return geometry;

@@ -10,10 +10,17 @@
 #include <string>
 #include <vector>
 
+#include "io/byte_source.h"
 #include "io/data_block.h"
 #include "types/result.h"
 
 namespace voxtet {
+
+inline constexpr const char* kNrrdReader = "read_nrrd";
+
+inline Error bad_nrrd(const std::string& message) {
+  return bad_input(kNrrdReader, message);
+}
 
 struct NrrdHeader {
   std::map<std::string, std::string> fields;      ///< by lower-case name without spaces ("spaceorigin")

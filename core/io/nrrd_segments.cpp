@@ -11,12 +11,7 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "read_nrrd";
 constexpr std::string_view kPrefix = "Segment";
-
-Error bad(const std::string& message) {
-  return bad_input(kStage, message);
-}
 
 /// The numbers N of all keys "SegmentN_...".
 std::set<std::int64_t> segment_numbers(const std::map<std::string, std::string>& key_values) {
@@ -35,8 +30,8 @@ Result<std::int64_t> bounded(const std::string& key, const std::string& text, st
                              std::int64_t hi) {
   const auto value = parse_integer(trimmed(text));
   if (!value || *value < lo || *value > hi)
-    return bad(key + " is " + quoted(text) + "; expected a whole number from " + std::to_string(lo) + " to " +
-               std::to_string(hi));
+    return bad_nrrd(key + " is " + in_quotes(text) + "; expected a whole number from " + std::to_string(lo) +
+                    " to " + std::to_string(hi));
   return *value;
 }
 
@@ -61,12 +56,12 @@ Result<NrrdSegment> parse_segment(const std::map<std::string, std::string>& key_
     segment.layer = *layer;
   }
   if (segment.layer >= layers)
-    return bad(prefix + "Layer is missing, and the file has only " + std::to_string(layers) + " layers");
+    return bad_nrrd(prefix + "Layer is missing, and the file has only " + std::to_string(layers) + " layers");
   if (const std::string* text = find("Color")) {
     const auto rgb = parse_doubles(*text);
     const auto in_range = [](double c) { return c >= 0 && c <= 1; };
     if (!rgb || rgb->size() != 3 || !std::all_of(rgb->begin(), rgb->end(), in_range))
-      return bad(prefix + "Color is " + quoted(*text) + "; expected three numbers from 0 to 1");
+      return bad_nrrd(prefix + "Color is " + in_quotes(*text) + "; expected three numbers from 0 to 1");
     for (std::size_t c = 0; c < 3; ++c) segment.info.colour[c] = static_cast<float>((*rgb)[c]);
   }
   return segment;
@@ -84,8 +79,9 @@ Result<std::vector<NrrdSegment>> parse_segments(const std::map<std::string, std:
         parse_segment(key_values, number, layers, static_cast<std::int64_t>(segments.size()));
     if (!segment) return segment.error();
     if (!claimed.emplace(segment->layer, segment->value).second)
-      return bad("Segment" + std::to_string(number) + "_LabelValue is " + std::to_string(segment->value) +
-                 ", which an earlier segment already has in layer " + std::to_string(segment->layer));
+      return bad_nrrd("Segment" + std::to_string(number) + "_LabelValue is " +
+                      std::to_string(segment->value) + ", which an earlier segment already has in layer " +
+                      std::to_string(segment->layer));
     next_free = std::max<std::int64_t>(next_free, segment->value + 1);
     segments.push_back(*segment);
   }
@@ -93,7 +89,7 @@ Result<std::vector<NrrdSegment>> parse_segments(const std::map<std::string, std:
   for (NrrdSegment& segment : segments) {
     std::int64_t label = segment.value;
     if (used.count(segment.value) > 0) label = next_free++;
-    if (label > 65535) return bad("the segments' LabelValues leave no free label up to 65535");
+    if (label > 65535) return bad_nrrd("the segments' LabelValues leave no free label up to 65535");
     segment.info.label = static_cast<Label>(label);
     used.insert(segment.info.label);
   }
@@ -119,10 +115,10 @@ Result<std::vector<Label>> flatten_layers(const std::vector<Label>& values, std:
       const std::uint32_t place = *value < place_of[layer].size() ? place_of[layer][*value] : 0;
       if (place == 0) {
         const std::size_t nx = static_cast<std::size_t>(size[0]), ny = static_cast<std::size_t>(size[1]);
-        return bad("voxel (" + std::to_string(voxel % nx) + ", " + std::to_string(voxel / nx % ny) + ", " +
-                   std::to_string(voxel / nx / ny) + ") of layer " + std::to_string(layer) +
-                   " has the value " + std::to_string(*value) +
-                   ", which no Segment's LabelValue and Layer claim");
+        return bad_nrrd("voxel (" + std::to_string(voxel % nx) + ", " + std::to_string(voxel / nx % ny) +
+                        ", " + std::to_string(voxel / nx / ny) + ") of layer " + std::to_string(layer) +
+                        " has the value " + std::to_string(*value) +
+                        ", which no Segment's LabelValue and Layer claim");
       }
       winner = std::max(winner, place);
     }

@@ -11,7 +11,6 @@ namespace {
 
 constexpr const char* kReader = "read_carp";
 constexpr double kUmPerMm = 1000;
-constexpr std::int64_t kMostItems = 0xffffffff;
 
 struct ElementType {
   std::string_view name;
@@ -39,7 +38,7 @@ int corners_of(MeshCursor& in, std::string_view name) {
   for (const ElementType& type : kElementTypes)
     if (type.name == name) return type.corners;
   if (in.ok())
-    in.fail("element type " + quoted(name) + " is not known, expected Tt, Hx, Oc, Py, Pr, Qd, Tr or Ln");
+    in.fail("element type " + in_quotes(name) + " is not known, expected Tt, Hx, Oc, Py, Pr, Qd, Tr or Ln");
   return 0;
 }
 

@@ -9,8 +9,6 @@
 namespace voxtet {
 namespace {
 
-constexpr std::int64_t kMostItems = 0xffffffff;
-
 void read_vertices(MeshCursor& in, std::vector<Eigen::Vector3d>& points) {
   const std::int64_t count = in.integer("the number of vertices", 0, kMostItems);
   if (!in.can_hold(static_cast<std::uint64_t>(count), 8, "vertices")) return;
@@ -81,7 +79,7 @@ Result<TetMesh> read_medit(const VolumeFile& file) {
     } else if (starts_keyword(keyword) && keyword != "Vertices" && keyword != "Tetrahedra") {
       while (!in.at_end() && !starts_keyword(in.peek_word())) in.word("a number");
     } else if (in.ok()) {
-      in.fail("found " + quoted(keyword) + ", expected a keyword that has not come before");
+      in.fail("found " + in_quotes(keyword) + ", expected a keyword that has not come before");
     }
   }
   check_corners(in, mesh);

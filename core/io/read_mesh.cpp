@@ -13,7 +13,7 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kReader = "read_mesh";
+constexpr const char* kMeshReader = "read_mesh";
 
 bool contains_early(std::string_view text, std::string_view word) {
   return text.substr(0, 1024).find(word) != std::string_view::npos;
@@ -30,7 +30,7 @@ Result<TetMesh> read_tet_mesh(const VolumeFile& file) {
       format.ok() && *format == MeshFormat::kCarp)
     return read_carp(file);
   return Error{ErrorCode::kBadInput,
-               kReader,
+               kMeshReader,
                file.name + ": neither VTU, Gmsh MSH, MEDIT .mesh nor openCARP .elem with .pts",
                {}};
 }

@@ -12,10 +12,10 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "read_metaimage";
+constexpr const char* kMetaImageReader = "read_metaimage";
 
-Error bad(const std::string& message) {
-  return bad_input(kStage, message);
+Error bad_metaimage(const std::string& message) {
+  return bad_input(kMetaImageReader, message);
 }
 
 /// Fields that decide where or what the voxels are; synonyms share a canonical name.
@@ -48,7 +48,7 @@ constexpr std::array<std::pair<const char*, const char*>, 26> kFields{{
     {"CenterOfRotation", "CenterOfRotation"},
 }};
 
-constexpr std::array<std::pair<const char*, VoxelType>, 12> kTypes{{
+constexpr std::array<std::pair<const char*, VoxelType>, 12> kMetaElementTypes{{
     {"MET_CHAR", VoxelType::kInt8},
     {"MET_UCHAR", VoxelType::kUint8},
     {"MET_SHORT", VoxelType::kInt16},
@@ -75,7 +75,7 @@ bool one_edit_apart(std::string_view a, std::string_view b) {
          a.substr(same + 2) == b.substr(same + 2);
 }
 
-struct Header {
+struct MetaImageHeader {
   std::map<std::string, std::string> fields;  ///< by canonical name
   std::size_t data_at = 0;
 
@@ -85,106 +85,109 @@ struct Header {
   }
 };
 
-Result<Header> parse_header(std::span<const std::uint8_t> bytes) {
-  Header header;
+Result<MetaImageHeader> parse_header(std::span<const std::uint8_t> bytes) {
+  MetaImageHeader header;
   bool ended = false;
   while (const auto line = next_line(bytes, header.data_at, ended)) {
     if (trimmed(*line).empty() && ended) continue;
     const std::size_t equals = line->find('=');
     if (equals == std::string_view::npos)
-      return bad("the header line " + quoted(*line) + " is not of the form Key = Value");
+      return bad_metaimage("the header line " + in_quotes(*line) + " is not of the form Key = Value");
     const std::string key(trimmed(line->substr(0, equals)));
     const std::string value(trimmed(line->substr(equals + 1)));
-    if (!ended) return bad("the header is truncated inside the field " + quoted(key));
+    if (!ended) return bad_metaimage("the header is truncated inside the field " + in_quotes(key));
     const char* canonical = nullptr;
     for (const auto& [name, meaning] : kFields) {
       if (key == name) canonical = meaning;
       if (one_edit_apart(key, name))
-        return bad("unknown field " + quoted(key) + "; expected " + std::string(name) + "?");
+        return bad_metaimage("unknown field " + in_quotes(key) + "; expected " + std::string(name) + "?");
     }
     if (canonical == nullptr) continue;
     if (!header.fields.emplace(canonical, value).second)
-      return bad("the field " + key + " (or a synonym) is given twice");
+      return bad_metaimage("the field " + key + " (or a synonym) is given twice");
     if (key == "ElementDataFile") return header;
   }
-  return bad("the header is truncated: it has no ElementDataFile");
+  return bad_metaimage("the header is truncated: it has no ElementDataFile");
 }
 
-Result<bool> flag(const Header& header, const char* name, bool otherwise) {
+Result<bool> flag(const MetaImageHeader& header, const char* name, bool otherwise) {
   const std::string* value = header.find(name);
   if (value == nullptr) return otherwise;
   const std::string lower = lower_case(*value);
   if (lower == "true" || lower == "1" || lower == "t") return true;
   if (lower == "false" || lower == "0" || lower == "f") return false;
-  return bad(std::string(name) + " is " + quoted(*value) + "; expected True or False");
+  return bad_metaimage(std::string(name) + " is " + in_quotes(*value) + "; expected True or False");
 }
 
-Result<std::vector<double>> numbers(const Header& header, const char* name, std::size_t count,
+Result<std::vector<double>> numbers(const MetaImageHeader& header, const char* name, std::size_t count,
                                     std::vector<double> otherwise) {
   const std::string* value = header.find(name);
   if (value == nullptr) return otherwise;
   const auto parsed = parse_doubles(*value);
   if (!parsed || parsed->size() != count)
-    return bad(std::string(name) + " is " + quoted(*value) + "; expected " + std::to_string(count) +
-               " numbers");
+    return bad_metaimage(std::string(name) + " is " + in_quotes(*value) + "; expected " +
+                         std::to_string(count) + " numbers");
   return *parsed;
 }
 
-Result<std::int64_t> integer(const Header& header, const char* name, std::int64_t otherwise) {
+Result<std::int64_t> integer(const MetaImageHeader& header, const char* name, std::int64_t otherwise) {
   const std::string* value = header.find(name);
   if (value == nullptr) return otherwise;
   const auto parsed = parse_integer(*value);
-  if (!parsed) return bad(std::string(name) + " is " + quoted(*value) + "; expected a whole number");
+  if (!parsed)
+    return bad_metaimage(std::string(name) + " is " + in_quotes(*value) + "; expected a whole number");
   return *parsed;
 }
 
 /// What other readers would silently ignore or apply differently.
-Status check_kind(const Header& header) {
+Status check_kind(const MetaImageHeader& header) {
   if (const std::string* type = header.find("ObjectType"); type != nullptr && *type != "Image")
-    return bad("ObjectType is " + quoted(*type) + "; expected Image");
+    return bad_metaimage("ObjectType is " + in_quotes(*type) + "; expected Image");
   const Result<std::int64_t> channels = integer(header, "ElementNumberOfChannels", 1);
   if (!channels) return channels.error();
   if (*channels != 1)
-    return bad("ElementNumberOfChannels is " + std::to_string(*channels) +
-               "; expected 1, one label per voxel");
+    return bad_metaimage("ElementNumberOfChannels is " + std::to_string(*channels) +
+                         "; expected 1, one label per voxel");
   for (const auto& [name, neutral] : {std::pair("ElementToIntensityFunctionSlope", 1.0),
                                       std::pair("ElementToIntensityFunctionOffset", 0.0)}) {
     const Result<std::vector<double>> value = numbers(header, name, 1, {neutral});
     if (!value) return value.error();
     if ((*value)[0] != neutral)
-      return bad(std::string(name) + " is " + number_text((*value)[0]) + "; expected " +
-                 number_text(neutral) + ", labels are not rescaled");
+      return bad_metaimage(std::string(name) + " is " + number_text((*value)[0]) + "; expected " +
+                           number_text(neutral) + ", labels are not rescaled");
   }
   return std::monostate{};
 }
 
-Result<VoxelLayout> layout_of(const Header& header, std::size_t& dims) {
+Result<VoxelLayout> layout_of(const MetaImageHeader& header, std::size_t& dims) {
   VoxelLayout layout;
-  layout.stage = kStage;
+  layout.stage = kMetaImageReader;
   for (const char* name : {"NDims", "DimSize", "ElementType"})
-    if (header.find(name) == nullptr) return bad("the header has no " + std::string(name));
+    if (header.find(name) == nullptr) return bad_metaimage("the header has no " + std::string(name));
   const Result<std::int64_t> axes = integer(header, "NDims", 0);
   if (!axes) return axes.error();
   if (*axes != 3 && *axes != 4)
-    return bad("NDims is " + std::to_string(*axes) + "; expected 3, or 4 with one frame");
+    return bad_metaimage("NDims is " + std::to_string(*axes) + "; expected 3, or 4 with one frame");
   dims = static_cast<std::size_t>(*axes);
   const std::string& size = *header.find("DimSize");
   const auto extents = parse_integers(size);
   if (!extents || extents->size() != dims)
-    return bad("DimSize is " + quoted(size) + "; expected " + std::to_string(dims) + " whole numbers");
+    return bad_metaimage("DimSize is " + in_quotes(size) + "; expected " + std::to_string(dims) +
+                         " whole numbers");
   if (dims == 4 && (*extents)[3] != 1)
-    return bad("DimSize has " + std::to_string((*extents)[3]) + " frames; expected 1");
+    return bad_metaimage("DimSize has " + std::to_string((*extents)[3]) + " frames; expected 1");
   layout.size = {(*extents)[0], (*extents)[1], (*extents)[2]};
 
   const std::string& type = *header.find("ElementType");
   bool known = false;
-  for (const auto& [name, meaning] : kTypes) {
+  for (const auto& [name, meaning] : kMetaElementTypes) {
     if (type != name) continue;
     layout.type = meaning;
     known = true;
   }
   if (!known)
-    return bad("ElementType is " + quoted(type) + "; expected an integer type, MET_FLOAT or MET_DOUBLE");
+    return bad_metaimage("ElementType is " + in_quotes(type) +
+                         "; expected an integer type, MET_FLOAT or MET_DOUBLE");
   const Result<bool> msb = flag(header, "BinaryDataByteOrderMSB", false);
   if (!msb) return msb.error();
   layout.big_endian = *msb;
@@ -192,16 +195,16 @@ Result<VoxelLayout> layout_of(const Header& header, std::size_t& dims) {
   return layout;
 }
 
-Result<double> mm_per_unit(const Header& header) {
+Result<double> mm_per_unit(const MetaImageHeader& header) {
   const std::string* unit = header.find("DistanceUnits");
   if (unit == nullptr || *unit == "mm" || *unit == "?") return 1.0;
   if (*unit == "um") return 0.001;
   if (*unit == "cm") return 10.0;
   if (*unit == "m") return 1000.0;
-  return bad("DistanceUnits is " + quoted(*unit) + "; expected mm, um, cm or m");
+  return bad_metaimage("DistanceUnits is " + in_quotes(*unit) + "; expected mm, um, cm or m");
 }
 
-Result<Eigen::Matrix4d> affine_of(const Header& header, std::size_t dims) {
+Result<Eigen::Matrix4d> affine_of(const MetaImageHeader& header, std::size_t dims) {
   std::vector<double> identity(dims * dims, 0.0);
   for (std::size_t d = 0; d < dims; ++d) identity[d * dims + d] = 1;
   const Result<std::vector<double>> axes = numbers(header, "TransformMatrix", dims * dims, identity);
@@ -219,38 +222,41 @@ Result<Eigen::Matrix4d> affine_of(const Header& header, std::size_t dims) {
   Eigen::Matrix4d affine = Eigen::Matrix4d::Identity();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!((*spacing)[axis] > 0))
-      return bad("ElementSpacing holds " + number_text((*spacing)[axis]) + "; expected voxel sizes above 0");
+      return bad_metaimage("ElementSpacing holds " + number_text((*spacing)[axis]) +
+                           "; expected voxel sizes above 0");
     for (std::size_t row = 0; row < 3; ++row)
       affine(static_cast<int>(row), static_cast<int>(axis)) =
           *scale * (*axes)[axis * dims + row] * (*spacing)[axis];
     affine(static_cast<int>(axis), 3) = *scale * (*offset)[axis];
   }
   affine.topRows<2>() *= -1;  // LPS to RAS
-  if (Status good = check_affine(kStage, "TransformMatrix, Offset or ElementSpacing", affine); !good)
+  if (Status good = check_affine(kMetaImageReader, "TransformMatrix, Offset or ElementSpacing", affine);
+      !good)
     return good.error();
   return affine;
 }
 
-Result<DataBlock> data_block_of(const Header& header, std::uint64_t available, bool attached) {
+Result<DataBlock> data_block_of(const MetaImageHeader& header, std::uint64_t available, bool attached) {
   DataBlock block;
   const Result<bool> binary = flag(header, "BinaryData", true);
   if (!binary) return binary.error();
   const Result<bool> compressed = flag(header, "CompressedData", false);
   if (!compressed) return compressed.error();
-  if (*compressed && !*binary) return bad("CompressedData is True although BinaryData is False");
+  if (*compressed && !*binary) return bad_metaimage("CompressedData is True although BinaryData is False");
   block.packing = *compressed ? Packing::kDeflated : *binary ? Packing::kRaw : Packing::kText;
   const Result<std::int64_t> skip = integer(header, "HeaderSize", 0);
   if (!skip) return skip.error();
   if (*skip > 0 && (*compressed || attached))
-    return bad("HeaderSize is " + std::to_string(*skip) + "; expected 0, but for raw data in another file");
+    return bad_metaimage("HeaderSize is " + std::to_string(*skip) +
+                         "; expected 0, but for raw data in another file");
   block.skip_bytes = *skip;
   block.skip_field = "HeaderSize";
   const Result<std::int64_t> packed =
       integer(header, "CompressedDataSize", static_cast<std::int64_t>(available));
   if (!packed) return packed.error();
   if (*compressed && (*packed < 0 || static_cast<std::uint64_t>(*packed) != available))
-    return bad("CompressedDataSize is " + std::to_string(*packed) + ", but the data have " +
-               std::to_string(available) + " bytes");
+    return bad_metaimage("CompressedDataSize is " + std::to_string(*packed) + ", but the data have " +
+                         std::to_string(available) + " bytes");
   return block;
 }
 
@@ -269,7 +275,7 @@ bool looks_like_metaimage(std::span<const std::uint8_t> bytes) {
 }
 
 Result<LabelVolume> read_metaimage(const VolumeFile& file) {
-  const Result<Header> header = parse_header(file.bytes);
+  const Result<MetaImageHeader> header = parse_header(file.bytes);
   if (!header) return header.error();
   if (Status kind = check_kind(*header); !kind) return kind.error();
   std::size_t dims = 3;
@@ -284,11 +290,12 @@ Result<LabelVolume> read_metaimage(const VolumeFile& file) {
   const bool attached = lower_case(name) == "local";
   if (!attached) {
     if (name.starts_with("LIST") || name.find('%') != std::string::npos)
-      return bad("ElementDataFile is " + quoted(name) + "; expected LOCAL or the name of one file");
+      return bad_metaimage("ElementDataFile is " + in_quotes(name) +
+                           "; expected LOCAL or the name of one file");
     if (!data.empty())
-      return bad(std::to_string(data.size()) +
-                 " bytes follow ElementDataFile although it names another file");
-    Result<Bytes> bytes = read_sibling(file, kStage, "ElementDataFile", name);
+      return bad_metaimage(std::to_string(data.size()) +
+                           " bytes follow ElementDataFile although it names another file");
+    Result<Bytes> bytes = read_sibling(file, kMetaImageReader, "ElementDataFile", name);
     if (!bytes) return bytes.error();
     sibling = std::move(*bytes);
     data = sibling;

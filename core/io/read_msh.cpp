@@ -12,7 +12,7 @@ namespace {
 void read_format(MeshCursor& in, MshFile& file) {
   const std::string_view version = in.word("the version");
   file.version = version == "4.1" ? 41 : version == "2.2" || version == "2.1" || version == "2" ? 22 : 0;
-  if (in.ok() && file.version == 0) in.fail("MSH version " + quoted(version) + ", expected 4.1 or 2.2");
+  if (in.ok() && file.version == 0) in.fail("MSH version " + in_quotes(version) + ", expected 4.1 or 2.2");
   file.binary = in.integer("the file type", 0, 1) == 1;
   in.integer("the size of numbers", 8, 8);
   if (file.binary) {
@@ -41,7 +41,7 @@ void read_section(MeshCursor& in, MshFile& file, std::string_view section) {
     in.skip_behind("$End" + name);
     return;
   } else {
-    if (in.ok()) in.fail("found " + quoted(section) + ", expected a section");
+    if (in.ok()) in.fail("found " + in_quotes(section) + ", expected a section");
     return;
   }
   if (section != "$Comments") in.expect("$End" + name);

@@ -14,15 +14,15 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "read_nifti";
+constexpr const char* kNiftiReader = "read_nifti";
 constexpr std::size_t kHeader1 = 348, kHeader2 = 540;
 
-Error bad(const std::string& message) {
-  return bad_input(kStage, message);
+Error bad_nifti(const std::string& message) {
+  return bad_input(kNiftiReader, message);
 }
 
 /// The fields that both versions have, widened. Lengths still in the file's unit.
-struct Header {
+struct NiftiHeader {
   bool big_endian = false;
   int version = 1;
   std::array<std::uint8_t, 8> magic{};
@@ -37,11 +37,11 @@ struct Header {
 /// Where the fields stand. `Dim`, `Code`, `Real` are the types of the extents, the xform codes and the
 /// lengths.
 template <class Dim, class Code, class Real, class Offset>
-Header parse_fields(std::span<const std::uint8_t> bytes, bool big_endian, bool second) {
+NiftiHeader parse_fields(std::span<const std::uint8_t> bytes, bool big_endian, bool second) {
   const auto get = [&]<class T>(T, std::size_t offset) {
     return load_value<T>(bytes.data() + offset, big_endian);
   };
-  Header h;
+  NiftiHeader h;
   h.big_endian = big_endian;
   h.version = second ? 2 : 1;
   std::memcpy(h.magic.data(), bytes.data() + (second ? 4 : 344), second ? 8 : 4);
@@ -65,36 +65,38 @@ Header parse_fields(std::span<const std::uint8_t> bytes, bool big_endian, bool s
   return h;
 }
 
-Result<Header> parse_header(std::span<const std::uint8_t> start, ByteSource& source,
-                            std::array<std::uint8_t, kHeader2>& bytes) {
+Result<NiftiHeader> parse_header(std::span<const std::uint8_t> start, ByteSource& source,
+                                 std::array<std::uint8_t, kHeader2>& bytes) {
   std::memcpy(bytes.data(), start.data(), start.size());
   const auto little = load_value<std::int32_t>(bytes.data(), false),
              big = load_value<std::int32_t>(bytes.data(), true);
   const bool second = little == kHeader2 || big == kHeader2;
   if (!second && little != kHeader1 && big != kHeader1)
-    return bad("sizeof_hdr is " + std::to_string(little) + "; expected 348 (NIfTI-1) or 540 (NIfTI-2)");
+    return bad_nifti("sizeof_hdr is " + std::to_string(little) + "; expected 348 (NIfTI-1) or 540 (NIfTI-2)");
   if (second) {
     Result<std::size_t> got = source.read({bytes.data() + kHeader1, kHeader2 - kHeader1});
     if (!got) return got.error();
     if (*got < kHeader2 - kHeader1)
-      return bad("the header is truncated: " + std::to_string(kHeader1 + *got) + " bytes; expected 540");
+      return bad_nifti("the header is truncated: " + std::to_string(kHeader1 + *got) +
+                       " bytes; expected 540");
     return parse_fields<std::int64_t, std::int32_t, double, std::int64_t>(bytes, big == kHeader2, true);
   }
   return parse_fields<std::int16_t, std::int16_t, float, float>(bytes, big == kHeader1, false);
 }
 
-Status check_magic(const Header& h) {
+Status check_magic(const NiftiHeader& h) {
   constexpr std::array<std::uint8_t, 8> single1{'n', '+', '1', 0}, pair1{'n', 'i', '1', 0};
   constexpr std::array<std::uint8_t, 8> single2{'n', '+', '2', 0, '\r', '\n', 0x1a, '\n'};
   if (h.magic == (h.version == 1 ? single1 : single2)) return std::monostate{};
   const std::string found(h.magic.begin(), h.magic.begin() + (h.version == 1 ? 4 : 8));
   if (h.magic == pair1 || found.starts_with(std::string("ni2\0", 4)))
-    return bad(
+    return bad_nifti(
         "magic says that the voxels stand in a separate .img file; expected a single-file NIfTI (.nii)");
   if (h.version == 1 && found == std::string(4, '\0'))
-    return bad(
+    return bad_nifti(
         "magic is empty, which makes this an ANALYZE 7.5 header without orientation; expected \"n+1\"");
-  return bad("magic is " + quoted(found) + "; expected \"" + (h.version == 1 ? "n+1" : "n+2") + "\"");
+  return bad_nifti("magic is " + in_quotes(found) + "; expected \"" + (h.version == 1 ? "n+1" : "n+2") +
+                   "\"");
 }
 
 std::optional<VoxelType> voxel_type(std::int64_t datatype) {
@@ -113,31 +115,33 @@ std::optional<VoxelType> voxel_type(std::int64_t datatype) {
   }
 }
 
-Result<VoxelLayout> layout_of(const Header& h) {
+Result<VoxelLayout> layout_of(const NiftiHeader& h) {
   VoxelLayout layout;
-  layout.stage = kStage;
+  layout.stage = kNiftiReader;
   layout.big_endian = h.big_endian;
   if (h.dim[0] < 3 || h.dim[0] > 7)
-    return bad("dim[0] is " + std::to_string(h.dim[0]) + " dimensions; expected 3, or more of extent 1");
+    return bad_nifti("dim[0] is " + std::to_string(h.dim[0]) +
+                     " dimensions; expected 3, or more of extent 1");
   for (std::size_t d = 4; d <= static_cast<std::size_t>(h.dim[0]); ++d)
     if (h.dim[d] != 1)
-      return bad("dim[" + std::to_string(d) + "] is " + std::to_string(h.dim[d]) +
-                 "; expected 1, a single three-dimensional image");
+      return bad_nifti("dim[" + std::to_string(d) + "] is " + std::to_string(h.dim[d]) +
+                       "; expected 1, a single three-dimensional image");
   layout.size = {h.dim[1], h.dim[2], h.dim[3]};
   const std::optional<VoxelType> type = voxel_type(h.datatype);
   if (!type)
-    return bad("datatype is " + std::to_string(h.datatype) +
-               "; expected integers of 8 to 64 bits, float32 or float64 (2, 4, 8, 16, 64, 256, 512, 768, "
-               "1024, 1280)");
+    return bad_nifti(
+        "datatype is " + std::to_string(h.datatype) +
+        "; expected integers of 8 to 64 bits, float32 or float64 (2, 4, 8, 16, 64, 256, 512, 768, "
+        "1024, 1280)");
   layout.type = *type;
   const std::size_t bits = 8 * bytes_of(*type);
   if (h.bitpix != static_cast<std::int64_t>(bits))
-    return bad("bitpix is " + std::to_string(h.bitpix) + "; expected " + std::to_string(bits) +
-               " for datatype " + std::to_string(h.datatype));
+    return bad_nifti("bitpix is " + std::to_string(h.bitpix) + "; expected " + std::to_string(bits) +
+                     " for datatype " + std::to_string(h.datatype));
   if (Status extents = check_extents(layout, "dim"); !extents) return extents.error();
   if (std::isfinite(h.slope) && h.slope != 0) {
     if (!std::isfinite(h.inter))
-      return bad("scl_inter is not finite although scl_slope is; expected a number");
+      return bad_nifti("scl_inter is not finite although scl_slope is; expected a number");
     layout.slope = h.slope;
     layout.inter = h.inter;
   }
@@ -151,28 +155,28 @@ Result<double> mm_per_unit(std::int64_t xyzt_units) {
     case 2: return 1.0;
     case 3: return 0.001;
     default:
-      return bad("xyzt_units is " + std::to_string(xyzt_units) + "; expected a spatial unit of 0 to 3");
+      return bad_nifti("xyzt_units is " + std::to_string(xyzt_units) + "; expected a spatial unit of 0 to 3");
   }
 }
 
-Status check_pixdim(const Header& h) {
+Status check_pixdim(const NiftiHeader& h) {
   for (std::size_t d = 1; d <= 3; ++d)
     if (!(h.pixdim[d] > 0) || !std::isfinite(h.pixdim[d]))
-      return bad("pixdim[" + std::to_string(d) + "] is " + number_text(h.pixdim[d]) +
-                 "; expected a voxel size above 0");
+      return bad_nifti("pixdim[" + std::to_string(d) + "] is " + number_text(h.pixdim[d]) +
+                       "; expected a voxel size above 0");
   return std::monostate{};
 }
 
-Result<Eigen::Matrix4d> qform(const Header& h) {
+Result<Eigen::Matrix4d> qform(const NiftiHeader& h) {
   const double qfac = h.pixdim[0];
   if (qfac != 1 && qfac != -1 && qfac != 0)
-    return bad("pixdim[0] (qfac) is " + number_text(qfac) + "; expected 1 or -1");
+    return bad_nifti("pixdim[0] (qfac) is " + number_text(qfac) + "; expected 1 or -1");
   const double b = h.quatern[0], c = h.quatern[1], d = h.quatern[2];
   const double rest = 1 - (b * b + c * c + d * d);
   // Written so that NaN fails. The components are stored in single precision, in both directions of rounding.
   if (!(rest >= -3 * static_cast<double>(std::numeric_limits<float>::epsilon())))
-    return bad("quatern_b, quatern_c, quatern_d have the squared length " + number_text(1 - rest) +
-               "; expected at most 1");
+    return bad_nifti("quatern_b, quatern_c, quatern_d have the squared length " + number_text(1 - rest) +
+                     "; expected at most 1");
   const double a = std::sqrt(std::max(rest, 0.0));
   const double s = 2 / (a * a + b * b + c * c + d * d);
   Eigen::Matrix3d rotation;
@@ -186,11 +190,11 @@ Result<Eigen::Matrix4d> qform(const Header& h) {
   return affine;
 }
 
-Result<Eigen::Matrix4d> affine_of(const Header& h) {
+Result<Eigen::Matrix4d> affine_of(const NiftiHeader& h) {
   for (const auto& [name, code] :
        {std::pair("sform_code", h.sform_code), std::pair("qform_code", h.qform_code)})
     if (code < 0 || code > 5)
-      return bad(std::string(name) + " is " + std::to_string(code) + "; expected 0 to 5");
+      return bad_nifti(std::string(name) + " is " + std::to_string(code) + "; expected 0 to 5");
   const Result<double> scale = mm_per_unit(h.units);
   if (!scale) return scale.error();
   Eigen::Matrix4d affine = Eigen::Matrix4d::Identity();
@@ -216,7 +220,7 @@ Result<Eigen::Matrix4d> affine_of(const Header& h) {
     }
   }
   affine.topRows<3>() *= *scale;
-  if (Status good = check_affine(kStage, field, affine); !good) return good.error();
+  if (Status good = check_affine(kNiftiReader, field, affine); !good) return good.error();
   return affine;
 }
 
@@ -233,8 +237,8 @@ Result<Grid> read_grid(ByteSource& source) {
   Result<std::size_t> got = source.read(start);
   if (!got) return got.error();
   if (*got < kHeader1)
-    return bad("the header is truncated: " + std::to_string(*got) + " bytes; expected at least 348");
-  const Result<Header> header = parse_header(start, source, bytes);
+    return bad_nifti("the header is truncated: " + std::to_string(*got) + " bytes; expected at least 348");
+  const Result<NiftiHeader> header = parse_header(start, source, bytes);
   if (!header) return header.error();
   if (Status magic = check_magic(*header); !magic) return magic.error();
   const Result<VoxelLayout> layout = layout_of(*header);
@@ -247,8 +251,8 @@ Result<Grid> read_grid(ByteSource& source) {
   // 2^53: beyond it a double no longer holds every whole number.
   if (!(header->vox_offset >= first && header->vox_offset <= 9007199254740992.0) ||
       header->vox_offset != std::trunc(header->vox_offset))
-    return bad("vox_offset is " + number_text(header->vox_offset) + "; expected a whole number from " +
-               std::to_string(header_bytes + 4));
+    return bad_nifti("vox_offset is " + number_text(header->vox_offset) + "; expected a whole number from " +
+                     std::to_string(header_bytes + 4));
   const std::uint64_t to_skip = static_cast<std::uint64_t>(header->vox_offset) - header_bytes;
   if (Status skipped = skip_bytes(source, to_skip, "vox_offset"); !skipped) return skipped.error();
   return Grid{*layout, *affine};

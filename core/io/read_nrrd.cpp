@@ -13,12 +13,6 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "read_nrrd";
-
-Error bad(const std::string& message) {
-  return bad_input(kStage, message);
-}
-
 struct TypeNames {
   VoxelType type;
   std::array<std::string_view, 6> names;
@@ -39,37 +33,37 @@ constexpr std::array<TypeNames, 10> kTypes{{
 
 Result<VoxelType> type_of(const NrrdHeader& header) {
   const std::string* text = header.find("type");
-  if (text == nullptr) return bad("the header has no type");
+  if (text == nullptr) return bad_nrrd("the header has no type");
   std::string name;
   for (const std::string& word : words_of(lower_case(*text))) name += (name.empty() ? "" : " ") + word;
   if (name == "int64_t") return VoxelType::kInt64;
   for (const TypeNames& entry : kTypes)
     if (!name.empty() && std::find(entry.names.begin(), entry.names.end(), name) != entry.names.end())
       return entry.type;
-  return bad("type is " + quoted(*text) + "; expected an integer type, float or double");
+  return bad_nrrd("type is " + in_quotes(*text) + "; expected an integer type, float or double");
 }
 
 Result<Packing> packing_of(const NrrdHeader& header) {
   const std::string* text = header.find("encoding");
-  if (text == nullptr) return bad("the header has no encoding");
+  if (text == nullptr) return bad_nrrd("the header has no encoding");
   const std::string name = lower_case(*text);
   if (name == "raw") return Packing::kRaw;
   if (name == "gzip" || name == "gz") return Packing::kDeflated;
   if (name == "ascii" || name == "text" || name == "txt") return Packing::kText;
-  return bad("encoding is " + quoted(*text) + "; expected raw, gzip or ascii");
+  return bad_nrrd("encoding is " + in_quotes(*text) + "; expected raw, gzip or ascii");
 }
 
 Result<bool> big_endian_of(const NrrdHeader& header, VoxelType type, Packing packing) {
   const std::string* text = header.find("endian");
   if (text == nullptr) {
     if (bytes_of(type) > 1 && packing != Packing::kText)
-      return bad("the header has no endian; expected little or big for values of " +
-                 std::to_string(bytes_of(type)) + " bytes");
+      return bad_nrrd("the header has no endian; expected little or big for values of " +
+                      std::to_string(bytes_of(type)) + " bytes");
     return false;
   }
   const std::string name = lower_case(*text);
   if (name != "little" && name != "big")
-    return bad("endian is " + quoted(*text) + "; expected little or big");
+    return bad_nrrd("endian is " + in_quotes(*text) + "; expected little or big");
   return name == "big";
 }
 
@@ -78,13 +72,14 @@ Result<std::int64_t> skip_of(const NrrdHeader& header, const std::string& field,
   if (text == nullptr) return std::int64_t{0};
   const auto value = parse_integer(*text);
   if (!value || *value < least)
-    return bad(field + " is " + quoted(*text) + "; expected a whole number from " + std::to_string(least));
+    return bad_nrrd(field + " is " + in_quotes(*text) + "; expected a whole number from " +
+                    std::to_string(least));
   return *value;
 }
 
 Result<VoxelLayout> layout_of(const NrrdHeader& header, const NrrdGeometry& geometry, Packing packing) {
   VoxelLayout layout;
-  layout.stage = kStage;
+  layout.stage = kNrrdReader;
   const Result<VoxelType> type = type_of(header);
   if (!type) return type.error();
   const Result<bool> big = big_endian_of(header, *type, packing);
@@ -109,11 +104,11 @@ Result<std::vector<Label>> read_values(const VolumeFile& file, const NrrdHeader&
   if (name == nullptr) return read_data_block(behind, block, layout);
 
   if (name->starts_with("LIST") || name->find('%') != std::string::npos)
-    return bad("data file is " + quoted(*name) + "; expected the name of one file");
+    return bad_nrrd("data file is " + in_quotes(*name) + "; expected the name of one file");
   if (!behind.empty())
-    return bad(std::to_string(behind.size()) +
-               " bytes follow the header although data file names another file");
-  const Result<Bytes> sibling = read_sibling(file, kStage, "data file", *name);
+    return bad_nrrd(std::to_string(behind.size()) +
+                    " bytes follow the header although data file names another file");
+  const Result<Bytes> sibling = read_sibling(file, kNrrdReader, "data file", *name);
   if (!sibling) return sibling.error();
   return read_data_block(*sibling, block, layout);
 }
@@ -132,8 +127,8 @@ Result<LabelVolume> read_nrrd(const VolumeFile& file) {
   const Result<std::vector<NrrdSegment>> segments = parse_segments(header->key_values, layout->layers);
   if (!segments) return segments.error();
   if (layout->layers > 1 && segments->empty())
-    return bad("sizes has " + std::to_string(layout->layers) +
-               " values a voxel, but no Segment keys say what they are; expected one label a voxel");
+    return bad_nrrd("sizes has " + std::to_string(layout->layers) +
+                    " values a voxel, but no Segment keys say what they are; expected one label a voxel");
 
   Result<std::vector<Label>> labels = read_values(file, *header, *packing, *layout);
   if (!labels) return labels.error();

@@ -18,7 +18,7 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "read_volume";
+constexpr const char* kVolumeReader = "read_volume";
 
 bool starts_with(std::span<const std::uint8_t> bytes, std::string_view text) {
   return bytes.size() >= text.size() && std::equal(text.begin(), text.end(), bytes.begin());
@@ -35,7 +35,7 @@ Result<std::unique_ptr<ByteSource>> inflated_nifti(const VolumeFile& file) {
   Result<std::size_t> got = make_inflate_source(file.bytes)->read(start);
   if (!got) return got.error();
   if (!looks_like_nifti({start.data(), *got}))
-    return bad_input(kStage,
+    return bad_input(kVolumeReader,
                      "gzip data that hold no NIfTI header; expected .nii.gz (NRRD and MetaImage compress "
                      "their voxels only, not the whole file)");
   return make_inflate_source(file.bytes);
@@ -43,11 +43,11 @@ Result<std::unique_ptr<ByteSource>> inflated_nifti(const VolumeFile& file) {
 
 std::string start_of(const VolumeFile& file) {
   const auto* text = reinterpret_cast<const char*>(file.bytes.data());
-  return quoted({text, std::min<std::size_t>(file.bytes.size(), 16)});
+  return in_quotes({text, std::min<std::size_t>(file.bytes.size(), 16)});
 }
 
 Result<LabelVolume> read_any(const VolumeFile& file) {
-  if (file.bytes.empty()) return bad_input(kStage, "the file is empty");
+  if (file.bytes.empty()) return bad_input(kVolumeReader, "the file is empty");
   if (is_gzipped(file)) {
     const Result<std::unique_ptr<ByteSource>> source = inflated_nifti(file);
     if (!source) return source.error();
@@ -57,13 +57,13 @@ Result<LabelVolume> read_any(const VolumeFile& file) {
   if (looks_like_nifti(file.bytes.first(std::min(file.bytes.size(), kNiftiHeaderBytes))))
     return read_nifti(*make_memory_source(file.bytes));
   if (looks_like_metaimage(file.bytes)) return read_metaimage(file);
-  return bad_input(kStage,
+  return bad_input(kVolumeReader,
                    "starts with " + start_of(file) +
                        "; expected NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)");
 }
 
 Result<ScalarVolume> read_any_scalars(const VolumeFile& file) {
-  if (file.bytes.empty()) return bad_input(kStage, "the file is empty");
+  if (file.bytes.empty()) return bad_input(kVolumeReader, "the file is empty");
   if (is_gzipped(file)) {
     const Result<std::unique_ptr<ByteSource>> source = inflated_nifti(file);
     if (!source) return source.error();
@@ -71,8 +71,8 @@ Result<ScalarVolume> read_any_scalars(const VolumeFile& file) {
   }
   if (looks_like_nifti(file.bytes.first(std::min(file.bytes.size(), kNiftiHeaderBytes))))
     return read_nifti_scalars(*make_memory_source(file.bytes));
-  return bad_input(
-      kStage, "starts with " + start_of(file) + "; expected an image of numbers as NIfTI (.nii, .nii.gz)");
+  return bad_input(kVolumeReader, "starts with " + start_of(file) +
+                                      "; expected an image of numbers as NIfTI (.nii, .nii.gz)");
 }
 
 /// Puts the name of the file before the message.
@@ -91,7 +91,8 @@ auto guarded(const std::string& name, Read read) -> decltype(read()) {
   } catch (const std::bad_alloc&) {
   } catch (const std::length_error&) {
   }
-  return Error{ErrorCode::kOutOfMemory, kStage, name + ": there is not enough memory for its voxels", {}};
+  return Error{
+      ErrorCode::kOutOfMemory, kVolumeReader, name + ": there is not enough memory for its voxels", {}};
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ class PieceReader {
 
   Status read(const VtuPiece& piece) {
     std::uint64_t points = 0, cells = 0;
-    if (!count_of(piece.points, points)) return refuse("Piece NumberOfPoints is " + quoted(piece.points));
-    if (!count_of(piece.cells, cells)) return refuse("Piece NumberOfCells is " + quoted(piece.cells));
+    if (!count_of(piece.points, points)) return refuse("Piece NumberOfPoints is " + in_quotes(piece.points));
+    if (!count_of(piece.cells, cells)) return refuse("Piece NumberOfCells is " + in_quotes(piece.cells));
     const std::size_t first_point = mesh.points.size();
     if (Status status = read_points(piece, points); !status.ok()) return status;
     return read_cells(piece, cells, first_point);
@@ -47,7 +47,7 @@ class PieceReader {
     for (const VtuArray& array : piece.arrays)
       if (array.section == section) {
         found += ' ';
-        found += quoted(array.name);
+        found += in_quotes(array.name);
       }
     if (found.empty()) found = " none";
     return refuse("no " + std::string(section) + " array \"" + std::string(name) + "\", found" + found);
@@ -57,7 +57,7 @@ class PieceReader {
     const VtuArray* array = find(piece, "Points", "");
     if (array == nullptr) return refuse("a Piece without Points");
     if (array->components != "3")
-      return refuse("Points have " + quoted(array->components) + " components, expected 3");
+      return refuse("Points have " + in_quotes(array->components) + " components, expected 3");
     const Result<std::vector<double>> values = arrays_.reals(*array, 3 * count);
     if (!values.ok()) return values.error();
     mesh.points.reserve(mesh.points.size() + static_cast<std::size_t>(count));

@@ -23,7 +23,7 @@ constexpr double kMostWhole = 9007199254740992.0;
 Error array_error(const VtuArray& array, const std::string& message) {
   return {ErrorCode::kBadInput,
           "read_vtu",
-          std::string(array.section) + " array " + quoted(array.name) + ": " + message,
+          std::string(array.section) + " array " + in_quotes(array.name) + ": " + message,
           {}};
 }
 
@@ -220,7 +220,7 @@ Result<std::vector<T>> ascii_values(const VtuArray& array, std::uint64_t count) 
     good = good || (parse_real(word, real) && convert(real, value));
     if (!good || values.size() == count)
       return array_error(array,
-                         "found " + quoted(word) + (good ? " behind " : " as number ") +
+                         "found " + in_quotes(word) + (good ? " behind " : " as number ") +
                              (good ? std::to_string(count) + " numbers" : std::to_string(values.size() + 1)));
     values.push_back(value);
     at = stop;
@@ -236,7 +236,7 @@ Status VtuArrays::check() const {
   const auto refuse = [](const char* field, std::string_view found, const char* expected) {
     return Error{ErrorCode::kBadInput,
                  "read_vtu",
-                 "VTKFile " + std::string(field) + " is " + quoted(found) + ", expected " + expected,
+                 "VTKFile " + std::string(field) + " is " + in_quotes(found) + ", expected " + expected,
                  {}};
   };
   if (document_.grid_type != "UnstructuredGrid")
@@ -260,12 +260,12 @@ Result<Bytes> VtuArrays::content(const VtuArray& array, std::uint64_t expected_b
         std::from_chars(array.offset.data(), array.offset.data() + array.offset.size(), offset);
     if (code != std::errc{} || stop != array.offset.data() + array.offset.size() ||
         offset > document_.appended.size())
-      return array_error(array, "offset " + quoted(array.offset) + " in " +
+      return array_error(array, "offset " + in_quotes(array.offset) + " in " +
                                     std::to_string(document_.appended.size()) + " bytes of appended data");
     stream = document_.appended.substr(static_cast<std::size_t>(offset));
     raw = document_.appended_encoding == "raw";
   } else if (array.format != "binary") {
-    return array_error(array, "format " + quoted(array.format) + ", expected ascii, binary or appended");
+    return array_error(array, "format " + in_quotes(array.format) + ", expected ascii, binary or appended");
   }
   const FirstBytes first = [&](std::uint64_t count) {
     if (!raw) return base64_prefix(stream, count);
@@ -280,7 +280,7 @@ Result<Bytes> VtuArrays::content(const VtuArray& array, std::uint64_t expected_b
 template <class T>
 Result<std::vector<T>> VtuArrays::values(const VtuArray& array, std::uint64_t count) const {
   const std::size_t size = size_of_type(array.type);
-  if (size == 0) return array_error(array, "type " + quoted(array.type) + " is not known");
+  if (size == 0) return array_error(array, "type " + in_quotes(array.type) + " is not known");
   if (array.format.empty() || array.format == "ascii") return ascii_values<T>(array, count);
   if (count > UINT64_MAX / kMostInflation / size)
     return array_error(array, std::to_string(count) + " values");

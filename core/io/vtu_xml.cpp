@@ -97,13 +97,13 @@ class TagReader {
       }
       const std::string_view key = read_name();
       skip_space();
-      if (key.empty() || !begins("=")) return fail("tag " + quoted(tag.name) + " is not well formed");
+      if (key.empty() || !begins("=")) return fail("tag " + in_quotes(tag.name) + " is not well formed");
       ++at_;
       skip_space();
       const char quote = at_ < file_.size() ? file_[at_] : '\0';
       const std::size_t stop =
           quote == '"' || quote == '\'' ? file_.find(quote, at_ + 1) : std::string_view::npos;
-      if (stop == std::string_view::npos) return fail("attribute " + quoted(key) + " is not in quotes");
+      if (stop == std::string_view::npos) return fail("attribute " + in_quotes(key) + " is not in quotes");
       tag.attributes.emplace_back(key, file_.substr(at_ + 1, stop - at_ - 1));
       at_ = stop + 1;
     }
@@ -149,7 +149,7 @@ class VtuBuilder {
   bool open(const Tag& tag) {
     const std::string_view parent = open_.empty() ? std::string_view{} : open_.back();
     if (open_.empty() && tag.name != "VTKFile")
-      return reader_.fail("the first tag is " + quoted(tag.name) + ", expected VTKFile");
+      return reader_.fail("the first tag is " + in_quotes(tag.name) + ", expected VTKFile");
     if (tag.name == "VTKFile") {
       document.grid_type = tag["type"];
       document.byte_order = tag["byte_order"];
@@ -180,7 +180,7 @@ class VtuBuilder {
   bool open_appended(const Tag& tag) {
     document.appended_encoding = tag["encoding"];
     if (document.appended_encoding != "raw" && document.appended_encoding != "base64")
-      return reader_.fail("AppendedData encoding " + quoted(document.appended_encoding) +
+      return reader_.fail("AppendedData encoding " + in_quotes(document.appended_encoding) +
                           ", expected raw or base64");
     const std::size_t start = file_.find('_', reader_.position());
     if (start == std::string_view::npos ||

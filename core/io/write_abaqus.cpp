@@ -26,7 +26,7 @@ void write_real(ByteWriter& out, double value) {
   out.text({text.data(), static_cast<std::size_t>(end - text.data())});
 }
 
-void write_nodes(ByteWriter& out, const TetMesh& mesh, PatientSpace space) {
+void write_abaqus_nodes(ByteWriter& out, const TetMesh& mesh, PatientSpace space) {
   out.text("*NODE\n");
   for (std::size_t p = 0; p < mesh.points.size(); ++p) {
     out.integer(static_cast<std::int64_t>(p + 1));
@@ -89,7 +89,7 @@ Result<std::vector<OutputFile>> write_abaqus(const TetMesh& mesh, const WriteMes
   if (!owners) return owners.error();
   ByteWriter out(72 * mesh.points.size() + 44 * mesh.tets.size() + 14 * mesh.faces.size() + 4096);
   out.text("*HEADING\nvoxtet mesh\n** " + coordinates_note(options.space) + "\n");
-  write_nodes(out, mesh, options.space);
+  write_abaqus_nodes(out, mesh, options.space);
   write_elements(out, mesh, options.infos);
   write_surfaces(out, mesh, *owners, options.infos);
   std::vector<OutputFile> files{{".inp", out.take()}};

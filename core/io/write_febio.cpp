@@ -52,7 +52,7 @@ void write_cell(ByteWriter& out, const std::string& tag, std::size_t id, const C
   out.text(">\n");
 }
 
-void write_nodes(ByteWriter& out, const TetMesh& mesh, PatientSpace space) {
+void write_febio_nodes(ByteWriter& out, const TetMesh& mesh, PatientSpace space) {
   out.text("<Nodes name=\"nodes\">\n");
   for (std::size_t p = 0; p < mesh.points.size(); ++p) {
     out.text("<node id=\"");
@@ -100,7 +100,7 @@ Bytes write_febio(const TetMesh& mesh, const WriteMeshOptions& options) {
                  46 * mesh.faces.size() + 4096);
   write_head(out, parts, options.space);
   out.text("<Mesh>\n");
-  write_nodes(out, mesh, options.space);
+  write_febio_nodes(out, mesh, options.space);
   for (const Part& part : parts) {
     out.text("<Elements type=\"tet4\" name=\"" + part.name + "\">\n");
     for (const std::uint32_t tet : part.tets) write_cell(out, "elem", std::size_t{tet} + 1, mesh.tets[tet]);

@@ -21,7 +21,7 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "write_mesh";
+constexpr const char* kMeshWriter = "write_mesh";
 constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
 struct Ending {
@@ -42,7 +42,7 @@ constexpr std::array<Ending, 12> kEndings{{{".vtu", MeshFormat::kVtu},
                                            {".ply", MeshFormat::kPly}}};
 
 std::optional<Error> broken(const std::string& message) {
-  return Error{ErrorCode::kInternal, kStage, message, {}};
+  return Error{ErrorCode::kInternal, kMeshWriter, message, {}};
 }
 
 /// The invariants that the writers rely on to stay inside their arrays and to write files that can be read.
@@ -89,14 +89,16 @@ SurfaceMesh boundary_of(const TetMesh& mesh) {
 
 std::optional<Error> check_surface(const SurfaceMesh& surface) {
   if (surface.triangles.empty())
-    return Error{
-        ErrorCode::kUsage, kStage, "no triangles to write (a mesh read from a file carries no faces)", {}};
+    return Error{ErrorCode::kUsage,
+                 kMeshWriter,
+                 "no triangles to write (a mesh read from a file carries no faces)",
+                 {}};
   if (auto error = check_points(surface.points)) return error;
   return check_elements(surface.points, surface.triangles, surface.sides.size(), "triangles");
 }
 
 std::optional<Error> check_mesh(const TetMesh& mesh) {
-  if (mesh.tets.empty()) return Error{ErrorCode::kUsage, kStage, "no tetrahedra to write", {}};
+  if (mesh.tets.empty()) return Error{ErrorCode::kUsage, kMeshWriter, "no tetrahedra to write", {}};
   if (auto error = check_points(mesh.points)) return error;
   if (auto error = check_elements(mesh.points, mesh.tets, mesh.labels.size(), "tetrahedra")) return error;
   return check_elements(mesh.points, mesh.faces, mesh.face_sides.size(), "faces");
@@ -127,7 +129,8 @@ Result<MeshFormat> mesh_format_of(const std::string& path) {
     known += ' ';
     known += candidate.text;
   }
-  return Error{ErrorCode::kUsage, kStage, path + ": ending \"" + ending + "\", expected one of" + known, {}};
+  return Error{
+      ErrorCode::kUsage, kMeshWriter, path + ": ending \"" + ending + "\", expected one of" + known, {}};
 }
 
 std::string_view mesh_ending_of(std::string_view path) {
@@ -176,7 +179,7 @@ Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFo
     case MeshFormat::kFebio:
     case MeshFormat::kXdmf: break;
   }
-  return Error{ErrorCode::kUsage, kStage, "a surface is written as .stl, .ply or .vtu only", {}};
+  return Error{ErrorCode::kUsage, kMeshWriter, "a surface is written as .stl, .ply or .vtu only", {}};
 }
 
 }  // namespace voxtet

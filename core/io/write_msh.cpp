@@ -117,7 +117,7 @@ void write_entities(ByteWriter& out, const Model& model) {
   out.text("\n$EndEntities\n");
 }
 
-void write_nodes(ByteWriter& out, const Model& model, const TetMesh& mesh, PatientSpace space) {
+void write_msh_nodes(ByteWriter& out, const Model& model, const TetMesh& mesh, PatientSpace space) {
   out.text("$Nodes\n");
   const auto blocks = std::count_if(model.entities.begin(), model.entities.end(),
                                     [](const Entity& entity) { return !entity.nodes.empty(); });
@@ -194,7 +194,7 @@ std::vector<OutputFile> write_msh(const TetMesh& mesh, const WriteMeshOptions& o
   out.text(std::string("$Comments\nspace ") + to_string(options.space) + "\nunit mm\n$EndComments\n");
   write_names(out, model, options.infos);
   write_entities(out, model);
-  write_nodes(out, model, mesh, options.space);
+  write_msh_nodes(out, model, mesh, options.space);
   write_elements(out, model, mesh);
   std::vector<OutputFile> files{{".msh", out.take()}};
   if (!options.cell_data.empty()) files.push_back({"_data.msh", write_cell_data(options.cell_data)});

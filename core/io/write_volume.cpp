@@ -11,7 +11,7 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "write_nifti";
+constexpr const char* kNiftiWriter = "write_nifti";
 constexpr std::size_t kVoxOffset = 352;
 constexpr std::int16_t kScannerCode = 1, kNoIntent = 0, kLabelIntent = 1002;
 
@@ -61,7 +61,7 @@ Status check(const Volume& volume, std::size_t values) {
     const int extent = volume.size[static_cast<std::size_t>(d)];
     if (extent < 1 || extent > 32767)
       return Error{ErrorCode::kUsage,
-                   kStage,
+                   kNiftiWriter,
                    "the volume has " + std::to_string(extent) + " voxels along axis " + std::to_string(d) +
                        "; NIfTI-1 holds 1 to 32767",
                    {}};
@@ -70,7 +70,7 @@ Status check(const Volume& volume, std::size_t values) {
   for (const int extent : volume.size) expected *= static_cast<std::size_t>(extent);
   if (values != expected)
     return Error{ErrorCode::kInternal,
-                 kStage,
+                 kNiftiWriter,
                  "the volume has " + std::to_string(values) + " values; expected " + std::to_string(expected),
                  {}};
   return std::monostate{};
@@ -116,7 +116,7 @@ void put_header(Bytes& bytes, const Volume& volume, DataType type, std::int16_t 
 }
 
 Error out_of_memory() {
-  return {ErrorCode::kOutOfMemory, kStage, "there is not enough memory for the file", {}};
+  return {ErrorCode::kOutOfMemory, kNiftiWriter, "there is not enough memory for the file", {}};
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ Result<std::vector<OutputFile>> write_xdmf(const TetMesh& mesh, const WriteMeshO
   if (!can_be_named(options.name))
     return Error{ErrorCode::kUsage,
                  "write_mesh",
-                 "the name " + quoted(options.name) +
+                 "the name " + in_quotes(options.name) +
                      ": an XDMF file cannot refer to an .h5 of this name, expected no colon, no control "
                      "character, no space at either end",
                  {}};

@@ -106,15 +106,12 @@ class Tally {
   std::vector<std::pair<Label, int>> counts_;
 };
 
-Error usage(std::string message) {
-  return {ErrorCode::kUsage, kStage, std::move(message), {}};
-}
-
 /// The labels asked for, ascending and once each, with the volume of their voxels.
 Result<std::vector<LookedUpLabel>> asked_labels(const LabelVolume& volume, const LookUpParams& params) {
   if (params.samples_min < 1 || params.samples_max < params.samples_min)
-    return usage("samples_min " + std::to_string(params.samples_min) + ", samples_max " +
-                 std::to_string(params.samples_max) + ": expected 1 <= samples_min <= samples_max");
+    return usage_error(kStage, "samples_min " + std::to_string(params.samples_min) + ", samples_max " +
+                                   std::to_string(params.samples_max) +
+                                   ": expected 1 <= samples_min <= samples_max");
   std::vector<std::uint64_t> voxels(65536, 0);
   for (const Label label : volume.labels) ++voxels[label];
   std::vector<LookedUpLabel> asked;
@@ -128,7 +125,8 @@ Result<std::vector<LookedUpLabel>> asked_labels(const LabelVolume& volume, const
     std::string held;
     for (std::size_t other = 1; other < voxels.size(); ++other)
       if (voxels[other] > 0) held += (held.empty() ? "" : ", ") + std::to_string(other);
-    return usage("label " + std::to_string(label) + " is to be looked up; the volume holds " + held);
+    return usage_error(kStage,
+                       "label " + std::to_string(label) + " is to be looked up; the volume holds " + held);
   }
   return asked;
 }

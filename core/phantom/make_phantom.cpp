@@ -20,10 +20,6 @@ constexpr double kMaxRoughnessMm = 1.2;  // at scale 1: beyond it bumps would cl
 constexpr double kSpeckShare = 0.05;     // of the largest component of the same label
 constexpr const char* kStage = "phantom";
 
-Error usage_error(const std::string& message) {
-  return {ErrorCode::kUsage, kStage, message, {}};
-}
-
 bool reads_radius(PhantomKind kind) {
   return kind != PhantomKind::kBiventricle;
 }
@@ -36,7 +32,7 @@ std::optional<Error> find_parameter_error(const PhantomParams& p) {
   const auto refuse = [](const std::string& field, double found, const std::string& expected) {
     std::ostringstream message;
     message << "phantom." << field << ": found " << found << ", expected " << expected;
-    return usage_error(message.str());
+    return usage_error(kStage, message.str());
   };
   const auto positive = [](double x) { return std::isfinite(x) && x > 0; };
   const std::string length = "a finite length > 0";
@@ -88,7 +84,7 @@ Result<Grid> grid_around(const Body& body, const PhantomParams& params) {
     std::ostringstream message;
     message << "phantom.spacing_mm: " << counts[0] << " x " << counts[1] << " x " << counts[2]
             << " voxels would be needed, expected at most 512^3 in all";
-    return usage_error(message.str());
+    return usage_error(kStage, message.str());
   }
   for (int d = 0; d < 3; ++d) grid.size[d] = static_cast<int>(counts[d]);
   grid.index_to_mm.topLeftCorner<3, 3>() = linear;
@@ -172,7 +168,8 @@ Result<LabelVolume> make_phantom(const PhantomParams& params) {
   if (params.kind == PhantomKind::kBiventricle) drop_fragments(sampled, kSpeckShare);
   LabelVolume volume = cropped(sampled);
   if (volume.labels.empty())
-    return usage_error("phantom.spacing_mm: no voxel centre lies inside the body, expected a finer spacing");
+    return usage_error(kStage,
+                       "phantom.spacing_mm: no voxel centre lies inside the body, expected a finer spacing");
   volume.infos = describe(volume, params.kind);
   return volume;
 }

@@ -5,10 +5,6 @@
 namespace voxtet {
 namespace {
 
-Error usage(const std::string& message) {
-  return {ErrorCode::kUsage, "field", message, {}};
-}
-
 float in_walls(const std::vector<WallField>& walls, const Eigen::Vector3d& mm, bool thickness) {
   for (const WallField& wall : walls) {
     if (!wall.holds(wall.to_index(mm))) continue;
@@ -22,10 +18,12 @@ float in_walls(const std::vector<WallField>& walls, const Eigen::Vector3d& mm, b
 
 Result<ScalarVolume> field_volume(const Session& session, std::string_view name) {
   if (name != "size" && name != "thickness" && name != "potential")
-    return usage("no field '" + std::string(name) + "'; the fields are size, thickness, potential");
-  if (!session.sizing()) return usage("no fields yet: run the stage sizing");
+    return usage_error("field",
+                       "no field '" + std::string(name) + "'; the fields are size, thickness, potential");
+  if (!session.sizing()) return usage_error("field", "no fields yet: run the stage sizing");
   if (name != "size" && session.walls().empty())
-    return usage("the case has no " + std::string(name) + ": its sizing.thickness names no wall");
+    return usage_error("field",
+                       "the case has no " + std::string(name) + ": its sizing.thickness names no wall");
   const LabelVolume& volume = *session.volume();
   ScalarVolume out{volume.size, volume.index_to_mm, {}};
   out.values.reserve(volume.voxel_count());

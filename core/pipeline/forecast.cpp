@@ -16,10 +16,6 @@ namespace {
 constexpr std::int64_t kManyHandles = 120;
 constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
 
-Error usage(const std::string& message) {
-  return {ErrorCode::kUsage, "forecast", message, {}};
-}
-
 bool expects_refinement(const RemeshParams& params, const SurfaceMesh& surface) {
   if (params.method != RemeshMethod::kDelaunay) return false;
   if (params.keep_topology != KeepTopology::kAll) return true;
@@ -141,7 +137,7 @@ nlohmann::json numbers_json(const Forecast& forecast) {
 }  // namespace
 
 Result<Forecast> forecast_case(const Session& session, RunContext& ctx) {
-  if (!session.may_size()) return usage("no sizes yet: run the stage sizing");
+  if (!session.may_size()) return usage_error("forecast", "no sizes yet: run the stage sizing");
   if (session.is_current(Stage::kSizing)) return CaseForecaster(session).forecast(*session.sizing(), ctx);
   const Result<SizingField> sizing = session.size_by(session.recipe().sizing, ctx);
   if (!sizing) return sizing.error();
@@ -151,9 +147,9 @@ Result<Forecast> forecast_case(const Session& session, RunContext& ctx) {
 Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, RunContext& ctx) {
   constexpr double kLeastPart = 0.99, kMostPart = 0.998;
   constexpr int kMostTries = 16;
-  if (!session.may_size()) return usage("no sizes yet: run the stage sizing");
+  if (!session.may_size()) return usage_error("forecast", "no sizes yet: run the stage sizing");
   if (!(limits.tets > 0 || limits.memory_mb > 0 || limits.seconds > 0))
-    return usage("limits: found none, expected at least one that sizes are to keep");
+    return usage_error("forecast", "limits: found none, expected at least one that sizes are to keep");
   const CaseForecaster forecaster(session);
   RunContext quiet;  // the sizes were warned of when the stage ran
   quiet.on_cancelled = ctx.on_cancelled;
@@ -177,7 +173,8 @@ Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, Run
       : high < 2 * kLeastFactor
           ? "even a 64th of the edge lengths does not come near the limits"
           : "near " + shown(factor) + " times the edge lengths the forecast leaps over the limits";
-  return usage(what + ": the labels themselves, layers, images, edge_min_mm or edge_max_mm decide");
+  return usage_error("forecast",
+                     what + ": the labels themselves, layers, images, edge_min_mm or edge_max_mm decide");
 }
 
 Status check_limits(const Session& session, RunContext& ctx) {

@@ -13,7 +13,7 @@ namespace voxtet {
 namespace {
 
 /// A volume below this part of its longest edge cubed is as good as none.
-constexpr double kFlat = 1e-12;
+constexpr double kFlatVolume = 1e-12;
 /// Labels of fewer voxels are held to the wider tolerance of volume.
 constexpr std::uint64_t kSmallLabel = 1000;
 /// Points closer than this part of the mesh's extent are the same point.
@@ -38,7 +38,7 @@ std::size_t count_inverted(const TetMesh& mesh) {
       longest2 =
           std::max(longest2, (p[static_cast<std::size_t>(i)] - p[static_cast<std::size_t>(j)]).squaredNorm());
     // Points without a place are counted on their own: what is not a number compares false.
-    if (tet_volume_mm3(p) <= kFlat * longest2 * std::sqrt(longest2)) ++inverted;
+    if (tet_volume_mm3(p) <= kFlatVolume * longest2 * std::sqrt(longest2)) ++inverted;
   }
   return inverted;
 }

@@ -13,10 +13,6 @@ constexpr std::string_view kPlain = "#j=";
 constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr std::size_t kMaxInflated = 1 << 20;
 
-Error usage(const std::string& message) {
-  return {ErrorCode::kUsage, "link", message, {}};
-}
-
 std::string deflate_raw(const std::string& text) {
   z_stream stream{};
   deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, -MAX_WBITS, 9, Z_DEFAULT_STRATEGY);
@@ -46,9 +42,9 @@ Result<std::string> inflate_raw(const std::string& bytes) {
     out.append(chunk.data(), chunk.size() - stream.avail_out);
   }
   inflateEnd(&stream);
-  if (out.size() > kMaxInflated) return usage("the link inflates to more than 1 MiB");
+  if (out.size() > kMaxInflated) return usage_error("link", "the link inflates to more than 1 MiB");
   if (code != Z_STREAM_END)
-    return usage("the link is cut short or damaged: its compressed part does not end");
+    return usage_error("link", "the link is cut short or damaged: its compressed part does not end");
   return out;
 }
 
@@ -71,7 +67,8 @@ Result<std::string> from_base64url(std::string_view text) {
   for (const char c : text) {
     const std::size_t value = kAlphabet.find(c);
     if (value == std::string_view::npos)
-      return usage(std::string("the link holds the character '") + c + "', which base64url does not");
+      return usage_error("link",
+                         std::string("the link holds the character '") + c + "', which base64url does not");
     bits = bits << 6 | static_cast<std::uint32_t>(value);
     count += 6;
     if (count >= 8) {
@@ -97,7 +94,7 @@ Result<std::string> percent_decoded(std::string_view text) {
       continue;
     }
     if (i + 2 >= text.size() || hex_value(text[i + 1]) < 0 || hex_value(text[i + 2]) < 0)
-      return usage("the link holds '%' without two hexadecimal digits after it");
+      return usage_error("link", "the link holds '%' without two hexadecimal digits after it");
     out += static_cast<char>(hex_value(text[i + 1]) * 16 + hex_value(text[i + 2]));
     i += 2;
   }
@@ -127,7 +124,7 @@ Result<Recipe> recipe_of_link(std::string_view text) {
     if (!json) return json.error();
     return parse_recipe(std::string_view(*json));
   }
-  return usage("no case in this link: expected '#c1=' or '#j='");
+  return usage_error("link", "no case in this link: expected '#c1=' or '#j='");
 }
 
 }  // namespace voxtet

@@ -171,16 +171,12 @@ class Reader {
   std::vector<std::string> seen_;
 };
 
-Error usage(const std::string& message) {
-  return {ErrorCode::kUsage, "recipe", message, {}};
-}
-
 }  // namespace
 
 Result<Recipe> parse_recipe(std::string_view text) {
   if (text.size() > kMaxRecipeBytes)
-    return usage("the recipe has " + std::to_string(text.size()) + " bytes, at most " +
-                 std::to_string(kMaxRecipeBytes) + " are accepted");
+    return usage_error("recipe", "the recipe has " + std::to_string(text.size()) + " bytes, at most " +
+                                     std::to_string(kMaxRecipeBytes) + " are accepted");
   const auto bounded = [](int depth, json::parse_event_t, json&) {
     if (depth > kMaxDepth) throw FieldError("nested deeper than " + std::to_string(kMaxDepth) + " levels");
     return true;
@@ -188,9 +184,9 @@ Result<Recipe> parse_recipe(std::string_view text) {
   try {
     return parse_recipe(json::parse(text, bounded));
   } catch (const json::parse_error& error) {
-    return usage(std::string("not valid JSON: ") + error.what());
+    return usage_error("recipe", std::string("not valid JSON: ") + error.what());
   } catch (const FieldError& error) {
-    return usage(error.what());
+    return usage_error("recipe", error.what());
   }
 }
 
@@ -201,7 +197,7 @@ Result<Recipe> parse_recipe(const json& value) {
     if (recipe.source.phantom && recipe.source.file)
       throw FieldError("source: found phantom and file, expected one of them");
   } catch (const FieldError& error) {
-    return usage(error.what());
+    return usage_error("recipe", error.what());
   }
   return recipe;
 }
@@ -217,7 +213,7 @@ Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const s
   try {
     whole[json::json_pointer(pointer)] = value;
   } catch (const json::exception&) {
-    return usage(path + ": no such field");
+    return usage_error("recipe", path + ": no such field");
   }
   return parse_recipe(whole);
 }

@@ -3,13 +3,13 @@
 #include <new>
 
 #include "remesh/adapt_passes.h"
+#include "remesh/stage.h"
 
 namespace voxtet::remesh {
 namespace {
 
 constexpr double kGapShare = 0.25;   ///< EditLimits::gap_share
 constexpr double kPoorCosine = 0.9;  ///< 26 degrees: planar angles below this are polished
-constexpr const char* kStage = "remesh";
 
 class Adapter : public AdaptPasses {
  public:
@@ -137,12 +137,12 @@ Result<SurfaceMesh> adapt_complex(const SurfaceMesh& reference, const SizingFiel
     if (reference.triangles.empty()) return reference;
     const ComplexMesh mesh(reference);
     Adapter adapter(mesh, mesh, same_complex(mesh), sizing, params, ctx);
-    if (!adapter.run()) return cancelled_error(kStage);
+    if (!adapter.run()) return cancelled_error(kRemeshStage);
     if (record) *record = adapter.record();
     return adapter.surface();
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kOutOfMemory,
-                 kStage,
+                 kRemeshStage,
                  "not enough memory to adapt " + std::to_string(reference.triangles.size()) + " triangles",
                  {}};
   }

@@ -20,9 +20,9 @@ constexpr double kNormalCosine = 0.5, kNormalCosineOfSlivers = -0.3;
 /// Improvements of an angle's cosine below this are not worth a change.
 constexpr double kCosineStep = 1e-3;
 
-double longest_edge_mm(const std::vector<Corners>& facets) {
+double longest_of_facets_mm(const std::vector<Corners>& facets) {
   double longest = 0;
-  for (const Corners& p : facets) longest = std::max(longest, voxtet::longest_edge_mm(p));
+  for (const Corners& p : facets) longest = std::max(longest, longest_edge_mm(p));
   return longest;
 }
 
@@ -145,9 +145,9 @@ Reason ComplexEditor::check_shapes(const Change& change) {
 Reason ComplexEditor::check_contacts(const Change& change) {
   new_boxes_.clear();
   for (const Corners& p : new_corners_) new_boxes_.push_back(box_of(p));
-  const double longest = longest_edge_mm(new_corners_);
+  const double longest = longest_of_facets_mm(new_corners_);
   gap_mm_ = limits.gap_share > 0 ? limits.gap_share * std::min(least_wish(change), longest) : 0;
-  gap_growth_ = limits.adapted ? std::max(1.0, longest / longest_edge_mm(old_corners_)) : 1;
+  gap_growth_ = limits.adapted ? std::max(1.0, longest / longest_of_facets_mm(old_corners_)) : 1;
   wide_boxes_.clear();
   for (const FloatBox& box : new_boxes_) wide_boxes_.push_back(box.grown(gap_mm_));
   FloatBox all = wide_boxes_.front();

@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 /// Of a point's own system: keeps shifts along the surface small where the normals hardly differ.
 constexpr double kTangentialWeight = 0.05;
 constexpr double kLeastDihedralCosine = 0.6427876096865394;  // cos 50 deg
-constexpr int kRounds = 12;
+constexpr int kFitRounds = 12;
 constexpr int kSteps = 3;
 constexpr double kWidening = 0.15;  ///< of a thin triangle's shortest edge, in one round
 constexpr int kWideningRounds = 10;
@@ -66,8 +66,8 @@ class Shifts {
   std::vector<Vector3d> by_point;
 
   void restrain() {
-    for (int round = 0; round < kRounds; ++round) {
-      const double factor = round < kRounds / 2 ? 0.5 : 0;
+    for (int round = 0; round < kFitRounds; ++round) {
+      const double factor = round < kFitRounds / 2 ? 0.5 : 0;
       const bool thin = halve_where_thin(factor), sharp = halve_where_sharp(factor);
       if (!thin && !sharp) return;
     }

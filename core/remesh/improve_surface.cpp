@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "remesh/facet_mender.h"
+#include "remesh/stage.h"
 
 namespace voxtet::remesh {
 namespace {
 
-constexpr const char* kStage = "remesh";
 constexpr double kContentVoxels = 0.1;  ///< a sample this near to a triangle may be its
 constexpr double kShort = 0.72;         ///< in wished lengths; refined surfaces have few natural edges below
 constexpr double kRefinedGapShare = 0.2;  ///< EditLimits::gap_share; where sheets are near, edges stay short
@@ -117,12 +117,12 @@ Result<SurfaceMesh> improve_surface(const SurfaceMesh& surface, const SurfaceMes
     const ComplexMesh mesh(surface, sides), other(reference, sides);
     Improver improver(mesh, other, nearest_parts(mesh, other, kContentVoxels * params.voxel_mm), sizing,
                       params, ctx);
-    if (!improver.run()) return cancelled_error(kStage);
+    if (!improver.run()) return cancelled_error(kRemeshStage);
     if (record) *record = improver.record();
     return improver.surface();
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kOutOfMemory,
-                 kStage,
+                 kRemeshStage,
                  "not enough memory to improve " + std::to_string(surface.triangles.size()) + " triangles",
                  {}};
   }

@@ -11,7 +11,7 @@
 namespace voxtet::remesh {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffU;
+constexpr std::uint32_t kNoPoint = 0xffffffffU;
 
 /// The labels among the 27 voxels around each voxel that has another label near.
 void list_labels(const LabelGrid& grid, LabelDistances& out) {
@@ -70,7 +70,7 @@ class Scatter {
   Scatter(const LabelGrid& grid, const SurfaceMesh& surface, const Eigen::Matrix3d& index_to_mm,
           const Eigen::Vector3d& origin_mm, LabelDistances& out)
       : grid_(grid), surface_(surface), stars_(surface), to_mm_(index_to_mm), origin_(origin_mm), out_(out) {
-    nearest_.assign(out.labels.size(), kNone);
+    nearest_.assign(out.labels.size(), kNoPoint);
     distance2_.assign(out.labels.size(), std::numeric_limits<double>::max());
   }
 
@@ -137,7 +137,7 @@ class Scatter {
 
   double to_boundary(const Eigen::Vector3d& centre, std::uint32_t entry) const {
     const std::uint32_t p = nearest_[entry];
-    if (p == kNone) return std::numeric_limits<double>::max();
+    if (p == kNoPoint) return std::numeric_limits<double>::max();
     double best = distance2_[entry];
     for (std::uint32_t k = stars_.start[p]; k < stars_.start[p + 1]; ++k) {
       const std::uint32_t t = stars_.triangles[k];

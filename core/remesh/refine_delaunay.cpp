@@ -20,26 +20,26 @@ using Cell = Triangulation::Cell_handle;
 constexpr double kAstrayCosine = 0.25;
 constexpr double kLeastAstrayVoxels = 0.35;
 
-/// A facet that fails the criteria, as it was when it was examined.
-struct BadFacet {
-  double urgency;
-  std::uint32_t serial, other_serial;
-  Cell cell;
-  int facet;
-  Vector3d centre;  ///< of the surface Delaunay ball: where to refine
-};
-
-struct LessUrgent {
-  bool operator()(const BadFacet& a, const BadFacet& b) const {
-    if (a.urgency != b.urgency) return a.urgency < b.urgency;
-    if (a.serial != b.serial) return a.serial > b.serial;
-    return a.facet > b.facet;
-  }
-};
-
 }  // namespace
 
 struct DelaunayRefiner::Impl {
+  /// A facet that fails the criteria, as it was when it was examined.
+  struct BadFacet {
+    double urgency;
+    std::uint32_t serial, other_serial;
+    Cell cell;
+    int facet;
+    Vector3d centre;  ///< of the surface Delaunay ball: where to refine
+  };
+
+  struct LessUrgent {
+    bool operator()(const BadFacet& a, const BadFacet& b) const {
+      if (a.urgency != b.urgency) return a.urgency < b.urgency;
+      if (a.serial != b.serial) return a.serial > b.serial;
+      return a.facet > b.facet;
+    }
+  };
+
   const LabelField& field;
   const SizingField& sizing;
   RefineCriteria criteria;
@@ -218,7 +218,7 @@ bool DelaunayRefiner::refine(RunContext& ctx, double predicted_vertices) {
       if (ctx.cancelled()) return false;
       ctx.progress("remesh", std::min(0.95, 0.1 + 0.8 * m.next_vertex / (1 + predicted_vertices)));
     }
-    const BadFacet facet = m.bad.top();
+    const Impl::BadFacet facet = m.bad.top();
     m.bad.pop();
     if (facet.cell->info().serial != facet.serial) continue;
     const Cell other = facet.cell->neighbor(facet.facet);

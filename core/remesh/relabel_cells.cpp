@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kRounds = 8;
+constexpr int kRelabelRounds = 8;
 constexpr double kExtraSectorCost = 0.02;
 // Angles are compared by their cosines and chords 2 sin(angle/2), nearly linear in the angle: square roots
 // are exact on every platform, arc functions are not.
@@ -46,7 +46,7 @@ class Relabeller {
 
   void run() {
     std::vector<EdgeOfCell> work = sharp_edges();
-    for (int round = 0; round < kRounds && !work.empty(); ++round) {
+    for (int round = 0; round < kRelabelRounds && !work.empty(); ++round) {
       changed_.clear();
       for (const EdgeOfCell& edge : work) improve(edge);
       work.clear();

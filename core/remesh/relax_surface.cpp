@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kRounds = 4;
+constexpr int kRelaxRounds = 4;
 constexpr double kShapeWeight = 0.5;
 constexpr double kBentCosine = 0.87;  ///< to the mean normal around a point: bent where one has less
 constexpr double kTurnCosine = 0.98;
@@ -44,7 +44,7 @@ class Relaxer {
   }
 
   void run() {
-    for (int round = 0; round < kRounds; ++round)
+    for (int round = 0; round < kRelaxRounds; ++round)
       for (const std::uint32_t v : free_) relax(v);
   }
 

@@ -14,13 +14,13 @@
 #include "remesh/delaunay_surface.h"
 #include "remesh/improve_surface.h"
 #include "remesh/label_field.h"
+#include "remesh/stage.h"
 
 namespace voxtet {
 namespace {
 
 using namespace remesh;
 
-const char* const kStage = "remesh";
 /// Of max_distance_voxels, the distance to which facets are refined around layers. Where facets are as far
 /// off as what counts as missed, points are added regardless of sizes: triangles much finer than a layer is
 /// thick leave no room for good tetrahedra across it. Measured on shells: 0.8 gives 33 degrees where 1
@@ -28,7 +28,7 @@ const char* const kStage = "remesh";
 constexpr double kLayerDistance = 0.8;
 
 Error bad_input(const std::string& message) {
-  return {ErrorCode::kBadInput, kStage, message, {}};
+  return {ErrorCode::kBadInput, kRemeshStage, message, {}};
 }
 
 std::string number(double value) {
@@ -101,7 +101,7 @@ void warn_about_sizes(const SurfaceMesh& surface, const SizingField& sizing, Run
   }
   const double share = static_cast<double>(smaller) / static_cast<double>(surface.triangles.size());
   if (share > kWorthSaying)
-    ctx.warn(kStage,
+    ctx.warn(kRemeshStage,
              number(std::round(100 * share)) +
                  " % of the triangles are less than half as large as wished, because max_distance_voxels or "
                  "narrow places demand it");
@@ -155,14 +155,14 @@ void report_verified(const AdaptRecord& record, RunContext& ctx) {
       std::to_string(std::accumulate(record.accepted.begin(), record.accepted.end(), std::uint64_t{0})) +
       " verified operations: " + std::to_string(record.violations);
   if (record.violations > 0)
-    ctx.warn(kStage, found);
+    ctx.warn(kRemeshStage, found);
   else
-    ctx.note(kStage, found);
+    ctx.note(kRemeshStage, found);
 }
 
 Result<SurfaceMesh> adapt(const LabelVolume& volume, const SurfaceMesh& reference, const SizingField& sizing,
                           const RemeshParams& params, RunContext& ctx) {
-  ctx.note(kStage, "method remesh");
+  ctx.note(kRemeshStage, "method remesh");
   AdaptRecord record;
   Result<SurfaceMesh> surface = adapt_complex(reference, sizing, adapt_params(volume, params), ctx, &record);
   if (surface && params.verify) report_verified(record, ctx);
@@ -188,11 +188,11 @@ Result<SurfaceMesh> improve(const SurfaceMesh& surface, const LabelVolume& volum
 Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,
                               const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
                               const WallLayers& layers) {
-  ctx.progress(kStage, 0);
+  ctx.progress(kRemeshStage, 0);
   if (params.method == RemeshMethod::kRemesh) return adapt(volume, reference, sizing, params, ctx);
   const LabelField field(volume, reference, layers);
-  if (ctx.cancelled()) return cancelled_error(kStage);
-  ctx.progress(kStage, 0.08);
+  if (ctx.cancelled()) return cancelled_error(kRemeshStage);
+  ctx.progress(kRemeshStage, 0.08);
   const TopologyLedger wanted = label_topology(reference);
   DelaunayParams refine{params.facet_angle_deg, params.max_distance_voxels};
   if (!layers.empty()) {
@@ -204,15 +204,15 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
   const TopologyLedger found = label_topology(merge_layers(*surface, layers));
   const std::string broken = broken_topology(wanted, found, params.keep_topology);
   if (broken.empty()) {
-    ctx.note(kStage, "method delaunay");
+    ctx.note(kRemeshStage, "method delaunay");
     for (const TopologyDifference& difference : compare_topology(wanted, found))
-      ctx.warn(kStage, in_words(difference));
+      ctx.warn(kRemeshStage, in_words(difference));
     // Sheets between layers are not on the reference: nothing there could be moved.
     if (!layers.empty()) return surface;
     return improve(*surface, volume, reference, sizing, params, ctx);
   }
-  ctx.warn(kStage, "the method delaunay " + broken + ": the method remesh was taken instead" +
-                       (layers.empty() ? "" : ", which lays no sheets between layers"));
+  ctx.warn(kRemeshStage, "the method delaunay " + broken + ": the method remesh was taken instead" +
+                             (layers.empty() ? "" : ", which lays no sheets between layers"));
   return adapt(volume, reference, sizing, params, ctx);
 }
 
@@ -226,7 +226,7 @@ Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh&
   if (Status status = check_parameters(sizing, params); !status) return status.error();
   if (!layers.empty() && params.method != RemeshMethod::kDelaunay)
     return Error{ErrorCode::kUsage,
-                 kStage,
+                 kRemeshStage,
                  "remesh.method: found remesh, expected delaunay, which alone lays the sheets between exact "
                  "layers",
                  {}};
@@ -235,14 +235,17 @@ Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh&
     Result<SurfaceMesh> surface = by_method(volume, reference, sizing, params, rising, layers);
     if (surface) {
       warn_about_sizes(*surface, sizing, ctx);
-      ctx.progress(kStage, 1);
+      ctx.progress(kRemeshStage, 1);
     }
     return surface;
   } catch (const std::bad_alloc&) {
-    return Error{
-        ErrorCode::kOutOfMemory, kStage, "not enough memory to refine the surface to the wished size", {}};
+    return Error{ErrorCode::kOutOfMemory,
+                 kRemeshStage,
+                 "not enough memory to refine the surface to the wished size",
+                 {}};
   } catch (const std::exception& e) {
-    return Error{ErrorCode::kInternal, kStage, std::string("the triangulation failed: ") + e.what(), {}};
+    return Error{
+        ErrorCode::kInternal, kRemeshStage, std::string("the triangulation failed: ") + e.what(), {}};
   }
 }
 

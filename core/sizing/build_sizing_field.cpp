@@ -15,17 +15,18 @@
 #include "sizing/limit_gradation.h"
 #include "sizing/side_volumes.h"
 #include "sizing/size_region.h"
+#include "sizing/stage.h"
 #include "sizing/thickness_size.h"
 
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "sizing";
 constexpr int kPadding = 2;
-constexpr float kFar = std::numeric_limits<float>::infinity();
 
 std::optional<Error> find_volume_error(const LabelVolume& volume) {
-  const auto refuse = [](const char* message) { return Error{ErrorCode::kBadInput, kStage, message, {}}; };
+  const auto refuse = [](const char* message) {
+    return Error{ErrorCode::kBadInput, kSizingStage, message, {}};
+  };
   if (volume.labels.empty() || volume.labels.size() != volume.voxel_count())
     return refuse("volume: expected size[0] * size[1] * size[2] labels and at least one");
   if (!volume.index_to_mm.allFinite() || !(volume.voxel_mm3() > 0))
@@ -152,7 +153,7 @@ void warn_of_clamped(const SizingParams& params, const RunContext& ctx) {
     std::snprintf(text, sizeof text, ": %g mm is %s, which holds: %g mm", edge_mm,
                   low ? "below sizing.edge_min_mm" : "above sizing.edge_max_mm",
                   low ? params.edge_min_mm : params.edge_max_mm);
-    ctx.warn(kStage, "sizing." + field + text);
+    ctx.warn(kSizingStage, "sizing." + field + text);
   });
 }
 
@@ -163,7 +164,7 @@ Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingPa
   if (const auto error = find_volume_error(volume)) return *error;
   if (const auto error = find_sizing_error(volume, params)) return *error;
   warn_of_clamped(params, ctx);
-  ctx.progress(kStage, 0);
+  ctx.progress(kSizingStage, 0);
   SizingField field = padded_grid(volume);
   BaseSizes base;
   if (!sources.walls.empty() || !sources.images.empty()) base.assign(field.h_mm.size(), kFar);
@@ -176,7 +177,7 @@ Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingPa
       return done.error();
   add_label_sizes(volume, params, base, field);
   for (const DistanceSize& wish : params.distances) {
-    if (ctx.cancelled() || !add_distance_size(volume, wish, field, ctx)) return cancelled_error(kStage);
+    if (ctx.cancelled() || !add_distance_size(volume, wish, field, ctx)) return cancelled_error(kSizingStage);
   }
   for (std::size_t m = 0; m < sources.masks.size(); ++m)
     if (Status done = lower_by_mask(*sources.masks[m], params.masks[m],
@@ -185,23 +186,23 @@ Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingPa
       return done.error();
   if (sources.surface)
     lower_by_curvature(*sources.surface, params.curvature, volume.smallest_spacing_mm(), field);
-  ctx.progress(kStage, 0.3);
+  ctx.progress(kSizingStage, 0.3);
   if (!params.regions.empty()) {
     const std::vector<float> around = field.h_mm;
     for (std::size_t r = 0; r < params.regions.size(); ++r) {
-      if (ctx.cancelled()) return cancelled_error(kStage);
+      if (ctx.cancelled()) return cancelled_error(kSizingStage);
       if (!add_region_size(params.regions[r], params.edge_max_mm, around, field))
-        ctx.warn(kStage, "sizing.regions[" + std::to_string(r) + "] '" + params.regions[r].name +
-                             "' and its band hold no voxel of the volume: it changes nothing");
+        ctx.warn(kSizingStage, "sizing.regions[" + std::to_string(r) + "] '" + params.regions[r].name +
+                                   "' and its band hold no voxel of the volume: it changes nothing");
     }
   }
   const float least = static_cast<float>(params.edge_min_mm);
   const float most = static_cast<float>(params.edge_max_mm);
   for (float& h : field.h_mm) h = std::clamp(h, least, most);
-  ctx.progress(kStage, 0.5);
+  ctx.progress(kSizingStage, 0.5);
   if (!limit_gradation(field.size, volume.linear(), params.gradation, field.h_mm, ctx))
-    return cancelled_error(kStage);
-  ctx.progress(kStage, 1);
+    return cancelled_error(kSizingStage);
+  ctx.progress(kSizingStage, 1);
   return field;
 }
 

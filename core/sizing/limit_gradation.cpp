@@ -6,10 +6,11 @@
 #include <cstdint>
 #include <limits>
 
+#include "geometry/distance_transform.h"
+
 namespace voxtet {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr float kKeep = 1 - 5e-7F;  // smaller relative decreases are rounding
 constexpr int kMaxTraversals = 1000;
 

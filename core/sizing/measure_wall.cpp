@@ -6,9 +6,11 @@
 #include <optional>
 #include <string>
 
+#include "geometry/distance_transform.h"
 #include "geometry/label_components.h"
 #include "sizing/find_cavities.h"
 #include "sizing/limit_gradation.h"
+#include "sizing/stage.h"
 #include "sizing/wall_grid.h"
 #include "sizing/wall_lengths.h"
 #include "sizing/wall_potential.h"
@@ -19,8 +21,6 @@ namespace {
 
 using wall::WallGrid;
 
-constexpr const char* kStage = "sizing";
-constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr double kThinVoxels = 3, kThinShare = 0.05;
 constexpr std::size_t kMostFineVoxels = std::size_t{1} << 27;
 constexpr float kLonger =
@@ -31,7 +31,7 @@ constexpr std::size_t kBeyond = 2;  ///< voxels by which values go on outside of
 std::optional<Error> find_label_error(const LabelVolume& anatomy, const WallLabels& labels,
                                       const std::string& name) {
   const auto refuse = [&](const std::string& message) {
-    return Error{ErrorCode::kUsage, kStage, name + message, {}};
+    return Error{ErrorCode::kUsage, kSizingStage, name + message, {}};
   };
   if (labels.wall.empty()) return refuse(".wall: found no labels, expected those that form the wall");
   if (labels.inner.size() > wall::kMaxInner)
@@ -242,7 +242,7 @@ Error without_sides(const std::string& name, const WallLabels& labels) {
                                 ? ": the background has no cavity that the wall encloses or surrounds"
                                 : ": none of the inner labels touches the wall, or nothing else does";
   return Error{ErrorCode::kUsage,
-               kStage,
+               kSizingStage,
                name + found + "; expected a wall with an inner and an outer side, so that it has a thickness",
                {}};
 }
@@ -254,7 +254,7 @@ Result<WallField> measure_wall(const WallInput& input, const WallLabels& labels,
   if (const auto error = find_label_error(input.anatomy, labels, name)) return *error;
   if (!has_orthogonal_axes(input.anatomy.linear()))
     return Error{ErrorCode::kUsage,
-                 kStage,
+                 kSizingStage,
                  name + ": the volume's axes are not at right angles, expected a volume that is not sheared",
                  {}};
   WallGrid coarse = wall::wall_grid(input.anatomy, labels.wall, labels.inner);
@@ -273,7 +273,7 @@ Result<WallField> measure_wall(const WallInput& input, const WallLabels& labels,
     wall::measure_distances(input.surface.points, triangles, factor, ctx.threads, grid);
     values = measure(grid, inner_count, labels.shares, ctx);
   }
-  if (ctx.cancelled()) return cancelled_error(kStage);
+  if (ctx.cancelled()) return cancelled_error(kSizingStage);
   if (std::none_of(values.thickness_mm.begin(), values.thickness_mm.end(), [](float t) { return t > 0; }))
     return without_sides(name, labels);
   const auto in_wall = [&](std::size_t at) { return grid.kind[at] == wall::kWall; };

@@ -7,16 +7,15 @@
 #include <limits>
 #include <optional>
 
+#include "geometry/distance_transform.h"
+#include "sizing/stage.h"
 #include "types/grid_corners.h"
 
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "sizing";
-constexpr float kFar = std::numeric_limits<float>::infinity();
-
 Error refuse(ErrorCode code, const std::string& name, const std::string& message) {
-  return {code, kStage, name + ": " + message, {}};
+  return {code, kSizingStage, name + ": " + message, {}};
 }
 
 /// Offset of the grid point nearest to a continuous index, if there is one within half a step.
@@ -144,7 +143,7 @@ Status lower_by_image(const LabelVolume& volume, const ScalarVolume& image, cons
     std::snprintf(text.data(), text.size(),
                   ": the image has no size in %.2f %% of the labelled voxels; edge_mm stands there",
                   100.0 * static_cast<double>(labelled - wished) / static_cast<double>(labelled));
-    ctx.warn(kStage, name + text.data());
+    ctx.warn(kSizingStage, name + text.data());
   }
   return std::monostate{};
 }

@@ -7,15 +7,15 @@
 #include <limits>
 
 #include "geometry/closest_point.h"
+#include "geometry/distance_transform.h"
 #include "geometry/parallel.h"
 
 namespace voxtet::wall {
 namespace {
 
 constexpr int kPadding = 2;
-constexpr std::uint8_t kJoins = 255;  // a voxel that is about to join the wall
-constexpr double kReach = 1.05;       // voxels around a triangle that learn of it
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr std::uint8_t kJoins = 255;     // a voxel that is about to join the wall
+constexpr double kReach = 1.05;          // voxels around a triangle that learn of it
 constexpr double kLeastVoxels = 0.01;    // no distance is smaller, so that nothing is divided by zero
 constexpr double kTypicalVoxels = 0.37;  // of a voxel beside the surface, where the surface is not known
 

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/distance_transform.h"
 #include "geometry/parallel.h"
 
 namespace voxtet::wall {
 namespace {
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
 constexpr int kMostPasses = 30;
 constexpr std::size_t kUnsettledPart = 2000;  ///< one node of so many may still change
-constexpr float kTolerance = 1e-3F;           ///< of the smallest spacing
+constexpr float kLengthTolerance = 1e-3F;     ///< of the smallest spacing
 constexpr double kFlat = 5e-4;                ///< a potential that rises less over a voxel tells no direction
 
 /// The direction of the potential at each node, as |T_d| / spacing_d with the sign of T_d.
@@ -59,7 +59,8 @@ class Transport {
  public:
   Transport(const WallGrid& grid, const WallGraph& graph, const std::vector<Slope>& slopes,
             std::vector<std::uint32_t> order, bool from_inner)
-      : order_(std::move(order)), tolerance_(kTolerance * static_cast<float>(grid.spacing_mm().minCoeff())) {
+      : order_(std::move(order)),
+        tolerance_(kLengthTolerance * static_cast<float>(grid.spacing_mm().minCoeff())) {
     std::vector<std::uint32_t> place(graph.nodes.size(), kNothing);
     for (std::uint32_t i = 0; i < order_.size(); ++i) place[order_[i]] = i;
     links_.resize(order_.size());

@@ -12,7 +12,7 @@ namespace {
 constexpr float kOmega = 1.75F;
 constexpr int kMostSweeps = 500;
 constexpr std::size_t kFewNodes = 5000;  ///< for which a start is not worth the trouble
-constexpr float kTolerance = 1e-3F;
+constexpr float kPotentialTolerance = 1e-3F;
 constexpr std::uint32_t kLongestRun = 256;  ///< so that parts of equally many runs take about equally long
 constexpr double kLeastStep = 0.02;         ///< of a voxel
 
@@ -236,7 +236,7 @@ std::vector<float> wall_potential(const WallGrid& grid, const WallGraph& graph, 
       });
       most = std::max(most, *std::max_element(change.begin(), change.end()));
     }
-    if (most < kTolerance) break;
+    if (most < kPotentialTolerance) break;
   }
   return u;
 }

@@ -10,20 +10,16 @@
 #include <vector>
 
 #include "geometry/self_intersections.h"
+#include "tetra/meshing_error.h"
 
 namespace voxtet {
 namespace {
 
-constexpr std::size_t kMaxPlaces = 1000;
 /// Relative to the bounding box.
 constexpr double kCoinciding = 1e-6;
 /// Of a tenth of a degree.
 constexpr double kNarrowCosine = 0.99999847691328769;
 constexpr double kDegreesPerRadian = 57.295779513082321;
-
-Error meshing_error(std::string message, const ErrorPlace& where = {}) {
-  return {ErrorCode::kMeshing, "tetra", std::move(message), where};
-}
 
 /// Twice the area over the longest side squared, below which a triangle counts as degenerate.
 constexpr double kFlat = 1e-10;

@@ -7,7 +7,7 @@ namespace voxtet::tetra {
 namespace {
 
 constexpr int kTurns = 6;
-constexpr int kSmoothingSteps = 5;
+constexpr int kRelaxSteps = 5;
 /// Vertices around which a trial looks for bad tets, at most.
 constexpr std::size_t kMostVertices = 40;
 /// Between two walls that are near each other edges may be out of the range of sizes by this factor.
@@ -42,7 +42,7 @@ void CompoundImprover::improve_one(std::uint32_t t, double goal) {
   for (const std::uint32_t v : Tet(complex_.corners(t))) {
     const bool on_wall = complex_.on_wall(v);
     const bool moved = on_wall ? slider_.slide(v, goal, kMostMisfit)
-                               : smoother_.smooth(v, goal, kSmoothingSteps, nullptr, kMostMisfit);
+                               : smoother_.smooth(v, goal, kRelaxSteps, nullptr, kMostMisfit);
     (on_wall ? counts_.slid : counts_.moved) += moved;
   }
 }

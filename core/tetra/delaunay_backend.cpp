@@ -8,6 +8,7 @@
 
 #include "geometry/surface_measures.h"
 #include "tetra/delaunay_cells.h"
+#include "tetra/meshing_error.h"
 #include "tetra/recover_surface.h"
 
 namespace voxtet {
@@ -18,10 +19,6 @@ using namespace tetra;
 constexpr std::uint32_t kPointsPerQuestion = 512;
 /// By how much flips may change the volume of a label.
 constexpr double kVolumeTolerance = 5e-3;
-
-Error meshing_error(std::string message) {
-  return {ErrorCode::kMeshing, "tetra", std::move(message), {}};
-}
 
 Status check_volumes(const std::vector<double>& before, const std::vector<double>& after) {
   for (std::size_t label = 1; label < before.size(); ++label)

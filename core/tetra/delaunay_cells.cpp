@@ -29,18 +29,6 @@ constexpr double kRadiusPerEdge = 0.76;
 constexpr double kProtected = 0.8;
 constexpr std::size_t kTriesPerQuestion = 512;
 
-struct BadCell {
-  double urgency;
-  std::uint32_t serial;
-  Cell cell;
-};
-
-struct LessUrgent {
-  bool operator()(const BadCell& a, const BadCell& b) const {
-    return a.urgency != b.urgency ? a.urgency < b.urgency : a.serial > b.serial;
-  }
-};
-
 /// Circumcentre and squared circumradius of a triangle.
 std::pair<Vector3d, double> circumcircle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
   const Vector3d u = b - a, v = c - a, n = u.cross(v);
@@ -52,6 +40,18 @@ std::pair<Vector3d, double> circumcircle(const Vector3d& a, const Vector3d& b, c
 }  // namespace
 
 struct DelaunayCells::Impl {
+  struct BadCell {
+    double urgency;
+    std::uint32_t serial;
+    Cell cell;
+  };
+
+  struct LessUrgent {
+    bool operator()(const BadCell& a, const BadCell& b) const {
+      return a.urgency != b.urgency ? a.urgency < b.urgency : a.serial > b.serial;
+    }
+  };
+
   Triangulation triangulation;
   std::vector<Vertex> vertices;
   Cell hint;
@@ -233,7 +233,7 @@ DelaunayCells::Refined DelaunayCells::refine(const SizingField& sizing, double r
       ctx.progress("tetra", 0.1 + 0.8 * (size() - first_points) / (size() + first_points));
     }
     if (m.vertices.size() >= max_points) return Refined::kTooMany;
-    const BadCell worst = m.bad.top();
+    const Impl::BadCell worst = m.bad.top();
     m.bad.pop();
     if (worst.cell->info().serial != worst.serial) continue;
     if (!m.insert_centre(worst.cell)) continue;

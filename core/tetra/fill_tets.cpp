@@ -26,7 +26,7 @@ namespace {
 constexpr double kSharpEdgeDeg = 10;
 constexpr double kSharpCornerDeg = 1;
 /// A run that asks for so many times the points forecast is stopped.
-constexpr double kRunaway = 20;
+constexpr double kRunawayFactor = 20;
 /// Part of its shortest edge by which a point is displaced, along each axis and either way.
 constexpr double kDisplacement = 5e-7;
 
@@ -142,7 +142,7 @@ Result<TetMesh> fill_by(const Rung& rung, const SurfaceMesh& surface,
 Result<TetMesh> climb(const SurfaceMesh& surface, const EdgeGroups& edges, const SizingField& sizing,
                       const FillParams& params, const WallLayers& layers, const RunContext& ctx) {
   const std::vector<Eigen::Vector3d> holes = find_hole_seeds(surface, edges);
-  const double most = std::min(kRunaway * forecast_points(surface, sizing), 2e9);
+  const double most = std::min(kRunawayFactor * forecast_points(surface, sizing), 2e9);
   const std::vector<Rung> rungs = ladder(params, static_cast<std::size_t>(most));
   RunContext rising = ctx;
   double reached = 0;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/surface_measures.h"
+#include "tetra/meshing_error.h"
 #include "tetra/tet_complex.h"
 #include "tetra/triangle_index.h"
 
@@ -18,14 +19,9 @@ using tetra::kNone;
 using tetra::kSideCorners;
 using tetra::TriangleIndex;
 
-constexpr std::size_t kMaxPlaces = 1000;
-constexpr double kVolumeTolerance = 1e-9;
+constexpr double kFillTolerance = 1e-9;
 /// Rounding of a volume that is the sum of cones from afar, relative to the sum of their sizes.
 constexpr double kConeRounding = 1e-13;
-Error meshing_error(std::string message, const ErrorPlace& where = {}) {
-  return {ErrorCode::kMeshing, "tetra", std::move(message), where};
-}
-
 Eigen::Vector3d centroid(const SurfaceMesh& surface, std::uint32_t t) {
   const auto [a, b, c] = surface.triangles[t];
   return (surface.points[a] + surface.points[b] + surface.points[c]) / 3;
@@ -153,7 +149,7 @@ Status check_volumes(const SurfaceMesh& surface, const TetMesh& mesh) {
   if (!volumes) return volumes.error();
   for (std::size_t label = 1; label < volumes->filled.size(); ++label) {
     const double filled = volumes->filled[label], enclosed = volumes->enclosed[label];
-    const double tolerance = kVolumeTolerance * std::abs(enclosed) + kConeRounding * volumes->cones[label];
+    const double tolerance = kFillTolerance * std::abs(enclosed) + kConeRounding * volumes->cones[label];
     if (std::abs(filled - enclosed) <= tolerance) continue;
     return meshing_error("the tetrahedra of label " + std::to_string(label) + " fill " +
                          std::to_string(filled) + " mm3, its boundary encloses " + std::to_string(enclosed) +

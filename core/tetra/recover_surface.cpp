@@ -10,6 +10,7 @@
 
 #include "geometry/surface_measures.h"
 #include "tetra/edge_groups.h"
+#include "tetra/meshing_error.h"
 
 namespace voxtet::tetra {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Between the diagonals of two triangles, as a part of the edge to be flipped.
-constexpr double kFlat = 0.1;
+constexpr double kFlatSine = 0.1;
 constexpr int kMostRounds = 12;
 /// Points of the surface for every one added, at least.
 constexpr std::size_t kPointsForOne = 5;
@@ -94,7 +95,7 @@ class Round {
     if (!cells_.has_edge(left, right) || is_edge(left, right)) return false;
     const Vector3d &a = at(from), &b = at(to), &l = at(left), &r = at(right);
     const Vector3d along = b - a, across = (r - l).cross(along);
-    const bool flat = std::abs(across.dot(a - l)) <= kFlat * along.norm() * across.norm();
+    const bool flat = std::abs(across.dot(a - l)) <= kFlatSine * along.norm() * across.norm();
     const Vector3d normal = triangle_cross(a, b, l) + triangle_cross(b, a, r);
     if (!flat || triangle_cross(a, r, l).dot(normal) <= 0 || triangle_cross(r, b, l).dot(normal) <= 0)
       return false;
@@ -140,7 +141,7 @@ Result<Recovery> recover_surface(SurfaceMesh& surface, DelaunayCells& cells, con
     if (ctx.cancelled()) return cancelled_error("tetra");
     if (!Round(surface, cells, done).run()) return done;
   }
-  return Error{ErrorCode::kMeshing, "tetra", "the surface is too far from a Delaunay one", {}};
+  return meshing_error("the surface is too far from a Delaunay one");
 }
 
 }  // namespace voxtet::tetra

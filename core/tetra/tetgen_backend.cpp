@@ -6,6 +6,8 @@
 #include <new>
 #include <string>
 
+#include "tetra/meshing_error.h"
+
 namespace voxtet {
 namespace {
 
@@ -108,20 +110,17 @@ tetgenbehavior behaviour(const TetgenOptions& options) {
 }
 
 Error error_of(int thrown) {
-  const auto meshing = [](std::string message) {
-    return Error{ErrorCode::kMeshing, "tetra", std::move(message), {}};
-  };
   switch (thrown) {
     case kCancelledCode: return cancelled_error("tetra");
-    case kRunawayCode: return meshing(kRunaway);
+    case kRunawayCode: return meshing_error(kRunaway);
     case 1:
       return {
           ErrorCode::kOutOfMemory, "tetra", "memory ran out while filling the surface with tetrahedra", {}};
-    case 3: return meshing("TetGen met a self-intersection of the surface");
-    case 4: return meshing("TetGen met a feature smaller than its tolerance");
-    case 5: return meshing("TetGen met two triangles that nearly coincide");
-    case 10: return meshing("TetGen refused the surface as its input");
-    default: return meshing("TetGen failed inside (code " + std::to_string(thrown) + ")");
+    case 3: return meshing_error("TetGen met a self-intersection of the surface");
+    case 4: return meshing_error("TetGen met a feature smaller than its tolerance");
+    case 5: return meshing_error("TetGen met two triangles that nearly coincide");
+    case 10: return meshing_error("TetGen refused the surface as its input");
+    default: return meshing_error("TetGen failed inside (code " + std::to_string(thrown) + ")");
   }
 }
 
@@ -159,7 +158,7 @@ Result<FilledParts> run_tetgen(const SurfaceMesh& surface, const std::vector<Eig
       tetrahedralize(&switches, &in.io, &out);
     }
     if (out.numberoftetrahedra == 0 || out.numberoftetrahedronattributes != 1)
-      return Error{ErrorCode::kMeshing, "tetra", "TetGen gave no tetrahedra", {}};
+      return meshing_error("TetGen gave no tetrahedra");
     return take(out);
   } catch (int thrown) {
     return error_of(thrown);

@@ -10,9 +10,9 @@ namespace {
 constexpr std::size_t kMostTets = 50;
 /// Tets dug in vain before giving up.
 constexpr std::size_t kPatience = 12;
-constexpr int kSmoothingSteps = 8;
+constexpr int kAscentSteps = 8;
 /// The lowest quality has to grow by this factor to be worth a vertex.
-constexpr double kLeastGain = 1.02;
+constexpr double kLeastRise = 1.02;
 /// New edges may be out of the range of sizes by this factor more than those of the cavity: between two walls
 /// that are near each other a vertex has no other place.
 constexpr double kSizeSlack = 1.5;
@@ -90,7 +90,7 @@ Apex VertexInserter::smooth(const Point& at) {
     star_.push_back({complex_.point(corners[side[0]]), complex_.point(corners[side[1]]),
                      complex_.point(corners[side[2]])});
   }
-  return ascend(at, star_, kSmoothingSteps);
+  return ascend(at, star_, kAscentSteps);
 }
 
 bool VertexInserter::sizes_allow(const Point& at) const {
@@ -150,7 +150,7 @@ bool VertexInserter::insert(std::uint32_t t) {
   const std::span<const Start> all = starts, inside = all.first(kInside);
   const auto insert_one_of = [this](std::span<const Start> from, bool walls_count) {
     return std::any_of(from.begin(), from.end(),
-                       [&](const Start& start) { return insert_from(start, walls_count, kLeastGain); });
+                       [&](const Start& start) { return insert_from(start, walls_count, kLeastRise); });
   };
   return insert_one_of(inside, true) || insert_one_of(inside, false) ||
          insert_one_of(all.subspan(kInside), true);

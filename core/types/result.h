@@ -38,6 +38,11 @@ struct Error {
   ErrorPlace where;
 };
 
+/// The error of a request that is itself malformed.
+inline Error usage_error(std::string stage, std::string message) {
+  return {ErrorCode::kUsage, std::move(stage), std::move(message), {}};
+}
+
 /// A T or an Error. `value()` may only be called when `ok()`.
 template <class T>
 class Result {

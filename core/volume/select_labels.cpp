@@ -7,10 +7,6 @@
 namespace voxtet {
 namespace {
 
-Error usage(const std::string& message) {
-  return {ErrorCode::kUsage, "volume", message, {}};
-}
-
 std::string listed(const std::vector<Label>& labels) {
   std::string text;
   for (const Label label : labels) text += (text.empty() ? "" : ", ") + std::to_string(label);
@@ -27,17 +23,20 @@ Status map_groups(const std::vector<LabelGroup>& groups, const std::vector<Label
   std::vector<std::size_t> group_of(65536, groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::string path = "merge[" + std::to_string(g) + "]";
-    if (groups[g].empty()) return usage(path + ": found no label, expected a group of labels to merge");
+    if (groups[g].empty())
+      return usage_error("volume", path + ": found no label, expected a group of labels to merge");
     const Label smallest = *std::min_element(groups[g].begin(), groups[g].end());
     for (const Label label : groups[g]) {
       const std::string name = "label " + std::to_string(label);
       if (!holds(present, label))
-        return usage(path + ": the volume holds no " + name + "; it holds " + listed(present));
+        return usage_error("volume",
+                           path + ": the volume holds no " + name + "; it holds " + listed(present));
       if (!holds(kept, label))
-        return usage(path + ": " + name + " is not among the labels to mesh, " + listed(kept));
+        return usage_error("volume",
+                           path + ": " + name + " is not among the labels to mesh, " + listed(kept));
       if (group_of[label] != groups.size())
-        return usage(path + ": " + name + " is named already in merge[" + std::to_string(group_of[label]) +
-                     "]; a label belongs to one group");
+        return usage_error("volume", path + ": " + name + " is named already in merge[" +
+                                         std::to_string(group_of[label]) + "]; a label belongs to one group");
       group_of[label] = g;
       map[label] = smallest;
     }
@@ -73,8 +72,8 @@ Result<std::shared_ptr<const LabelVolume>> select_labels(const std::shared_ptr<c
   std::vector<Label> map(65536, kBackground);
   for (const Label label : kept) {
     if (!holds(present, label))
-      return usage("labels: the volume holds no label " + std::to_string(label) + "; it holds " +
-                   listed(present));
+      return usage_error("volume", "labels: the volume holds no label " + std::to_string(label) +
+                                       "; it holds " + listed(present));
     map[label] = label;
   }
   if (Status mapped = map_groups(merge, present, kept, map); !mapped) return mapped.error();

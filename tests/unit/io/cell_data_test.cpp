@@ -7,14 +7,11 @@
 
 #include "io/read_mesh.h"
 #include "io/write_mesh.h"
+#include "mesh_texts.h"
 #include "support/labelled_mesh.h"
 
 namespace voxtet {
 namespace {
-
-std::string text_of(const Bytes& bytes) {
-  return {bytes.begin(), bytes.end()};
-}
 
 WriteMeshOptions with_data(const TetMesh& mesh) {
   WriteMeshOptions options{PatientSpace::kRas, test::cube_infos(), test::cube_cell_data(mesh)};
@@ -48,7 +45,7 @@ TEST(CellData, IsOneFileEachBesideOpenCarpWithOneValueALine) {
   EXPECT_EQ((*files)[3].suffix, ".majority_label.dat");
   EXPECT_EQ((*files)[4].suffix, ".fraction_300.dat");
   for (std::size_t i = 0; i < 2; ++i) {
-    std::istringstream in(text_of((*files)[3 + i].bytes));
+    std::istringstream in(test::text_of((*files)[3 + i].bytes));
     const CellData data = test::cube_cell_data(mesh)[i];
     for (const float wanted : data.values) {
       float value = -1;
@@ -66,7 +63,7 @@ TEST(CellData, IsASolutionBesideMedit) {
   ASSERT_TRUE(files.ok());
   ASSERT_EQ(files->size(), 2U);
   EXPECT_EQ((*files)[1].suffix, ".sol");
-  const std::string text = text_of((*files)[1].bytes);
+  const std::string text = test::text_of((*files)[1].bytes);
   EXPECT_NE(text.find("# fields majority_label fraction_300\nSolAtTetrahedra\n48\n2 1 1\n"),
             std::string::npos);
 }

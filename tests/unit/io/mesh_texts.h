@@ -16,6 +16,10 @@ inline Bytes bytes_of(const std::string& text) {
   return {text.begin(), text.end()};
 }
 
+inline std::string text_of(const Bytes& bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
 inline Result<TetMesh> read_text(const std::string& name, const std::string& text) {
   const Bytes bytes = bytes_of(text);
   return read_tet_mesh({name, bytes, {}});

@@ -11,9 +11,6 @@ const Eigen::Matrix4d kRas = affine({0, -3, 0, -10, -2, 0, 0, -20, 0, 0, 4, 30})
 Bytes meta(const std::string& fields, const Bytes& data, const std::string& type = "MET_UCHAR") {
   return bytes_of_text(kHead + fields + "ElementType = " + type + "\nElementDataFile = LOCAL\n") + data;
 }
-Bytes sample() {
-  return packed<std::uint8_t>(sample_labels(false), false);
-}
 
 TEST(ReadMetaImage, ReadsEveryTypeInBothByteOrders) {
   struct Case {
@@ -52,13 +49,13 @@ TEST(ReadMetaImage, TakesSynonymsUnitsAndOneFrame) {
     for (const char* offset : {"Position", "Origin"})
       expect_volume(read(meta(std::string(matrix) + " = 0 1 0 1 0 0 0 0 1\n" + offset +
                                   " = 1 2 3\nElementSize = .2 .3 .4\nDistanceUnits = cm\n",
-                              sample())),
+                              sample_bytes())),
                     labels, affine({0, -3, 0, -10, -2, 0, 0, -20, 0, 0, 4, 30}));
-  expect_volume(read(meta("", sample())), labels, affine({-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0}));
+  expect_volume(read(meta("", sample_bytes())), labels, affine({-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0}));
   const std::string four =
       "NDims = 4\nDimSize = 3 2 2 1\nElementSpacing = 2 3 4 1\nElementType = MET_UCHAR\n"
       "TransformMatrix = 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\nOffset = 1 2 3 0\nElementDataFile = ";
-  expect_volume(read(bytes_of_text(four + "LOCAL\n") + sample()), labels,
+  expect_volume(read(bytes_of_text(four + "LOCAL\n") + sample_bytes()), labels,
                 affine({-2, 0, 0, -1, 0, -3, 0, -2, 0, 0, 4, 3}));
 }
 
@@ -66,7 +63,9 @@ TEST(ReadMetaImage, ReadsTextAndDetachedData) {
   std::string text;
   for (const Label label : sample_labels(false)) text += std::to_string(label) + "\n";
   expect_volume(read(meta(kPlace + "BinaryData = False\n", bytes_of_text(text))), sample_labels(false), kRas);
-  const auto sibling = [](const std::string&) -> Result<Bytes> { return bytes_of_text("head") + sample(); };
+  const auto sibling = [](const std::string&) -> Result<Bytes> {
+    return bytes_of_text("head") + sample_bytes();
+  };
   const std::string head = kHead + kPlace + "ElementType = MET_UCHAR\n";
   expect_volume(read(bytes_of_text(head + "HeaderSize = 4\nElementDataFile = a b.raw\n"), sibling),
                 sample_labels(false), kRas);
@@ -79,7 +78,7 @@ TEST(ReadMetaImage, ReadsTextAndDetachedData) {
 
 TEST(ReadMetaImage, RefusesBadFieldsByName) {
   const auto refused = [](const std::string& fields, const std::string& words) {
-    expect_refused(meta(fields, sample()), words);
+    expect_refused(meta(fields, sample_bytes()), words);
   };
   refused("ObjectSubTipe = x\n", "unknown field \"ObjectSubTipe\"; expected ObjectSubType?");
   refused("Ofset = 1 2 3\n", "expected Offset?");
@@ -97,12 +96,12 @@ TEST(ReadMetaImage, RefusesBadFieldsByName) {
   refused("CompressedData = True\n", "zlib data are damaged");
   refused("DistanceUnits = ly\n", "DistanceUnits is \"ly\"");
   refused("HeaderSize = 3\n", "HeaderSize is 3");
-  expect_refused(meta("", sample(), "MET_FLOAT_ARRAY"), "ElementType is");
-  expect_refused(meta("", sample() + sample()), "go on for 12 bytes");
+  expect_refused(meta("", sample_bytes(), "MET_FLOAT_ARRAY"), "ElementType is");
+  expect_refused(meta("", sample_bytes() + sample_bytes()), "go on for 12 bytes");
   expect_refused(bytes_of_text(kHead), "no ElementDataFile");
   expect_refused(bytes_of_text("ObjectType = Tube\nElementDataFile = LOCAL\n"), "ObjectType is \"Tube\"");
   const auto without = [](const std::string& head) {
-    return bytes_of_text(head + "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n") + sample();
+    return bytes_of_text(head + "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n") + sample_bytes();
   };
   expect_refused(without("NDims = 3\n"), "no DimSize");
   expect_refused(without("NDims = 2\nDimSize = 6 2\n"), "NDims is 2");

@@ -15,9 +15,6 @@ Bytes nrrd(const std::string& fields, const Bytes& data, const std::string& type
                        "\n") +
          data;
 }
-Bytes sample() {
-  return packed<std::uint8_t>(sample_labels(false), false);
-}
 
 TEST(ReadNrrd, ReadsEveryTypeNameInBothByteOrders) {
   struct Case {
@@ -62,29 +59,30 @@ TEST(ReadNrrd, TurnsEverySpaceIntoRas) {
   const Eigen::Matrix4d ras = affine({2, 0, 0, 10, 0, 3, 0, 20, 0, 0, 4, 30});
   const Eigen::Matrix4d las = affine({-2, 0, 0, -10, 0, 3, 0, 20, 0, 0, 4, 30});
   for (const char* name : {"right-anterior-superior", "RAS"})
-    expect_volume(read(nrrd("space: " + std::string(name) + "\n" + rest, sample())), sample_labels(false),
-                  ras);
+    expect_volume(read(nrrd("space: " + std::string(name) + "\n" + rest, sample_bytes())),
+                  sample_labels(false), ras);
   for (const char* name : {"left-anterior-superior", "LAS"})
-    expect_volume(read(nrrd("space: " + std::string(name) + "\n" + rest, sample())), sample_labels(false),
-                  las);
+    expect_volume(read(nrrd("space: " + std::string(name) + "\n" + rest, sample_bytes())),
+                  sample_labels(false), las);
   for (const char* name : {"left-posterior-superior", "LPS"})
-    expect_volume(read(nrrd("space: " + std::string(name) + "\n" + rest, sample())), sample_labels(false),
-                  kFromLps);
-  expect_refused(nrrd("space: scanner-xyz\n" + rest, sample()), "space is \"scanner-xyz\"");
+    expect_volume(read(nrrd("space: " + std::string(name) + "\n" + rest, sample_bytes())),
+                  sample_labels(false), kFromLps);
+  expect_refused(nrrd("space: scanner-xyz\n" + rest, sample_bytes()), "space is \"scanner-xyz\"");
 }
 
 TEST(ReadNrrd, UsesSpacingsAndUnits) {
   const Eigen::Matrix4d placed = affine({-2, 0, 0, 0, 0, -3, 0, 0, 0, 0, 4, 0});
-  expect_volume(read(nrrd("spacings: 2 3 4\nencoding: raw\n", sample())), sample_labels(false), placed);
-  expect_volume(read(nrrd("spacings: 0.2 3 4000\nunits: \"cm\" \"mm\" \"um\"\nencoding: raw\n", sample())),
-                sample_labels(false), placed);
+  expect_volume(read(nrrd("spacings: 2 3 4\nencoding: raw\n", sample_bytes())), sample_labels(false), placed);
+  expect_volume(
+      read(nrrd("spacings: 0.2 3 4000\nunits: \"cm\" \"mm\" \"um\"\nencoding: raw\n", sample_bytes())),
+      sample_labels(false), placed);
   Eigen::Matrix4d metres = kFromLps;
   metres.topRows<3>() *= 1000;
-  expect_volume(read(nrrd(kAxes + "space units: \"m\" \"m\" \"m\"\nencoding: raw\n", sample())),
+  expect_volume(read(nrrd(kAxes + "space units: \"m\" \"m\" \"m\"\nencoding: raw\n", sample_bytes())),
                 sample_labels(false), metres);
-  expect_refused(nrrd("spacings: 2 -3 4\nencoding: raw\n", sample()), "spacings holds -3");
-  expect_refused(nrrd(kAxes + "spacings: 2 3 4\nencoding: raw\n", sample()), "spacings is");
-  expect_refused(nrrd(kAxes + "space units: \"ly\" \"m\" \"m\"\nencoding: raw\n", sample()),
+  expect_refused(nrrd("spacings: 2 -3 4\nencoding: raw\n", sample_bytes()), "spacings holds -3");
+  expect_refused(nrrd(kAxes + "spacings: 2 3 4\nencoding: raw\n", sample_bytes()), "spacings is");
+  expect_refused(nrrd(kAxes + "space units: \"ly\" \"m\" \"m\"\nencoding: raw\n", sample_bytes()),
                  "the unit \"ly\"");
 }
 
@@ -99,16 +97,17 @@ TEST(ReadNrrd, ReadsTextSkipsAndDetachedData) {
 
   const Bytes junk = bytes_of_text("line one\nline two\nxyz");
   const std::string skips = "line skip: 2\nbyte skip: 3\n";
-  expect_volume(read(nrrd(kAxes + skips + "encoding: raw\n", junk + sample())), labels, kFromLps);
-  expect_volume(read(nrrd(kAxes + "byte skip: -1\nencoding: raw\n", junk + sample())), labels, kFromLps);
-  const Bytes packed_data = bytes_of_text("line\n") + *gzip_bytes(bytes_of_text("xyz") + sample());
+  expect_volume(read(nrrd(kAxes + skips + "encoding: raw\n", junk + sample_bytes())), labels, kFromLps);
+  expect_volume(read(nrrd(kAxes + "byte skip: -1\nencoding: raw\n", junk + sample_bytes())), labels,
+                kFromLps);
+  const Bytes packed_data = bytes_of_text("line\n") + *gzip_bytes(bytes_of_text("xyz") + sample_bytes());
   expect_volume(read(nrrd(kAxes + "line skip: 1\nbyte skip: 3\nencoding: gz\n", packed_data)), labels,
                 kFromLps);
   expect_refused(nrrd(kAxes + "byte skip: -1\nencoding: gzip\n", packed_data), "byte skip is -1");
-  expect_refused(nrrd(kAxes + "line skip: 9\nencoding: raw\n", junk + sample()), "line skip is 9");
+  expect_refused(nrrd(kAxes + "line skip: 9\nencoding: raw\n", junk + sample_bytes()), "line skip is 9");
 
   const auto sibling = [](const std::string& name) -> Result<Bytes> {
-    if (name == "voxels.raw") return sample();
+    if (name == "voxels.raw") return sample_bytes();
     return Error{ErrorCode::kBadInput, "test", "no " + name, {}};
   };
   const std::string head = kAxes + "encoding: raw\ndata file: ";
@@ -118,14 +117,14 @@ TEST(ReadNrrd, ReadsTextSkipsAndDetachedData) {
   expect_refused(nrrd(head + "other.raw\n", {}), "data file", sibling);
   expect_refused(nrrd(head + "../voxels.raw\n", {}), "data file is", sibling);
   expect_refused(nrrd(head + "LIST\n", {}), "data file is \"LIST\"", sibling);
-  expect_refused(nrrd(head + "voxels.raw\n", sample()), "12 bytes follow the header", sibling);
+  expect_refused(nrrd(head + "voxels.raw\n", sample_bytes()), "12 bytes follow the header", sibling);
 }
 
 TEST(ReadNrrd, ReadsSegmentNamesAndColours) {
   const std::string keys =
       "Segment1_Name:=RV\\nwall\nSegment1_LabelValue:=4\nSegment1_Color:=0.5 1 0\nSegment0_LabelValue:=9\n"
       "Segment0_Name:=LV\n";
-  const Result<LabelVolume> volume = read(nrrd(kAxes + "encoding: raw\n" + keys, sample()));
+  const Result<LabelVolume> volume = read(nrrd(kAxes + "encoding: raw\n" + keys, sample_bytes()));
   expect_volume(volume, sample_labels(false), kFromLps);
   ASSERT_EQ(volume->infos.size(), 2U);
   EXPECT_EQ(volume->infos[0].label, 4);
@@ -134,10 +133,12 @@ TEST(ReadNrrd, ReadsSegmentNamesAndColours) {
   EXPECT_EQ(volume->infos[1].label, 9);
   EXPECT_LT(volume->infos[1].colour[0], 0);
   const std::string head = kAxes + "encoding: raw\n";
-  expect_refused(nrrd(head + "Segment0_LabelValue:=70000\n", sample()), "Segment0_LabelValue is \"70000\"");
-  expect_refused(nrrd(head + "Segment0_Color:=2 0 0\n", sample()), "Segment0_Color is \"2 0 0\"");
-  expect_refused(nrrd(head + "Segment0_Layer:=1\n", sample()), "Segment0_Layer is \"1\"");
-  expect_refused(nrrd(head + "Segment0_Layer:=0\nSegment3_Name:=x\n", sample()), "Segment3_LabelValue is 1");
+  expect_refused(nrrd(head + "Segment0_LabelValue:=70000\n", sample_bytes()),
+                 "Segment0_LabelValue is \"70000\"");
+  expect_refused(nrrd(head + "Segment0_Color:=2 0 0\n", sample_bytes()), "Segment0_Color is \"2 0 0\"");
+  expect_refused(nrrd(head + "Segment0_Layer:=1\n", sample_bytes()), "Segment0_Layer is \"1\"");
+  expect_refused(nrrd(head + "Segment0_Layer:=0\nSegment3_Name:=x\n", sample_bytes()),
+                 "Segment3_LabelValue is 1");
 }
 
 TEST(ReadNrrd, FlattensLayersWithTheLaterSegmentOnTop) {
@@ -169,18 +170,18 @@ TEST(ReadNrrd, ReadsOneFrameOfFourDimensions) {
   const std::vector<Label> labels = sample_labels(false);
   const std::string ras = "space: RAS\nencoding: raw\n";
   const Eigen::Matrix4d placed = affine({2, 0, 0, 0, 0, 3, 0, 0, 0, 0, 4, 0});
-  expect_volume(read(nrrd(ras + "space directions: (2,0,0) (0,3,0) (0,0,4) none\n", sample(), "uchar",
+  expect_volume(read(nrrd(ras + "space directions: (2,0,0) (0,3,0) (0,0,4) none\n", sample_bytes(), "uchar",
                           "4\nsizes: 3 2 2 1")),
                 labels, placed);
-  expect_volume(read(nrrd(ras + "spacings: nan 2 3 4\nkinds: list domain domain domain\n", sample(), "uchar",
-                          "4\nsizes: 1 3 2 2")),
+  expect_volume(read(nrrd(ras + "spacings: nan 2 3 4\nkinds: list domain domain domain\n", sample_bytes(),
+                          "uchar", "4\nsizes: 1 3 2 2")),
                 labels, placed);
-  expect_refused(
-      nrrd(ras + "space directions: (2,0,0) (0,3,0) (0,0,4) none\n", sample(), "uchar", "4\nsizes: 3 2 1 2"),
-      "sizes has 2 frames along axis 3");
-  expect_refused(
-      nrrd(ras + "space directions: none (2,0,0) (0,3,0) (0,0,4)\n", sample(), "uchar", "4\nsizes: 2 3 2 1"),
-      "sizes has 2 values a voxel, but no Segment keys");
+  expect_refused(nrrd(ras + "space directions: (2,0,0) (0,3,0) (0,0,4) none\n", sample_bytes(), "uchar",
+                      "4\nsizes: 3 2 1 2"),
+                 "sizes has 2 frames along axis 3");
+  expect_refused(nrrd(ras + "space directions: none (2,0,0) (0,3,0) (0,0,4)\n", sample_bytes(), "uchar",
+                      "4\nsizes: 2 3 2 1"),
+                 "sizes has 2 values a voxel, but no Segment keys");
 }
 
 TEST(ReadNrrd, RefusesBadFieldsByName) {
@@ -191,28 +192,30 @@ TEST(ReadNrrd, RefusesBadFieldsByName) {
   expect_refused(text("NRRD0004\ntype: uch"), "truncated inside the line \"type: uch\"");
   expect_refused(text("NRRD0004\nkynd: 3\n\n"), "unknown field \"kynd\"");
   expect_refused(text("NRRD0004\nnothing\n\n"), "neither \"field: value\" nor");
-  expect_refused(nrrd(raw + "encoding: raw\n", sample()), "\"encoding\" is given twice");
-  expect_refused(nrrd(kAxes, sample()), "has no encoding");
-  expect_refused(nrrd(kAxes + "encoding: bzip2\n", sample()), "encoding is \"bzip2\"");
-  expect_refused(nrrd(raw, sample(), "block"), "type is \"block\"");
-  expect_refused(nrrd(raw, sample(), "short"), "has no endian");
-  expect_refused(nrrd(raw + "endian: middle\n", sample()), "endian is \"middle\"");
-  expect_refused(nrrd(raw, sample(), "uchar", "2\nsizes: 6 2"), "dimension is \"2\"");
-  expect_refused(nrrd(raw, sample(), "uchar", "3\nsizes: 6 2"), "sizes is \"6 2\"");
-  expect_refused(nrrd(raw, sample(), "uchar", "3\nsizes: 3 0 2"), "sizes holds the extent 0");
-  expect_refused(nrrd(raw, sample(), "uchar", "3\nsizes: 2000000000 2000000000 2000000000"),
+  expect_refused(nrrd(raw + "encoding: raw\n", sample_bytes()), "\"encoding\" is given twice");
+  expect_refused(nrrd(kAxes, sample_bytes()), "has no encoding");
+  expect_refused(nrrd(kAxes + "encoding: bzip2\n", sample_bytes()), "encoding is \"bzip2\"");
+  expect_refused(nrrd(raw, sample_bytes(), "block"), "type is \"block\"");
+  expect_refused(nrrd(raw, sample_bytes(), "short"), "has no endian");
+  expect_refused(nrrd(raw + "endian: middle\n", sample_bytes()), "endian is \"middle\"");
+  expect_refused(nrrd(raw, sample_bytes(), "uchar", "2\nsizes: 6 2"), "dimension is \"2\"");
+  expect_refused(nrrd(raw, sample_bytes(), "uchar", "3\nsizes: 6 2"), "sizes is \"6 2\"");
+  expect_refused(nrrd(raw, sample_bytes(), "uchar", "3\nsizes: 3 0 2"), "sizes holds the extent 0");
+  expect_refused(nrrd(raw, sample_bytes(), "uchar", "3\nsizes: 2000000000 2000000000 2000000000"),
                  "sizes asks for more");
-  expect_refused(nrrd(raw, sample(), "uchar", "3\nsizes: 3 2 3"),
+  expect_refused(nrrd(raw, sample_bytes(), "uchar", "3\nsizes: 3 2 3"),
                  "truncated: they have 12 bytes; expected 18");
-  expect_refused(nrrd(raw, sample(), "uchar", "3\nsizes: 3 2 1"), "go on for 6 bytes");
-  expect_refused(nrrd(raw + "kinds: domain domain list\n", sample()), "axis 2 is not spatial");
-  expect_refused(nrrd(raw + "kinds: domain domain domian\n", sample()), "unknown kind \"domian\"");
+  expect_refused(nrrd(raw, sample_bytes(), "uchar", "3\nsizes: 3 2 1"), "go on for 6 bytes");
+  expect_refused(nrrd(raw + "kinds: domain domain list\n", sample_bytes()), "axis 2 is not spatial");
+  expect_refused(nrrd(raw + "kinds: domain domain domian\n", sample_bytes()), "unknown kind \"domian\"");
   const std::string head = "encoding: raw\nspace: RAS\n";
-  expect_refused(nrrd(head + "space directions: (1,0,0) (0,1,0) (1,1)\n", sample()), "space directions is");
-  expect_refused(nrrd(head + "space directions: (1,0,0) (0,1,0) (1,1,0)\n", sample()), "singular");
-  expect_refused(nrrd(head + "space directions: (1,0,0) (0,1,0) none\n", sample()), "axis 2 is not spatial");
-  expect_refused(nrrd(head + "space origin: 1 2 3\n", sample()), "space origin is");
-  expect_refused(nrrd(head + "space origin: (nan,0,0)\n", sample()), "not finite");
+  expect_refused(nrrd(head + "space directions: (1,0,0) (0,1,0) (1,1)\n", sample_bytes()),
+                 "space directions is");
+  expect_refused(nrrd(head + "space directions: (1,0,0) (0,1,0) (1,1,0)\n", sample_bytes()), "singular");
+  expect_refused(nrrd(head + "space directions: (1,0,0) (0,1,0) none\n", sample_bytes()),
+                 "axis 2 is not spatial");
+  expect_refused(nrrd(head + "space origin: 1 2 3\n", sample_bytes()), "space origin is");
+  expect_refused(nrrd(head + "space origin: (nan,0,0)\n", sample_bytes()), "not finite");
 }
 
 }  // namespace

@@ -54,6 +54,11 @@ inline std::vector<Label> sample_labels(bool wide) {
   return labels;
 }
 
+/// Those of one byte each.
+inline Bytes sample_bytes() {
+  return packed<std::uint8_t>(sample_labels(false), false);
+}
+
 inline Result<LabelVolume> read(const Bytes& bytes, SiblingReader sibling = {}) {
   return read_volume({"sample", bytes, std::move(sibling)});
 }

@@ -16,6 +16,7 @@
 
 #include "io/files.h"
 #include "io/mesh_groups.h"
+#include "mesh_texts.h"
 #include "support/labelled_mesh.h"
 
 namespace voxtet {
@@ -27,10 +28,6 @@ constexpr std::array<MeshFormat, 9> kFormats{MeshFormat::kVtu,  MeshFormat::kMsh
 
 std::size_t file_count(MeshFormat format) {
   return format == MeshFormat::kCarp ? 3U : format == MeshFormat::kXdmf ? 2U : 1U;
-}
-
-std::string text_of(const Bytes& bytes) {
-  return {bytes.begin(), bytes.end()};
 }
 
 template <class T>
@@ -141,7 +138,7 @@ TEST(WriteTetMesh, NamesThePhysicalGroupsOfMsh) {
   const auto files =
       write_tet_mesh(test::kuhn_cube(2), MeshFormat::kMsh, {PatientSpace::kRas, test::cube_infos()});
   ASSERT_TRUE(files.ok());
-  const std::string text = text_of(files->front().bytes);
+  const std::string text = test::text_of(files->front().bytes);
   for (const char* line :
        {"$PhysicalNames\n9\n", "3 1 \"LV myocardium\"\n", "3 7 \"label 7\"\n",
         "3 300 \"veine 'cave' / sup\xc3\xa9rieure\"\n", "2 1 \"LV myocardium|background\"\n",
@@ -167,9 +164,9 @@ TEST(WriteTetMesh, WritesOpenCarpInMicrometres) {
   mesh.labels = {12};
   const auto files = write_tet_mesh(mesh, MeshFormat::kCarp, {PatientSpace::kLps, {}});
   ASSERT_TRUE(files.ok());
-  EXPECT_EQ(text_of((*files)[0].bytes), "4\n0 0 0\n-1000 0 0\n0 -250 0\n0 0 -3500\n");
-  EXPECT_EQ(text_of((*files)[1].bytes), "1\nTt 0 2 1 3 12\n");
-  EXPECT_EQ(text_of((*files)[2].bytes), "1\n1 0 0\n");
+  EXPECT_EQ(test::text_of((*files)[0].bytes), "4\n0 0 0\n-1000 0 0\n0 -250 0\n0 0 -3500\n");
+  EXPECT_EQ(test::text_of((*files)[1].bytes), "1\nTt 0 2 1 3 12\n");
+  EXPECT_EQ(test::text_of((*files)[2].bytes), "1\n1 0 0\n");
 }
 
 TEST(WriteTetMesh, WritesStlFacetsWithTheirNormals) {
@@ -179,7 +176,7 @@ TEST(WriteTetMesh, WritesStlFacetsWithTheirNormals) {
     ASSERT_TRUE(files.ok());
     const Bytes& bytes = files->front().bytes;
     ASSERT_EQ(bytes.size(), 84 + 50 * mesh.faces.size());
-    EXPECT_NE(text_of(bytes).find(to_string(space)), std::string::npos);
+    EXPECT_NE(test::text_of(bytes).find(to_string(space)), std::string::npos);
     EXPECT_EQ(value_at<std::uint32_t>(bytes, 80), mesh.faces.size());
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
       std::array<Eigen::Vector3f, 4> rows;
@@ -199,7 +196,7 @@ TEST(WriteSurface, WritesPlyWithSidesAndOnlyTheFormatsOfSurfaces) {
   ASSERT_TRUE(files.ok());
   const Bytes& bytes = files->front().bytes;
   const std::string end = "end_header\n";
-  const std::size_t begin = text_of(bytes).find(end) + end.size();
+  const std::size_t begin = test::text_of(bytes).find(end) + end.size();
   ASSERT_EQ(bytes.size(), begin + 24 * surface.points.size() + 17 * surface.triangles.size());
   for (std::size_t p = 0; p < surface.points.size(); ++p)
     for (std::size_t d = 0; d < 3; ++d)
@@ -264,7 +261,7 @@ TEST(WriteFiles, NeverTouchesAnotherFileOfItsTemporaryName) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.vtu", "a.vtu.part"}));
   const auto kept = read_file(folder / "a.vtu.part");
   ASSERT_TRUE(kept.ok());
-  EXPECT_EQ(text_of(*kept), "mine");
+  EXPECT_EQ(test::text_of(*kept), "mine");
 }
 
 #ifndef __EMSCRIPTEN__

@@ -8,14 +8,11 @@
 #include "io/header_text.h"
 #include "io/mesh_groups.h"
 #include "io/write_mesh.h"
+#include "mesh_texts.h"
 #include "support/labelled_mesh.h"
 
 namespace voxtet {
 namespace {
-
-std::string text_of(const Bytes& bytes) {
-  return {bytes.begin(), bytes.end()};
-}
 
 /// Two tetrahedra on one triangle: label 5 above it, label 2 below.
 TetMesh two_tets() {
@@ -32,7 +29,7 @@ const std::vector<LabelInfo> kInfos{{5, "scar, dense", {}}, {2, "3rd \"wall\"", 
 std::string only_file(MeshFormat format, const WriteMeshOptions& options) {
   const auto files = write_tet_mesh(two_tets(), format, options);
   EXPECT_TRUE(files.ok()) << files.error().message;
-  return files.ok() ? text_of(files->front().bytes) : "";
+  return files.ok() ? test::text_of(files->front().bytes) : "";
 }
 
 TEST(WordName, IsAWordThatEndsWithItsLabel) {
@@ -92,7 +89,7 @@ TEST(WriteAbaqus, KeepsEveryNumberToTwentyCharacters) {
   for (std::size_t p = 0; p < awkward.size(); ++p) mesh.points[p].x() = awkward[p];
   const auto files = write_tet_mesh(mesh, MeshFormat::kAbaqus, {});
   ASSERT_TRUE(files.ok());
-  std::istringstream in(text_of(files->front().bytes));
+  std::istringstream in(test::text_of(files->front().bytes));
   std::string line;
   while (line != "*NODE") ASSERT_TRUE(std::getline(in, line));
   for (const double wanted : awkward) {
@@ -110,7 +107,7 @@ TEST(WriteAbaqus, PutsCellDataIntoDistributionsOfTheirOwn) {
   ASSERT_TRUE(files.ok());
   ASSERT_EQ(files->size(), 2U);
   EXPECT_EQ((*files)[1].suffix, ".fraction_5.inp");
-  EXPECT_EQ(text_of((*files)[1].bytes),
+  EXPECT_EQ(test::text_of((*files)[1].bytes),
             "** fraction_5: data lines of *DISTRIBUTION, LOCATION=ELEMENT\n, 0\n1, 0.25\n2, 1\n");
 }
 

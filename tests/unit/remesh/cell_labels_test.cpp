@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "field_of.h"
 #include "lattice_complex.h"
 #include "remesh/cell_stars.h"
 #include "remesh/drop_fragments.h"
@@ -30,10 +31,6 @@ std::size_t all_defects(const CellComplex& cells) {
   CellStars::Cells points(cells.points.size());
   std::iota(points.begin(), points.end(), 0U);
   return CellStars(cells).defects(points);
-}
-
-LabelField field_of(const LabelVolume& volume) {
-  return {volume, test::label_surface(volume)};
 }
 
 /// The refined complex of a field before anything is mended.

@@ -1,5 +1,6 @@
 // The continuous label field under the surface.
 #include "remesh/label_field.h"
+#include "field_of.h"
 
 #include <gtest/gtest.h>
 
@@ -19,12 +20,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-LabelField field_of(const LabelVolume& volume) {
-  return {volume, test::label_surface(volume)};
-}
-
 /// A ball of radius 9 around (15, 15, 15), label 1, under a smooth sphere.
-LabelField ball_field() {
+LabelField smooth_ball_field() {
   return {test::ball_volume(31, 15, 9), test::sphere(Vector3d::Constant(15), 9, 4, 1, 0)};
 }
 
@@ -52,7 +49,7 @@ TEST(LabelField, HasTheLabelsOfTheVolumeAtVoxelCentresAndBackgroundAround) {
 }
 
 TEST(LabelField, ChangesItsLabelWhereTheSurfaceIs) {
-  const LabelField field = ball_field();
+  const LabelField field = smooth_ball_field();
   test::TestRandom random(7);
   for (int trial = 0; trial < 500; ++trial) {
     const Vector3d direction = random_direction(random), centre = Vector3d::Constant(15);
@@ -100,7 +97,7 @@ TEST(LabelField, LeavesWaysBetweenTwoLabelsOpenThroughAThirdOne) {
 }
 
 TEST(LabelField, KnowsDistanceAndDepthBesideAnInterface) {
-  const LabelField field = ball_field();
+  const LabelField field = smooth_ball_field();
   test::TestRandom random(8);
   int known = 0;
   for (int trial = 0; trial < 500; ++trial) {

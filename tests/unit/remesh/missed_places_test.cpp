@@ -15,19 +15,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLimit = 0.45, kSeparation = 0.5, kRadius = 4;
-const Vector3d kFirst(7, 8, 8), kSecond(20, 8, 8);
+constexpr double kLimit = 0.45, kSeparation = 0.5, kBallRadius = 4;
+const Vector3d kFirstCentre(7, 8, 8), kSecondCentre(20, 8, 8);
 
 LabelVolume two_balls(Label second) {
   return test::make_volume(28, 17, 17, [&](int i, int j, int k) {
     const Vector3d p(i, j, k);
-    return (p - kFirst).norm() <= kRadius ? 1 : (p - kSecond).norm() <= kRadius ? int{second} : 0;
+    return (p - kFirstCentre).norm() <= kBallRadius    ? 1
+           : (p - kSecondCentre).norm() <= kBallRadius ? int{second}
+                                                       : 0;
   });
 }
 
 SurfaceMesh both(Label second) {
-  SurfaceMesh surface = test::sphere(kFirst, kRadius, 3, 1, 0);
-  test::append(surface, test::sphere(kSecond, kRadius, 3, second, 0));
+  SurfaceMesh surface = test::sphere(kFirstCentre, kBallRadius, 3, 1, 0);
+  test::append(surface, test::sphere(kSecondCentre, kBallRadius, 3, second, 0));
   return surface;
 }
 
@@ -44,24 +46,24 @@ TEST(MissedPlaces, AreNoneOfASurfaceThatIsTheReference) {
 
 TEST(MissedPlaces, CoverABodyThatTheSurfaceLacks) {
   for (const Label second : std::vector<Label>{1, 2, 65535}) {
-    const SurfaceMesh reference = both(second), one = test::sphere(kFirst, kRadius, 3, 1, 0);
+    const SurfaceMesh reference = both(second), one = test::sphere(kFirstCentre, kBallRadius, 3, 1, 0);
     const std::vector<Vector3d> missed = missed_by(one, two_balls(second), reference);
     EXPECT_GT(missed.size(), 100U) << second;
     Vector3d low = missed.front(), high = missed.front();
     for (std::size_t p = 0; p < missed.size(); ++p) {
-      EXPECT_NEAR((missed[p] - kSecond).norm(), kRadius, 0.15);
+      EXPECT_NEAR((missed[p] - kSecondCentre).norm(), kBallRadius, 0.15);
       low = low.cwiseMin(missed[p]);
       high = high.cwiseMax(missed[p]);
       for (std::size_t q = 0; q < p; ++q) EXPECT_GE((missed[p] - missed[q]).norm(), kSeparation);
     }
-    EXPECT_GT((high - low).minCoeff(), 1.8 * kRadius) << second;
+    EXPECT_GT((high - low).minCoeff(), 1.8 * kBallRadius) << second;
   }
 }
 
 TEST(MissedPlaces, AreWhereTheSurfaceIsFartherThanTheLimit) {
   const SurfaceMesh reference = both(1);
   SurfaceMesh dented = reference;
-  const Vector3d top = kFirst + Vector3d(0, 0, kRadius);
+  const Vector3d top = kFirstCentre + Vector3d(0, 0, kBallRadius);
   for (Vector3d& p : dented.points)
     if ((p - top).norm() < 1.5) p.z() -= 1;
   const std::vector<Vector3d> missed = missed_by(dented, two_balls(1), reference);
@@ -70,10 +72,10 @@ TEST(MissedPlaces, AreWhereTheSurfaceIsFartherThanTheLimit) {
 }
 
 TEST(MissedPlaces, AreTheSameWhateverSurfaceWasLookedAtBefore) {
-  const SurfaceMesh reference = both(2), one = test::sphere(kFirst, kRadius, 3, 1, 0);
+  const SurfaceMesh reference = both(2), one = test::sphere(kFirstCentre, kBallRadius, 3, 1, 0);
   SurfaceMesh dented = reference, shuffled = reference;
   for (Vector3d& p : dented.points)
-    if (p.z() > kFirst.z() + 0.8 * kRadius) p.z() -= 1;
+    if (p.z() > kFirstCentre.z() + 0.8 * kBallRadius) p.z() -= 1;
   std::reverse(shuffled.triangles.begin(), shuffled.triangles.end());
   std::reverse(shuffled.sides.begin(), shuffled.sides.end());
   const LabelField field(two_balls(2), reference);
@@ -90,7 +92,7 @@ TEST(MissedPlaces, DoNotTakeTheInterfaceOfOtherLabelsForTheirOwn) {
   for (std::size_t t = wrong.sides.size() / 2; t < wrong.sides.size(); ++t) wrong.sides[t] = {3, 0};
   const std::vector<Vector3d> missed = missed_by(wrong, two_balls(1), reference);
   EXPECT_GT(missed.size(), 100U);
-  for (const Vector3d& p : missed) EXPECT_NEAR((p - kSecond).norm(), kRadius, 0.15);
+  for (const Vector3d& p : missed) EXPECT_NEAR((p - kSecondCentre).norm(), kBallRadius, 0.15);
 }
 
 TEST(MissedPlaces, AreTheWallsOfANarrowTunnelWhoseLidsAreNear) {

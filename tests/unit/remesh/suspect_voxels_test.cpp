@@ -12,7 +12,7 @@
 namespace voxtet::remesh {
 namespace {
 
-constexpr int kSize = 18, kMiddle = 9, kFirst = 3, kLast = 14;
+constexpr int kBlockGrid = 18, kMiddle = 9, kFirst = 3, kLast = 14;
 
 bool in_block(int i, int j, int k) {
   return std::min({i, j, k}) >= kFirst && std::max({i, j, k}) <= kLast;
@@ -21,7 +21,7 @@ bool in_block(int i, int j, int k) {
 /// A block of label 1, with what `made_of` puts in its place; what is around it is background.
 template <class MadeOf>
 LabelVolume block(MadeOf&& made_of) {
-  return test::make_volume(kSize, kSize, kSize,
+  return test::make_volume(kBlockGrid, kBlockGrid, kBlockGrid,
                            [&](int i, int j, int k) { return in_block(i, j, k) ? made_of(i, j, k) : 0; });
 }
 
@@ -53,7 +53,7 @@ TEST(SuspectVoxels, AreAlongATunnelThatTheSurfaceHasClosed) {
   for (const int content : {0, 2}) {
     const std::vector<bool> marked = suspects(solid(), with_tunnel(content), {1});
     ASSERT_FALSE(marked.empty()) << content;
-    constexpr int kPadded = kSize + 2 * LabelField::kPad;
+    constexpr int kPadded = kBlockGrid + 2 * LabelField::kPad;
     int on_axis = 0;
     for (int k = 0; k < kPadded; ++k)
       for (int j = 0; j < kPadded; ++j)
@@ -76,7 +76,7 @@ TEST(SuspectVoxels, AreNoneAtADentWhichChangesNoTopology) {
 
 TEST(SuspectVoxels, AreWhereAThinSheetHasAHole) {
   const auto sheet = [](bool whole) {
-    return test::make_volume(kSize, kSize, kSize, [&](int i, int j, int k) {
+    return test::make_volume(kBlockGrid, kBlockGrid, kBlockGrid, [&](int i, int j, int k) {
       if (!in_block(i, j, k) || k != kMiddle) return 0;
       return !whole && std::abs(i - kMiddle) <= 1 && std::abs(j - kMiddle) <= 1 ? 0 : 1;
     });

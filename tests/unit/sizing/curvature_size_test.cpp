@@ -23,7 +23,7 @@ LabelVolume two_balls() {
   });
 }
 
-Result<SizingField> build(const LabelVolume& volume, const SizingParams& params) {
+Result<SizingField> build_with_curvature(const LabelVolume& volume, const SizingParams& params) {
   const SurfaceMesh surface = test::label_surface(volume);
   RunContext ctx;
   return build_sizing_field(volume, params, ctx, {{}, {}, {}, &surface});
@@ -44,7 +44,7 @@ TEST(CurvatureSize, GivesABallSoManyEdgesATurn) {
   params.edge_mm = 10;
   params.curvature = {{{}, 24, 0.1}};
   const LabelVolume volume = two_balls();
-  const Result<SizingField> field = build(volume, params);
+  const Result<SizingField> field = build_with_curvature(volume, params);
   ASSERT_TRUE(field.ok()) << field.error().message;
   for (const auto& [label, radius] : {std::pair<Label, double>{1, kRadius}, {2, 6}}) {
     const std::vector<double> sizes = at_surface(volume, *field, label);
@@ -64,7 +64,7 @@ TEST(CurvatureSize, CountsTheLabelsNamedAlone) {
   params.edge_mm = 6;
   params.curvature = {{{2}, 24, 0.1}};
   const LabelVolume volume = two_balls();
-  const Result<SizingField> field = build(volume, params);
+  const Result<SizingField> field = build_with_curvature(volume, params);
   ASSERT_TRUE(field.ok()) << field.error().message;
   EXPECT_GE(field->at({kMiddle, kMiddle, kMiddle - kRadius}), 6);
   EXPECT_LT(field->at({kMiddle, kMiddle, 48 - 6}), 2);
@@ -75,7 +75,7 @@ TEST(CurvatureSize, AsksForNothingBelowItsOwnMinimumNorAboveOtherWishes) {
   params.edge_mm = 2;
   params.curvature = {{{}, 1000, 1.25}};
   const LabelVolume volume = two_balls();
-  const Result<SizingField> field = build(volume, params);
+  const Result<SizingField> field = build_with_curvature(volume, params);
   ASSERT_TRUE(field.ok()) << field.error().message;
   EXPECT_EQ(*std::min_element(field->h_mm.begin(), field->h_mm.end()), 1.25F);
   EXPECT_LE(field->at({kMiddle, kMiddle, kMiddle}), 2);
@@ -86,7 +86,7 @@ TEST(CurvatureSize, NamesTheFieldThatIsWrong) {
   const auto message_of = [&](const CurvatureSize& wish) {
     SizingParams params;
     params.curvature = {{}, wish};
-    const Result<SizingField> field = build(volume, params);
+    const Result<SizingField> field = build_with_curvature(volume, params);
     return field ? std::string() : field.error().message;
   };
   EXPECT_EQ(message_of({{3}, 20, 1}),

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "extracted.h"
 #include "geometry/digest.h"
 #include "geometry/surface_measures.h"
 #include "support/check_surface.h"
@@ -15,22 +16,9 @@
 namespace voxtet {
 namespace {
 
+using test::extract;
 using test::is_valid_surface;
-
-SurfaceMesh extract(const LabelVolume& volume, ExtractMethod method = ExtractMethod::kAuto) {
-  RunContext ctx;
-  ExtractParams params;
-  params.method = method;
-  Result<SurfaceMesh> result = extract_surface(volume, params, ctx);
-  if (!result) {
-    ADD_FAILURE() << result.error().message;
-    return {};
-  }
-  return std::move(result).value();
-}
-
-constexpr std::array<ExtractMethod, 2> kBothMethods{ExtractMethod::kMarchingCubes,
-                                                    ExtractMethod::kMarchingTets};
+using test::kBothMethods;
 
 TEST(ExtractSurface, GivesClosedManifoldsForAllSmallBinaryBlocks) {
   for (int mask = 1; mask < 4096; ++mask) {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "extracted.h"
 #include "geometry/digest.h"
 #include "geometry/surface_measures.h"
 #include "support/check_surface.h"
@@ -20,14 +21,9 @@
 namespace voxtet {
 namespace {
 
+using test::extract;
 using test::is_valid_surface;
-
-SurfaceMesh extract(const LabelVolume& volume, ExtractMethod method = ExtractMethod::kAuto) {
-  RunContext ctx;
-  ExtractParams params;
-  params.method = method;
-  return extract_surface(volume, params, ctx).value();
-}
+using test::kBothMethods;
 
 SurfaceMesh smooth(const SurfaceMesh& surface, const LabelVolume& volume, const SmoothParams& params = {}) {
   RunContext ctx;
@@ -38,9 +34,6 @@ SurfaceMesh smooth(const SurfaceMesh& surface, const LabelVolume& volume, const 
   }
   return std::move(result).value();
 }
-
-constexpr std::array<ExtractMethod, 2> kBothMethods{ExtractMethod::kMarchingCubes,
-                                                    ExtractMethod::kMarchingTets};
 
 TEST(SmoothSurface, BringsABallBackToItsSphereAndVolume) {
   const double centre = 24.3, radius = 20;

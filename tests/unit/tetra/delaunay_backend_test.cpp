@@ -27,13 +27,13 @@ using test::sphere;
 using test::uniform_sizing;
 using test::volume_of;
 
-struct Outcome {
+struct DelaunayFilled {
   Result<TetMesh> mesh;
   std::string notes, warnings;
 };
 
-Outcome fill(const SurfaceMesh& surface, const SizingField& sizing) {
-  Outcome out{Error{}, "", ""};
+DelaunayFilled fill_delaunay(const SurfaceMesh& surface, const SizingField& sizing) {
+  DelaunayFilled out{Error{}, "", ""};
   RunContext ctx;
   ctx.on_note = [&](const std::string&, const std::string& text) { out.notes += text + "\n"; };
   ctx.on_warning = [&](const std::string&, const std::string& text) { out.warnings += text + "\n"; };
@@ -44,7 +44,7 @@ Outcome fill(const SurfaceMesh& surface, const SizingField& sizing) {
 }
 
 /// Filled by refinement, the surface's points first, each label as large as the surface has it.
-void expect_refined(const Outcome& out, const SurfaceMesh& surface, double volume_tolerance = 1e-9) {
+void expect_refined(const DelaunayFilled& out, const SurfaceMesh& surface, double volume_tolerance = 1e-9) {
   ASSERT_TRUE(out.mesh.ok()) << out.mesh.error().message;
   const TetMesh& mesh = *out.mesh;
   check_tets(mesh);
@@ -58,7 +58,7 @@ void expect_refined(const Outcome& out, const SurfaceMesh& surface, double volum
 
 TEST(DelaunayBackend, KeepsASurfaceThatIsDelaunay) {
   const SurfaceMesh surface = sphere({3, -2, 7}, 10, 3, 1, 0);
-  const Outcome out = fill(surface, uniform_sizing(1.4));
+  const DelaunayFilled out = fill_delaunay(surface, uniform_sizing(1.4));
   expect_refined(out, surface);
   check_tets(*out.mesh, surface);
   EXPECT_EQ(out.notes.find("flipped"), std::string::npos) << out.notes;
@@ -69,7 +69,7 @@ TEST(DelaunayBackend, LeavesCavitiesEmptyAndIslandsApart) {
   append(surface, sphere({0, 0, 0}, 12, 3, 0, 1));
   append(surface, sphere({1, 0, 0}, 8, 3, 2, 0));
   append(surface, sphere({1, 0, 0}, 4, 2, 0, 2));
-  expect_refined(fill(surface, uniform_sizing(2)), surface);
+  expect_refined(fill_delaunay(surface, uniform_sizing(2)), surface);
 }
 
 TEST(DelaunayBackend, FillsLabelsThatShareAPlaneAnEdgeOrACorner) {
@@ -78,12 +78,12 @@ TEST(DelaunayBackend, FillsLabelsThatShareAPlaneAnEdgeOrACorner) {
     const int octant = i / 2 + 2 * (j / 2) + 4 * (k / 2);
     return octant == 0 || octant == 3 ? 1 : octant == 5 ? 2 : octant == 6 ? 3 : octant == 7 ? 4 : 0;
   });
-  expect_refined(fill(surface, uniform_sizing(1.5)), surface);
+  expect_refined(fill_delaunay(surface, uniform_sizing(1.5)), surface);
 }
 
 TEST(DelaunayBackend, TakesTheMaximalLabel) {
   const SurfaceMesh surface = sphere({0, 0, 0}, 5, 2, 65535, 0);
-  expect_refined(fill(surface, uniform_sizing(2)), surface);
+  expect_refined(fill_delaunay(surface, uniform_sizing(2)), surface);
 }
 
 TEST(DelaunayBackend, FlipsEdgesThatAreNotDelaunayWhereTheSurfaceIsFlat) {
@@ -92,12 +92,12 @@ TEST(DelaunayBackend, FlipsEdgesThatAreNotDelaunayWhereTheSurfaceIsFlat) {
   for (Eigen::Vector3d& p : surface.points)
     if (p.head<2>().minCoeff() > 0.5 && p.head<2>().maxCoeff() < 5.5)
       p.head<2>() += 0.2 * random.within_one().head<2>();
-  const Outcome out = fill(surface, uniform_sizing(1));
+  const DelaunayFilled out = fill_delaunay(surface, uniform_sizing(1));
   expect_refined(out, surface);
   EXPECT_NE(out.notes.find(" edges were flipped and 0 halved"), std::string::npos) << out.notes;
   surface.triangles = out.mesh->faces;
   surface.sides = out.mesh->face_sides;
-  const Outcome again = fill(surface, uniform_sizing(1));
+  const DelaunayFilled again = fill_delaunay(surface, uniform_sizing(1));
   expect_refined(again, surface);
   check_tets(*again.mesh, surface);
   EXPECT_EQ(again.notes.find("flipped"), std::string::npos) << again.notes;
@@ -113,7 +113,7 @@ SurfaceMesh sandwich(double outer, double inner) {
 
 TEST(DelaunayBackend, HalvesEdgesOfACoarseSheetBetweenFineOnes) {
   const SurfaceMesh surface = sandwich(10.8, 9);
-  const Outcome out = fill(surface, uniform_sizing(2));
+  const DelaunayFilled out = fill_delaunay(surface, uniform_sizing(2));
   expect_refined(out, surface, 1e-3);
   EXPECT_EQ(out.notes.find(" and 0 halved"), std::string::npos) << out.notes;
   EXPECT_GT(out.mesh->faces.size(), surface.triangles.size());
@@ -121,7 +121,7 @@ TEST(DelaunayBackend, HalvesEdgesOfACoarseSheetBetweenFineOnes) {
 
 TEST(DelaunayBackend, LeavesSheetsMuchCloserThanTheirEdgesToTetGen) {
   const SurfaceMesh surface = sandwich(10.05, 9.75);
-  const Outcome out = fill(surface, uniform_sizing(2));
+  const DelaunayFilled out = fill_delaunay(surface, uniform_sizing(2));
   ASSERT_TRUE(out.mesh.ok()) << out.mesh.error().message;
   check_tets(*out.mesh, surface);
   EXPECT_NE(out.notes.find("not filled by Delaunay refinement: the surface is too far from a Delaunay one"),
@@ -132,12 +132,12 @@ TEST(DelaunayBackend, LeavesSheetsMuchCloserThanTheirEdgesToTetGen) {
 TEST(DelaunayBackend, FollowsUniformAndGradedSizes) {
   for (const double h : {0.8, 1.6}) {
     const SurfaceMesh surface = sphere({0, 0, 0}, h * 8, 3, 1, 0);
-    const Outcome out = fill(surface, uniform_sizing(h));
+    const DelaunayFilled out = fill_delaunay(surface, uniform_sizing(h));
     expect_refined(out, surface);
     EXPECT_NEAR(test::inner_size_bias(*out.mesh, 1, uniform_sizing(h)), 0, 0.1) << "h " << h;
   }
   const SurfaceMesh surface = test::graded_spheres();
-  const Outcome out = fill(surface, test::graded_sizing());
+  const DelaunayFilled out = fill_delaunay(surface, test::graded_sizing());
   expect_refined(out, surface);
   for (const Label label : {1, 2})
     EXPECT_NEAR(test::inner_size_bias(*out.mesh, label, test::graded_sizing()), 0, 0.1);
@@ -146,7 +146,7 @@ TEST(DelaunayBackend, FollowsUniformAndGradedSizes) {
 TEST(DelaunayBackend, GivesTheOptimiserWhatItNeeds) {
   const SurfaceMesh surface = test::graded_spheres();
   RunContext ctx;
-  Outcome out = fill(surface, test::graded_sizing());
+  DelaunayFilled out = fill_delaunay(surface, test::graded_sizing());
   ASSERT_TRUE(out.mesh.ok());
   const auto mesh = optimise_tets(*std::move(out.mesh), surface, test::graded_sizing(), {}, ctx);
   ASSERT_TRUE(mesh.ok());
@@ -155,7 +155,7 @@ TEST(DelaunayBackend, GivesTheOptimiserWhatItNeeds) {
 }
 
 TEST(DelaunayBackend, GivesTheSameBytesOnEveryPlatform) {
-  const Outcome out = fill(test::graded_spheres(), test::graded_sizing());
+  const DelaunayFilled out = fill_delaunay(test::graded_spheres(), test::graded_sizing());
   ASSERT_TRUE(out.mesh.ok());
   EXPECT_EQ(digest_of(*out.mesh), "efd30679fb70f7dc168e5bd8e527ecdd1df1c955dd8f3d16a6b38b1ca428c28e");
 }
@@ -163,7 +163,7 @@ TEST(DelaunayBackend, GivesTheSameBytesOnEveryPlatform) {
 TEST(DelaunayBackend, FillsRandomBodiesOfManyLabels) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const SurfaceMesh surface = test::random_cells(4, 4, 0, seed);
-    expect_refined(fill(surface, uniform_sizing(1)), surface);
+    expect_refined(fill_delaunay(surface, uniform_sizing(1)), surface);
   }
 }
 
@@ -172,7 +172,7 @@ TEST(DelaunayBackend, LeavesLabelsThatWouldChangeTheirVolumeToTetGen) {
   int left = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const SurfaceMesh surface = test::random_cells(4, 4, 0.1, seed);
-    const Outcome out = fill(surface, uniform_sizing(1));
+    const DelaunayFilled out = fill_delaunay(surface, uniform_sizing(1));
     ASSERT_TRUE(out.mesh.ok()) << "seed " << seed << ": " << out.mesh.error().message;
     if (out.notes.find("would change the volume of label") == std::string::npos) {
       expect_refined(out, surface, 5e-3);

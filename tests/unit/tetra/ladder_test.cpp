@@ -25,14 +25,14 @@ using test::sphere;
 using test::turned;
 using test::uniform_sizing;
 
-struct Outcome {
+struct Filled {
   Result<TetMesh> mesh;
   std::vector<std::string> notes, warnings;
   std::string last_note() const { return notes.empty() ? "" : notes.back(); }
 };
 
-Outcome fill(const SurfaceMesh& surface, double edge) {
-  Outcome out{Error{}, {}, {}};
+Filled fill_noted(const SurfaceMesh& surface, double edge) {
+  Filled out{Error{}, {}, {}};
   RunContext ctx;
   ctx.on_note = [&](const std::string&, const std::string& text) { out.notes.push_back(text); };
   ctx.on_warning = [&](const std::string&, const std::string& text) { out.warnings.push_back(text); };
@@ -44,7 +44,7 @@ Outcome fill(const SurfaceMesh& surface, double edge) {
 }
 
 void expect_filled(const SurfaceMesh& surface, double edge, const std::string& way, const std::string& name) {
-  const Outcome out = fill(surface, edge);
+  const Filled out = fill_noted(surface, edge);
   ASSERT_TRUE(out.mesh.ok()) << name << ": " << out.mesh.error().message;
   check_tets(*out.mesh, surface);
   EXPECT_NE(out.last_note().find("filled " + way + " (way"), std::string::npos)
@@ -68,7 +68,7 @@ TEST(Ladder, FillsSharpRimsAsAskedAndSaysHowSharp) {
   for (const double height : {1e-3, 1e-4}) {
     const SurfaceMesh lens = scaled(sphere({0, 0, 0}, 10, 3, 1, 0), {1, 1, height});
     expect_filled(lens, 1.5, "as asked", "height " + std::to_string(height));
-    const Outcome out = fill(lens, 1.5);
+    const Filled out = fill_noted(lens, 1.5);
     ASSERT_EQ(out.warnings.size(), 2U) << "the triangle's angle and the rim's";
     EXPECT_NE(out.warnings[1].find(height == 1e-3 ? "meet at 2.28 degrees" : "meet at 0.23 degrees"),
               std::string::npos)
@@ -80,7 +80,7 @@ TEST(Ladder, FillsNeedlesAndSpikesAsAskedAndNotesTheirAngle) {
   const SurfaceMesh needles = needled(sphere({0, 0, 0}, 10, 3, 1, 0), 300, 0.01, 1);
   expect_filled(needles, 2, "as asked", "needles");
   expect_filled(test::spiked(1e-3, 8, 3, 6, 1), 2, "as asked", "spikes");
-  const Outcome out = fill(needles, 2);
+  const Filled out = fill_noted(needles, 2);
   EXPECT_EQ(out.notes[0].find("the surface's smallest angles: in a triangle 0."), 0U) << out.notes[0];
   EXPECT_EQ(out.warnings[0].find("a triangle has an angle of 0."), 0U) << out.warnings[0];
 }
@@ -121,14 +121,14 @@ TEST(Ladder, DropsTheBoundsOnDihedralAnglesWhereTheyTakeTooManyPoints) {
 TEST(Ladder, DropsAllBoundsOnShapesWhereTheyTakeTooManyPoints) {
   const SurfaceMesh surface = specks(2, 1e-4, 2);
   expect_filled(surface, 5, "with bounds on sizes alone", "specks");
-  EXPECT_LT(static_cast<double>(fill(surface, 5).mesh->points.size()),
+  EXPECT_LT(static_cast<double>(fill_noted(surface, 5).mesh->points.size()),
             20 * forecast_points(surface, uniform_sizing(5)));
 }
 
 TEST(Ladder, EndsWhereTheMesherWalksInCircles) {
   // A slab a ten-millionth as thick as wide: with the default tolerance TetGen looks for an edge for ever.
   const SurfaceMesh slab = test::cells({5, 5, 3}, 1, [](int, int, int k) { return Label(k == 1 ? 2 : 1); });
-  const Outcome out = fill(turned(scaled(slab, {1, 1, 1e-7}), 5, 2, 2, 3), 1);
+  const Filled out = fill_noted(turned(scaled(slab, {1, 1, 1e-7}), 5, 2, 2, 3), 1);
   ASSERT_GE(out.notes.size(), 2U);
   EXPECT_NE(out.notes[1].find("did not come to an end"), std::string::npos) << out.notes[1];
 }
@@ -136,7 +136,7 @@ TEST(Ladder, EndsWhereTheMesherWalksInCircles) {
 TEST(Ladder, NamesTheTrianglesWhereNothingHelps) {
   // Two vertices closer than doubles near them can tell from a point on a line between others.
   const SurfaceMesh surface = nearly_touching(1e-14);
-  const Outcome out = fill(surface, 4);
+  const Filled out = fill_noted(surface, 4);
   ASSERT_FALSE(out.mesh.ok());
   EXPECT_EQ(out.mesh.error().code, ErrorCode::kMeshing);
   EXPECT_NE(out.mesh.error().message.find("none of 5 ways"), std::string::npos) << out.mesh.error().message;
@@ -152,7 +152,7 @@ TEST(Ladder, NamesTheTrianglesWhereNothingHelps) {
 
 TEST(Ladder, GivesTheSameBytesWhicheverWayItTook) {
   const SurfaceMesh surface = needled(sphere({0, 0, 0}, 10, 2, 1, 0), 100, 0.003, 14);
-  const Outcome first = fill(surface, 4), second = fill(surface, 4);
+  const Filled first = fill_noted(surface, 4), second = fill_noted(surface, 4);
   ASSERT_TRUE(first.mesh.ok() && second.mesh.ok());
   EXPECT_EQ(first.mesh->points, second.mesh->points);
   EXPECT_EQ(first.mesh->tets, second.mesh->tets);
@@ -165,7 +165,7 @@ TEST(Ladder, EndsOnRandomNastySurfacesWithAMeshOrTheTriangles) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
     for (const double width : {0.01, 0.001}) {
       const SurfaceMesh surface = needled(turned(random_cells(3, 3, 0.1, seed), 5, 1, 2, 3), 60, width, seed);
-      const Outcome out = fill(surface, 1);
+      const Filled out = fill_noted(surface, 1);
       if (out.mesh.ok()) {
         check_tets(*out.mesh, surface);
         ++filled;

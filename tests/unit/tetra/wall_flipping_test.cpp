@@ -41,12 +41,12 @@ TetMesh flat_on_top(bool lid) {
   return mesh;
 }
 
-struct Outcome {
+struct Flipped {
   std::size_t flips;
   TetMesh mesh;
 };
 
-Outcome flipped(const TetMesh& mesh, double envelope) {
+Flipped flipped(const TetMesh& mesh, double envelope) {
   const SizingField sizing = test::uniform_sizing(kEdge);
   const SizeGuard guard(sizing);
   const SurfaceMesh reference{mesh.points, mesh.faces, mesh.face_sides};
@@ -58,7 +58,7 @@ Outcome flipped(const TetMesh& mesh, double envelope) {
 
 TEST(WallFlipping, TakesAFlatTetOffTheBoundary) {
   const TetMesh before = flat_on_top(false);
-  const Outcome after = flipped(before, 0.1);
+  const Flipped after = flipped(before, 0.1);
   EXPECT_EQ(after.flips, 1U);
   EXPECT_EQ(after.mesh.tets.size(), 2U);
   EXPECT_EQ(after.mesh.points.size(), 5U);
@@ -68,7 +68,7 @@ TEST(WallFlipping, TakesAFlatTetOffTheBoundary) {
 
 TEST(WallFlipping, GivesAFlatTetToTheLabelAboveWhereAnEdgeGoes) {
   const TetMesh before = flat_on_top(true);
-  const Outcome after = flipped(before, 0.1);
+  const Flipped after = flipped(before, 0.1);
   EXPECT_EQ(after.flips, 1U);
   EXPECT_EQ(after.mesh.labels, (std::vector<Label>{2, 1, 1, 2}));
   test::check_tets(after.mesh);
@@ -93,7 +93,7 @@ TEST(WallFlipping, TakesATipOffWithItsVertex) {
   mesh.tets.erase(mesh.tets.begin() + 1);
   mesh.labels.pop_back();
   complete(mesh);
-  const Outcome after = flipped(mesh, 0.5);
+  const Flipped after = flipped(mesh, 0.5);
   EXPECT_EQ(after.flips, 1U);
   EXPECT_EQ(after.mesh.tets.size(), 1U);
   EXPECT_EQ(after.mesh.points.size(), 4U) << "b is gone";
