@@ -139,7 +139,7 @@ bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& fi
 }  // namespace
 
 MissedPlaces::MissedPlaces(const SurfaceMesh& reference, const LabelField& field)
-    : reference_(reference), field_(field) {
+    : reference_(reference), field_(field), suspects_(reference, field) {
   const std::size_t stride = stride_of(reference);
   samples_ = by_pair(reference, [&](std::uint32_t t) { return t % stride == 0 || t % kThoroughStride == 0; });
   followed_by_.assign(samples_.size(), 0);
@@ -152,10 +152,7 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
   const std::vector<std::uint64_t> names = names_of(surface);
   const NamedTriangles named(names);
   std::vector<bool> suspects;
-  if (!criteria.thorough.empty()) {
-    if (!suspects_) suspects_.emplace(reference_, field_);
-    suspects = suspects_->of(surface, criteria.thorough);
-  }
+  if (!criteria.thorough.empty()) suspects = suspects_.of(surface, criteria.thorough);
   std::vector<Eigen::Vector3d> missed;
   std::size_t from = 0;
   for (std::size_t s = 0; s < samples_.size();) {

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "remesh/junction_points.h"
@@ -39,8 +38,8 @@ class MissedPlaces {
  private:
   const SurfaceMesh& reference_;
   const LabelField& field_;
+  SuspectVoxels suspects_;
   std::vector<std::uint32_t> samples_;      ///< triangles that may be samples, by their two labels
-  std::optional<SuspectVoxels> suspects_;   ///< once asked for
   std::vector<std::uint64_t> followed_by_;  ///< by sample, what names the triangle that was last closest
 };
 

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -18,7 +19,8 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3i;
 
-constexpr int kReach = 1;  ///< voxels around a suspect one
+constexpr int kReach = 1;                ///< voxels around a suspect one
+constexpr double kPlaneRounding = 1e-9;  ///< of a plane's distance, generously
 
 Vector3i to_neighbour(std::size_t neighbour) {
   const auto [i, j, k] = step_to(neighbour);
@@ -36,67 +38,134 @@ std::optional<double> meets(const Vector3d& a, const Vector3d& way, const Triang
   return at;
 }
 
+/// A triangle on a way.
+struct WayCrossing {
+  std::uint64_t voxel, end;  ///< offsets in the grid
+  double at;                 ///< share of the way
+  std::uint32_t triangle;
+  std::uint8_t way;
+  bool outwards;  ///< the voxel is behind the triangle
+};
+
+/// On which side of a surface centres are, as the nearest crossing on a way from them tells.
+class LabelsBySurface {
+ public:
+  LabelsBySurface(const std::vector<Label>& centres, const SurfaceMesh& surface,
+                  const std::vector<WayCrossing>& crossings)
+      : centres_(centres), bits_(centres.size() / 64 + 1, 0), before_(bits_.size(), 0) {
+    for (const WayCrossing& c : crossings)
+      for (const std::uint64_t voxel : {c.voxel, c.end}) bits_[voxel / 64] |= std::uint64_t{1} << voxel % 64;
+    std::size_t count = 0;
+    for (std::size_t w = 0; w < bits_.size(); ++w) {
+      before_[w] = static_cast<std::uint32_t>(count);
+      count += static_cast<std::size_t>(std::popcount(bits_[w]));
+    }
+    nearest_.resize(count);
+    for (const WayCrossing& c : crossings) {
+      const auto& [behind, front] = surface.sides[c.triangle];
+      look_at(c.voxel, {c.at, c.triangle, c.way, c.outwards ? behind : front});
+      const auto backwards = static_cast<std::uint8_t>(c.way + kUp);
+      look_at(c.end, {1 - c.at, c.triangle, backwards, c.outwards ? front : behind});
+    }
+  }
+
+  Label at(std::uint64_t voxel) const {
+    return bits_[voxel / 64] >> voxel % 64 & 1 ? nearest_[rank(voxel)].label : centres_[voxel];
+  }
+
+  /// Calls visit(voxel, label) for every voxel whose centre has another label by the surface.
+  template <class Visit>
+  void for_each_moved(const Visit& visit) const {
+    for (std::size_t w = 0; w < bits_.size(); ++w)
+      for (std::uint64_t rest = bits_[w]; rest != 0; rest &= rest - 1) {
+        const std::uint64_t voxel = 64 * w + static_cast<std::uint64_t>(std::countr_zero(rest));
+        if (at(voxel) != centres_[voxel]) visit(voxel, at(voxel));
+      }
+  }
+
+ private:
+  struct Nearest {
+    double at = 2;
+    std::uint32_t triangle = 0;
+    std::uint8_t way = 0;  ///< plus 7 for backwards
+    Label label = kBackground;
+  };
+  std::size_t rank(std::uint64_t voxel) const {
+    const std::uint64_t lower = bits_[voxel / 64] & ((std::uint64_t{1} << voxel % 64) - 1);
+    return before_[voxel / 64] + static_cast<std::size_t>(std::popcount(lower));
+  }
+  void look_at(std::uint64_t voxel, const Nearest& found) {
+    Nearest& known = nearest_[rank(voxel)];
+    if (std::tie(found.at, found.triangle, found.way) < std::tie(known.at, known.triangle, known.way))
+      known = found;
+  }
+
+  const std::vector<Label>& centres_;
+  std::vector<std::uint64_t> bits_;    ///< of voxels at the end of a crossed way
+  std::vector<std::uint32_t> before_;  ///< by word of bits_, how many bits are set before it
+  std::vector<Nearest> nearest_;       ///< of the voxels in bits_, in their order
+};
+
 bool is_one_of(Label label, const std::vector<Label>& labels) {
   return std::binary_search(labels.begin(), labels.end(), label);
 }
 
 }  // namespace
 
-SuspectVoxels::SuspectVoxels(const SurfaceMesh& reference, const LabelField& field) : field_(field) {
-  for (const Crossing& crossing : crossings(reference))
-    if (crossing.way < kUp) reference_ways_.push_back(crossing.voxel * kUp + crossing.way);
-  std::sort(reference_ways_.begin(), reference_ways_.end());
+SuspectVoxels::SuspectVoxels(const SurfaceMesh& reference, const LabelField& field)
+    : reference_(reference), field_(field) {
+  for (int d = 0; d < 3; ++d) last_[d] = field.size()[static_cast<std::size_t>(d)] - 1;
 }
 
-std::vector<SuspectVoxels::Crossing> SuspectVoxels::crossings(const SurfaceMesh& surface) const {
-  std::array<Vector3d, kUp> ways_mm;
-  for (std::size_t way = 0; way < kUp; ++way)
-    ways_mm[way] = field_.to_mm(to_neighbour(way).cast<double>()) - field_.to_mm(Vector3d::Zero());
-  std::vector<Crossing> out;
+template <class Wanted, class Visit>
+void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& wanted,
+                                      const Visit& visit) const {
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     TriangleCorners p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = field_.to_index(surface.points[surface.triangles[t][k]]);
-    const Vector3i low = p[0].cwiseMin(p[1]).cwiseMin(p[2]).array().floor().cast<int>();
-    const Vector3i high = p[0].cwiseMax(p[1]).cwiseMax(p[2]).array().floor().cast<int>();
-    const Vector3d cross =
-        triangle_cross(surface.points[surface.triangles[t][0]], surface.points[surface.triangles[t][1]],
-                       surface.points[surface.triangles[t][2]]);
-    const auto& [behind, front] = surface.sides[t];
+    const Vector3i low = p[0].cwiseMin(p[1]).cwiseMin(p[2]).array().floor().matrix().cast<int>().cwiseMax(0);
+    const Vector3i high =
+        p[0].cwiseMax(p[1]).cwiseMax(p[2]).array().floor().matrix().cast<int>().cwiseMin(last_);
+    // By far most ways end on the side of the triangle's plane where they begin.
+    const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+    const double doubt = kPlaneRounding * normal.cwiseAbs().sum();
+    std::array<double, kUp> rises;
+    for (std::size_t way = 0; way < kUp; ++way) rises[way] = normal.dot(to_neighbour(way).cast<double>());
     for (int k = low[2]; k <= high[2]; ++k)
       for (int j = low[1]; j <= high[1]; ++j)
-        for (int i = low[0]; i <= high[0]; ++i)
+        for (int i = low[0]; i <= high[0]; ++i) {
+          const Vector3i from(i, j, k);
+          const std::uint64_t voxel = field_.offset(from);
+          if (!wanted(voxel)) continue;
+          const double height = normal.dot(from.cast<double>() - p[0]);
           for (std::uint8_t way = 0; way < kUp; ++way) {
-            const Vector3i from(i, j, k), to = from + to_neighbour(way);
-            if (!inside(from) || !inside(to)) continue;
-            const std::optional<double> at = meets(from.cast<double>(), to_neighbour(way).cast<double>(), p);
-            if (!at) continue;
-            const bool outwards = cross.dot(ways_mm[way]) > 0;
-            const auto backwards = static_cast<std::uint8_t>(way + kUp);
-            out.push_back({field_.offset(from), *at, t, way, outwards ? behind : front});
-            out.push_back({field_.offset(to), 1 - *at, t, backwards, outwards ? front : behind});
+            const double end = height + rises[way];
+            if (std::min(height, end) > doubt || std::max(height, end) < -doubt) continue;
+            const Vector3i step = to_neighbour(way);
+            if (!inside(from + step)) continue;
+            if (const auto at = meets(from.cast<double>(), step.cast<double>(), p)) visit(voxel, way, *at, t);
           }
+        }
   }
-  std::sort(out.begin(), out.end(), [](const Crossing& a, const Crossing& b) {
-    return std::tie(a.voxel, a.at, a.triangle, a.way) < std::tie(b.voxel, b.at, b.triangle, b.way);
-  });
-  return out;
 }
 
 std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vector<Label>& labels) const {
   const std::vector<Label>& centres = field_.centre_labels();
-  const std::vector<Crossing> all = crossings(surface);
-  // The nearest crossing tells on which side of the surface a centre is.
-  std::vector<std::pair<std::uint64_t, Label>> moved;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i > 0 && all[i].voxel == all[i - 1].voxel) continue;
-    if (all[i].label != centres[all[i].voxel]) moved.emplace_back(all[i].voxel, all[i].label);
-  }
-  const auto label_by_surface = [&](std::uint64_t voxel) {
-    const auto at = std::lower_bound(moved.begin(), moved.end(), std::pair{voxel, Label{0}});
-    return at != moved.end() && at->first == voxel ? at->second : centres[voxel];
-  };
+  std::array<Vector3d, kUp> ways_mm;
+  for (std::size_t way = 0; way < kUp; ++way)
+    ways_mm[way] = field_.to_mm(to_neighbour(way).cast<double>()) - field_.to_mm(Vector3d::Zero());
+  std::vector<WayCrossing> crossings;
+  for_each_crossing(
+      surface, [](std::uint64_t) { return true; },
+      [&](std::uint64_t voxel, std::uint8_t way, double at, std::uint32_t t) {
+        const auto& [a, b, c] = surface.triangles[t];
+        const bool outwards =
+            triangle_cross(surface.points[a], surface.points[b], surface.points[c]).dot(ways_mm[way]) > 0;
+        crossings.push_back({voxel, end_of(voxel, way), at, t, way, outwards});
+      });
+  const LabelsBySurface by_surface(centres, surface, crossings);
   std::vector<bool> marked;
-  for (const auto& [voxel, label] : moved) {
+  by_surface.for_each_moved([&](std::uint64_t voxel, Label label) {
     const Vector3i middle = voxel_of(voxel);
     bool simple = true;
     for (const Label other : {label, centres[voxel]}) {
@@ -106,27 +175,48 @@ std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vecto
         const Vector3i next = middle + to_neighbour(n);
         const bool known = inside(next);
         if ((known ? centres[field_.offset(next)] : kBackground) == other) before |= 1U << n;
-        if ((known ? label_by_surface(field_.offset(next)) : kBackground) == other) after |= 1U << n;
+        if ((known ? by_surface.at(field_.offset(next)) : kBackground) == other) after |= 1U << n;
       }
       simple = simple && is_simple(before) && is_simple(after);
     }
     if (!simple) mark_around(voxel, marked);
-  }
-  for (const Crossing& crossing : all) {
-    if (crossing.way >= kUp) continue;
-    const Sides& sides = surface.sides[crossing.triangle];
+  });
+  std::vector<std::uint64_t> closed;  // ways, by number
+  for (const WayCrossing& c : crossings) {
+    const Sides& sides = surface.sides[c.triangle];
     if (!is_one_of(sides[0], labels) && !is_one_of(sides[1], labels)) continue;
-    const std::uint64_t end = field_.offset(voxel_of(crossing.voxel) + to_neighbour(crossing.way));
-    const Label label = centres[crossing.voxel];
-    if (centres[end] != label || label_by_surface(crossing.voxel) != label || label_by_surface(end) != label)
-      continue;
-    if (std::binary_search(reference_ways_.begin(), reference_ways_.end(),
-                           crossing.voxel * kUp + crossing.way))
-      continue;
-    mark_around(crossing.voxel, marked);
-    mark_around(end, marked);
+    const Label label = centres[c.voxel];
+    if (centres[c.end] == label && by_surface.at(c.voxel) == label && by_surface.at(c.end) == label)
+      closed.push_back(c.voxel * kUp + c.way);
+  }
+  for (const std::uint64_t way : not_of_reference(std::move(closed))) {
+    mark_around(way / kUp, marked);
+    mark_around(end_of(way / kUp, way % kUp), marked);
   }
   return marked;
+}
+
+std::vector<std::uint64_t> SuspectVoxels::not_of_reference(std::vector<std::uint64_t> ways) const {
+  std::sort(ways.begin(), ways.end());
+  ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
+  if (ways.empty()) return ways;
+  std::vector<bool> begins(field_.centre_labels().size(), false), crossed(ways.size(), false);
+  for (const std::uint64_t way : ways) begins[way / kUp] = true;
+  for_each_crossing(
+      reference_, [&](std::uint64_t voxel) { return begins[voxel]; },
+      [&](std::uint64_t voxel, std::uint8_t way, double, std::uint32_t) {
+        const auto found = std::lower_bound(ways.begin(), ways.end(), voxel * kUp + way);
+        if (found != ways.end() && *found == voxel * kUp + way)
+          crossed[static_cast<std::size_t>(found - ways.begin())] = true;
+      });
+  std::vector<std::uint64_t> others;
+  for (std::size_t w = 0; w < ways.size(); ++w)
+    if (!crossed[w]) others.push_back(ways[w]);
+  return others;
+}
+
+std::uint64_t SuspectVoxels::end_of(std::uint64_t voxel, std::size_t way) const {
+  return field_.offset(voxel_of(voxel) + to_neighbour(way));
 }
 
 Vector3i SuspectVoxels::voxel_of(std::uint64_t offset) const {
@@ -137,9 +227,7 @@ Vector3i SuspectVoxels::voxel_of(std::uint64_t offset) const {
 }
 
 bool SuspectVoxels::inside(const Vector3i& voxel) const {
-  for (int d = 0; d < 3; ++d)
-    if (voxel[d] < 0 || voxel[d] >= field_.size()[static_cast<std::size_t>(d)]) return false;
-  return true;
+  return (voxel.array() >= 0).all() && (voxel.array() <= last_.array()).all();
 }
 
 void SuspectVoxels::mark_around(std::uint64_t voxel, std::vector<bool>& marked) const {

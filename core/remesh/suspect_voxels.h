@@ -11,7 +11,7 @@
 namespace voxtet::remesh {
 
 /// Looks at the ways from voxel centres to their neighbours, the edges of the Kuhn tetrahedra, and where
-/// surfaces cross them. Holds the field and what crosses the ways of the reference.
+/// surfaces cross them. Refers to the reference and the field.
 class SuspectVoxels {
  public:
   SuspectVoxels(const SurfaceMesh& reference, const LabelField& field);
@@ -26,22 +26,20 @@ class SuspectVoxels {
   std::vector<bool> of(const SurfaceMesh& surface, const std::vector<Label>& labels) const;
 
  private:
-  /// A triangle on a way, seen from one of its ends.
-  struct Crossing {
-    std::uint64_t voxel;  ///< offset in the grid
-    double at;            ///< share of the way
-    std::uint32_t triangle;
-    std::uint8_t way;  ///< 0..6 forwards, 7..13 the same backwards
-    Label label;       ///< on the side of the voxel
-  };
-  /// Of both ends of each way, by voxel, then by the share of the way.
-  std::vector<Crossing> crossings(const SurfaceMesh& surface) const;
+  /// Calls visit(voxel, way, share of the way, triangle) for every triangle on a way forwards from a voxel
+  /// for which wanted(voxel) holds.
+  template <class Wanted, class Visit>
+  void for_each_crossing(const SurfaceMesh& surface, const Wanted& wanted, const Visit& visit) const;
+  /// Those of the ways (7 * voxel + way) that no triangle of the reference crosses, ascending.
+  std::vector<std::uint64_t> not_of_reference(std::vector<std::uint64_t> ways) const;
+  std::uint64_t end_of(std::uint64_t voxel, std::size_t way) const;
   Eigen::Vector3i voxel_of(std::uint64_t offset) const;
   bool inside(const Eigen::Vector3i& voxel) const;
   void mark_around(std::uint64_t voxel, std::vector<bool>& marked) const;
 
+  const SurfaceMesh& reference_;
   const LabelField& field_;
-  std::vector<std::uint64_t> reference_ways_;  ///< that the reference crosses; ascending
+  Eigen::Vector3i last_;  ///< voxel of the grid
 };
 
 }  // namespace voxtet::remesh
