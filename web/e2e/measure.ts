@@ -5,6 +5,7 @@ import { stageNames } from '../src/engine/contract';
 import { idle, link, meshed, smallHeart, test } from './support';
 
 const repeats = 20;
+const moves = 50;
 const jobs = Number(process.env.JOBS ?? 200);
 
 const quantile = (values: readonly number[], q: number) =>
@@ -145,6 +146,45 @@ test('tasks of the main thread while a fine mesh is being made', async ({ page }
     `${tets} tetrahedra; tasks over 50 ms (after which stage): ${tasks.map((task) => task.join(' ')).join(', ') || 'none'}`,
   );
 });
+
+test('moving a cut through a fine mesh', async ({ page }) => {
+  await open(page, {
+    source: { phantom: { kind: 'biventricle', spacing_mm: [2, 2, 2] } },
+    labels: [1, 2],
+    sizing: { edge_mm: 1.27 },
+  });
+  await page.getByTestId('run').click();
+  await meshed(page);
+  const tets = await page.getByTestId('tets').innerText();
+  const devtools = await page.context().newCDPSession(page);
+  await devtools.send('Performance.enable');
+  // What the page itself does; the drawing is another process's, in software here.
+  const spent = async () => {
+    const { metrics } = await devtools.send('Performance.getMetrics');
+    const seconds = (name: string) => metrics.find((metric) => metric.name === name)!.value;
+    return 1000 * (seconds('ScriptDuration') + seconds('LayoutDuration') + seconds('RecalcStyleDuration'));
+  };
+  await page.getByRole('button', { name: 'Cut', exact: true }).click();
+  for (const kind of ['Whole', 'Flat']) {
+    await page.getByRole('button', { name: kind, exact: true }).click();
+    await page.evaluate(movedCut, 3);
+    const before = await spent();
+    await page.evaluate(movedCut, moves);
+    say(
+      `${tets} tetrahedra, ${kind.toLowerCase()} cut: ${((await spent()) - before).toFixed(0)} ms of the main thread in ${moves} moves`,
+    );
+  }
+});
+
+/** Moves the cut so many times, drawing each. */
+async function movedCut(times: number): Promise<void> {
+  const place = document.querySelector<HTMLInputElement>('input[aria-label="Place of the cut"]')!;
+  for (let i = 1; i <= times; i++) {
+    place.value = String((i % 10) / 10);
+    place.dispatchEvent(new Event('input', { bubbles: true }));
+    await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
+  }
+}
 
 test('memory of the page over many jobs', async ({ page }) => {
   await open(page, smallHeart);
