@@ -15,6 +15,8 @@ namespace {
 /// give way to local operations: with 367 it does, with 95 it keeps all (tests/sweep/sweep_forecast).
 constexpr std::int64_t kManyHandles = 120;
 constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
+/// Forecasts of memory are right within a quarter: what takes so many times what there is will not fit.
+constexpr double kHopeless = 1.5;
 
 bool expects_refinement(const RemeshParams& params, const SurfaceMesh& surface) {
   if (params.method != RemeshMethod::kDelaunay) return false;
@@ -177,9 +179,12 @@ Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, Run
                      what + ": the labels themselves, layers, images, edge_min_mm or edge_max_mm decide");
 }
 
-Status check_limits(const Session& session, RunContext& ctx) {
-  const Limits& limits = session.recipe().limits;
-  if (!(limits.tets > 0 || limits.memory_mb > 0 || limits.seconds > 0)) return std::monostate{};
+Status check_limits(const Session& session, RunContext& ctx, double space_mb) {
+  Limits limits = session.recipe().limits;
+  const bool may_be_hopeless =
+      space_mb > 0 && 1e-6 * kOptimiseMb.tets * least_tets(*session.volume(), *session.sizing()) > space_mb;
+  if (!(limits.tets > 0 || limits.memory_mb > 0 || limits.seconds > 0 || may_be_hopeless))
+    return std::monostate{};
   const Result<Forecast> forecast = forecast_case(session, ctx);
   if (!forecast) return forecast.error();
   std::string beyond;
@@ -187,6 +192,12 @@ Status check_limits(const Session& session, RunContext& ctx) {
     if (number.limit > 0 && number.found > number.limit)
       beyond += (beyond.empty() ? "" : "; ") + std::string(number.field) + ": the forecast is " +
                 shown(number.found) + number.unit + ", the limit " + shown(number.limit);
+  if (may_be_hopeless && forecast->peak_mb > kHopeless * space_mb) {
+    beyond += (beyond.empty() ? "" : "; ") + std::string("memory: the forecast is ") +
+              shown(forecast->peak_mb) + " MB for " + shown(forecast->mesh.tets) +
+              " tetrahedra, and no more than " + shown(space_mb) + " can be had here";
+    limits.memory_mb = limits.memory_mb > 0 ? std::min(limits.memory_mb, space_mb) : space_mb;
+  }
   if (beyond.empty()) return std::monostate{};
   const Result<FittingSizes> fitting = fit_sizes(session, limits, ctx);
   if (fitting)

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "pipeline/memory.h"
 #include "pipeline/session.h"
 #include "sizing/forecast_mesh.h"
 
@@ -34,7 +35,9 @@ Result<Forecast> forecast_case(const Session& session, RunContext& ctx);
 Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, RunContext& ctx);
 
 /// kOutOfMemory with the forecast, the recipe's limit that it is beyond, and the edge length that would fit.
-Status check_limits(const Session& session, RunContext& ctx);
+/// Also where the forecast is so far beyond the `space_mb` that can be addressed (0: no bound) that meshing
+/// would go on for minutes and then fail. Needs the sizes of the recipe as it stands.
+Status check_limits(const Session& session, RunContext& ctx, double space_mb = memory_space_mb());
 
 /// {tets, points, triangles, peak_mb, seconds} of forecast_case; with `elements` > 0 also `fitting`, the
 /// sizes that give so many tetrahedra: {factor, edge_mm, sizing, forecast}, `sizing` as in the recipe.

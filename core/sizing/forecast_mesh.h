@@ -56,4 +56,8 @@ class MeshForecaster {
   std::vector<Sample> samples_;
 };
 
+/// The tets that the wished edge lengths alone ask for: a bound from below, in a hundredth of the time of a
+/// forecast.
+double least_tets(const LabelVolume& volume, const SizingField& sizing);
+
 }  // namespace voxtet

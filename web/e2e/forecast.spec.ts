@@ -135,6 +135,25 @@ test('a limit is named before the run that it refuses, and fits the sizes', asyn
   await meshed(page);
 });
 
+test('a mesh beyond the memory of a tab is refused at once; the case stays and the next run works', async ({
+  page,
+}) => {
+  await open(page);
+  const edge = page.getByLabel('Edge length', { exact: true });
+  const usual = await edge.inputValue();
+  await edge.fill('0.1');
+  await expect(note(page)).toContainText('million tetrahedra');
+  page.once('dialog', (question) => void question.accept());
+  await page.getByTestId('run').click();
+  await expect(page.getByRole('alert')).toContainText('no more than 4295 can be had here');
+  await expect(page.getByRole('alert')).toContainText('times as large would fit');
+  await idle(page);
+  await expect(edge).toHaveValue('0.1');
+  await edge.fill(usual);
+  await page.getByTestId('run').click();
+  await meshed(page);
+});
+
 test('surfaces are sized by curvature; sizes and limits come back with link and reload', async ({ page }) => {
   await open(page);
   const before = await foretold(page);

@@ -185,5 +185,27 @@ TEST(Limits, RefuseBeforeMeshingAndNameTheEdgeLengthThatFits) {
   EXPECT_NE(both.error().message.find("limits.seconds"), std::string::npos);
 }
 
+TEST(Limits, RefuseWhatCannotBeAddressed) {
+  Session session;
+  Recipe recipe = small_heart();
+  RunContext ctx;
+  constexpr double kSpaceMb = 4295;
+  run_to(Stage::kSizing, recipe, session);
+  EXPECT_TRUE(check_limits(session, ctx, kSpaceMb).ok());
+  recipe.sizing.edge_mm = 0.1;
+  run_to(Stage::kSizing, recipe, session);
+  EXPECT_TRUE(check_limits(session, ctx, 0).ok()) << "no bound";
+  const Status refused = check_limits(session, ctx, kSpaceMb);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().code, ErrorCode::kOutOfMemory);
+  const std::string& message = refused.error().message;
+  EXPECT_EQ(message.rfind("memory: the forecast is ", 0), 0U) << message;
+  const std::size_t at = message.find("sizing.edge_mm ");
+  ASSERT_NE(at, std::string::npos) << message;
+  recipe.sizing.edge_mm = std::stod(message.substr(at + 15));
+  run_to(Stage::kSizing, recipe, session);
+  EXPECT_TRUE(check_limits(session, ctx, kSpaceMb).ok());
+}
+
 }  // namespace
 }  // namespace voxtet

@@ -14,7 +14,8 @@ import { Icon } from './icons';
 
 function RunButton() {
   const now = activity.value;
-  const numbers = forecast.value?.numbers;
+  // Of other sizes there is nothing to ask.
+  const numbers = forecast.value?.fresh ? forecast.value.numbers : null;
   const run = () => {
     if (numbers && numbers.peak_mb > tightMemoryMb && exceeded.value.length === 0) {
       const parts = forecastParts(numbers, []).join(', ');
