@@ -185,21 +185,28 @@ Result<SurfaceMesh> improve(const SurfaceMesh& surface, const LabelVolume& volum
   return improved;
 }
 
-Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,
-                              const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
-                              const WallLayers& layers) {
-  ctx.progress(kRemeshStage, 0);
-  if (params.method == RemeshMethod::kRemesh) return adapt(volume, reference, sizing, params, ctx);
+/// The label field goes with the end of refinement: what comes after needs its memory.
+Result<SurfaceMesh> refine(const LabelVolume& volume, const SurfaceMesh& reference,
+                           const TopologyLedger& wanted, const SizingField& sizing,
+                           const RemeshParams& params, RunContext& ctx, const WallLayers& layers) {
   const LabelField field(volume, reference, layers);
   if (ctx.cancelled()) return cancelled_error(kRemeshStage);
   ctx.progress(kRemeshStage, 0.08);
-  const TopologyLedger wanted = label_topology(reference);
   DelaunayParams refine{params.facet_angle_deg, params.max_distance_voxels};
   if (!layers.empty()) {
     refine.missed_voxels = refine.max_distance_voxels;
     refine.max_distance_voxels *= kLayerDistance;
   }
-  Result<SurfaceMesh> surface = delaunay_surface(field, reference, wanted, sizing, refine, ctx);
+  return delaunay_surface(field, reference, wanted, sizing, refine, ctx);
+}
+
+Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,
+                              const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
+                              const WallLayers& layers) {
+  ctx.progress(kRemeshStage, 0);
+  if (params.method == RemeshMethod::kRemesh) return adapt(volume, reference, sizing, params, ctx);
+  const TopologyLedger wanted = label_topology(reference);
+  Result<SurfaceMesh> surface = refine(volume, reference, wanted, sizing, params, ctx, layers);
   if (!surface) return surface;
   const TopologyLedger found = label_topology(merge_layers(*surface, layers));
   const std::string broken = broken_topology(wanted, found, params.keep_topology);
