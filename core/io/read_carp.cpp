@@ -4,13 +4,13 @@
 
 #include "io/header_text.h"
 #include "io/mesh_cursor.h"
+#include "io/write_carp.h"
 #include "io/write_mesh.h"
 
 namespace voxtet {
 namespace {
 
 constexpr const char* kReader = "read_carp";
-constexpr double kUmPerMm = 1000;
 
 struct ElementType {
   std::string_view name;

@@ -3,11 +3,10 @@
 #include "io/header_text.h"
 #include "io/mesh_cursor.h"
 #include "io/vtu_arrays.h"
+#include "io/write_vtu.h"
 
 namespace voxtet {
 namespace {
-
-constexpr std::int64_t kVtkTetra = 10;
 
 /// Appends the pieces of one file to one mesh; messages are without the file's name.
 class PieceReader {

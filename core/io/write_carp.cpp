@@ -8,13 +8,11 @@
 namespace voxtet {
 namespace {
 
-constexpr double kUmInMm = 1000;
-
 Bytes write_points(const TetMesh& mesh, PatientSpace space) {
   ByteWriter out(64 * mesh.points.size() + 64);
   out.text(std::to_string(mesh.points.size()) + "\n");
   for (const Eigen::Vector3d& ras : mesh.points) {
-    const Eigen::Vector3d p = kUmInMm * in_space(ras, space);
+    const Eigen::Vector3d p = kUmPerMm * in_space(ras, space);
     for (int d = 0; d < 3; ++d) {
       out.real(p[d]);
       out.text(d < 2 ? " " : "\n");

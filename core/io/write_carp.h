@@ -5,6 +5,8 @@
 
 namespace voxtet {
 
+inline constexpr double kUmPerMm = 1000;
+
 /// .pts in um; .elem of type Tt with region = label; .lon with one fibre axis per element, (1, 0, 0)
 /// throughout as a placeholder; .NAME.dat for each cell data, one value a line, in the order of .elem. The
 /// files have no place to say their space.

@@ -9,7 +9,6 @@ namespace voxtet {
 namespace {
 
 constexpr std::uint8_t kVtkTriangle = 5;
-constexpr std::uint8_t kVtkTetraByte = 10;
 
 /// The XML part; declares the appended arrays in the order in which their bytes must follow.
 class VtuHeader {
@@ -89,7 +88,7 @@ Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
   for (const CellData& data : options.cell_data) header.array("Float32", data.name, 4 * data.values.size());
   header.open("/CellData");
   ByteWriter out = header.finish();
-  append_grid(out, mesh.points, options.space, mesh.tets, kVtkTetraByte);
+  append_grid(out, mesh.points, options.space, mesh.tets, kVtkTetra);
   out.raw(std::uint64_t{4 * mesh.labels.size()});
   for (const Label label : mesh.labels) out.raw(std::int32_t{label});
   for (const CellData& data : options.cell_data) {

@@ -1,9 +1,14 @@
 // VTK's XML UnstructuredGrid: binary, appended, raw (VTK file formats, "XML File Formats").
 #pragma once
 
+#include <cstdint>
+
 #include "io/write_mesh.h"
 
 namespace voxtet {
+
+/// VTK's number of the cell type.
+inline constexpr std::uint8_t kVtkTetra = 10;
 
 /// Tetrahedra with the Int32 cell array `label` and cell data as Float32; Float64 points, mm. A comment at
 /// the beginning says space and unit to people. In LPS the grid has a field-data array `space` of three Int8

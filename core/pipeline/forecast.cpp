@@ -15,8 +15,9 @@ namespace {
 /// give way to local operations: with 367 it does, with 95 it keeps all (tests/sweep/sweep_forecast).
 constexpr std::int64_t kManyHandles = 120;
 constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
-/// Forecasts of memory are right within a quarter: what takes so many times what there is will not fit.
-constexpr double kHopeless = 1.5;
+/// Forecasts of memory are right within a quarter: what takes so many times what there is will not fit, or
+/// will.
+constexpr double kHopeless = 1.5, kSafe = 0.75;
 
 bool expects_refinement(const RemeshParams& params, const SurfaceMesh& surface) {
   if (params.method != RemeshMethod::kDelaunay) return false;
@@ -195,8 +196,9 @@ Status check_limits(const Session& session, RunContext& ctx, double space_mb) {
   if (may_be_hopeless && forecast->peak_mb > kHopeless * space_mb) {
     beyond += (beyond.empty() ? "" : "; ") + std::string("memory: the forecast is ") +
               shown(forecast->peak_mb) + " MB for " + shown(forecast->mesh.tets) +
-              " tetrahedra, and no more than " + shown(space_mb) + " can be had here";
-    limits.memory_mb = limits.memory_mb > 0 ? std::min(limits.memory_mb, space_mb) : space_mb;
+              " tetrahedra, and no more than " + shown(space_mb) + " MB can be had here";
+    const double safe_mb = kSafe * space_mb;
+    limits.memory_mb = limits.memory_mb > 0 ? std::min(limits.memory_mb, safe_mb) : safe_mb;
   }
   if (beyond.empty()) return std::monostate{};
   const Result<FittingSizes> fitting = fit_sizes(session, limits, ctx);

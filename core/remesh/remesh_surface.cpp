@@ -192,12 +192,12 @@ Result<SurfaceMesh> refine(const LabelVolume& volume, const SurfaceMesh& referen
   const LabelField field(volume, reference, layers);
   if (ctx.cancelled()) return cancelled_error(kRemeshStage);
   ctx.progress(kRemeshStage, 0.08);
-  DelaunayParams refine{params.facet_angle_deg, params.max_distance_voxels};
+  DelaunayParams aims{params.facet_angle_deg, params.max_distance_voxels};
   if (!layers.empty()) {
-    refine.missed_voxels = refine.max_distance_voxels;
-    refine.max_distance_voxels *= kLayerDistance;
+    aims.missed_voxels = aims.max_distance_voxels;
+    aims.max_distance_voxels *= kLayerDistance;
   }
-  return delaunay_surface(field, reference, wanted, sizing, refine, ctx);
+  return delaunay_surface(field, reference, wanted, sizing, aims, ctx);
 }
 
 Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,

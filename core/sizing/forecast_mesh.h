@@ -56,8 +56,8 @@ class MeshForecaster {
   std::vector<Sample> samples_;
 };
 
-/// The tets that the wished edge lengths alone ask for: a bound from below, in a hundredth of the time of a
-/// forecast.
+/// The tets that the wished edge lengths alone ask for: a bound from below that needs a sum over the
+/// voxels and no surface.
 double least_tets(const LabelVolume& volume, const SizingField& sizing);
 
 }  // namespace voxtet

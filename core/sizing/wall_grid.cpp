@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/closest_point.h"
 #include "geometry/distance_transform.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/distance_transform.h"
 #include "geometry/parallel.h"

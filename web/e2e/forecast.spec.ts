@@ -145,7 +145,7 @@ test('a mesh beyond the memory of a tab is refused at once; the case stays and t
   await expect(note(page)).toContainText('million tetrahedra');
   page.once('dialog', (question) => void question.accept());
   await page.getByTestId('run').click();
-  await expect(page.getByRole('alert')).toContainText('no more than 4295 can be had here');
+  await expect(page.getByRole('alert')).toContainText('no more than 4295 MB can be had here');
   await expect(page.getByRole('alert')).toContainText('times as large would fit');
   await idle(page);
   await expect(edge).toHaveValue('0.1');

@@ -1,7 +1,7 @@
 import { exceeded, forecast } from '../store/forecast';
 import { forecastParts, refusal } from './forecast_text';
 
-/** The engine's memory ends at 4096 MB, and forecasts of it hold within a quarter. */
+/** The engine's memory ends at 4295 MB, and forecasts of it hold within a quarter. */
 export const tightMemoryMb = 3300;
 
 /** What a run will take, or why it will be refused. */
