@@ -13,14 +13,16 @@ namespace {
 constexpr float kKeep = 1 - 5e-7F;  // smaller relative decreases are rounding
 constexpr int kMaxTraversals = 1000;
 
-/// A copy of the field with one ring of +infinity around it, so that no update asks where the grid ends.
+/// A copy of the field with rings of +infinity around it, so that no update asks where the grid ends and rows
+/// are whole blocks.
 class Sweeper {
  public:
   Sweeper(const std::array<int, 3>& size, const Eigen::Matrix3d& linear, double gradation)
       : nx_(size[0]),
         ny_(size[1]),
         nz_(size[2]),
-        stride_(size[0] + 2),
+        blocks_((size[0] + kBlock - 1) / kBlock),
+        stride_(blocks_ * kBlock + 4),
         orthogonal_(has_orthogonal_axes(linear)) {
     for (int dk = -1; dk <= 1; ++dk)
       for (int dj = -1; dj <= 1; ++dj)
@@ -32,36 +34,31 @@ class Sweeper {
     all_squares_ = inverse_square_[0] + inverse_square_[1] + inverse_square_[2];
     inverse_of_all_ = 1 / all_squares_;
     h_.assign(static_cast<std::size_t>(stride_) * (ny_ + 2) * (nz_ + 2), kFar);
-    dirty_.assign(static_cast<std::size_t>(ny_ + 2) * (nz_ + 2), 1);
-    path_.resize(nx_);
-    busy_.resize(blocks());
-    for (std::vector<float>* side : {&side_y_, &side_z_, &corner_}) side->assign(nx_ + 2, kFar);
+    dirty_.assign(static_cast<std::size_t>(blocks_ + 2) * (ny_ + 2) * (nz_ + 2), 1);
+    path_.resize(stride_);
+    for (std::vector<std::uint8_t>* flags : {&gathered_, &busy_, &changed_}) flags->resize(blocks_);
+    for (std::vector<float>* side : {&side_y_, &side_z_}) side->resize(stride_);
   }
 
   void load(const std::vector<float>& h) {
     for (int k = 0; k < nz_; ++k)
       for (int j = 0; j < ny_; ++j) std::copy_n(h.data() + flat_row(j, k), nx_, row(j, k));
+    find_middle(h);
   }
   void store(std::vector<float>& h) {
     for (int k = 0; k < nz_; ++k)
       for (int j = 0; j < ny_; ++j) std::copy_n(row(j, k), nx_, h.data() + flat_row(j, k));
   }
 
-  /// One traversal of the rows in one of the four orders; each row is swept both ways. True if any row
-  /// changed.
-  bool traverse(bool j_up, bool k_up) {
+  /// One traversal of the rows in one of the four orders: along y and z away from the middle or towards it.
+  /// Each row is swept both ways, first as along y. True if any row changed.
+  bool traverse(bool y_away, bool z_away) {
     bool changed = false;
     for (int kk = 0; kk < nz_; ++kk)
       for (int jj = 0; jj < ny_; ++jj) {
-        const int j = j_up ? jj : ny_ - 1 - jj;
-        const int k = k_up ? kk : nz_ - 1 - kk;
-        std::uint8_t& dirty = dirty_[dirty_index(j, k)];
-        if (!dirty) continue;
-        dirty = 0;
-        if (!update_row(j, k)) continue;
-        changed = true;
-        for (int dk = -1; dk <= 1; ++dk)
-          for (int dj = -1; dj <= 1; ++dj) dirty_[dirty_index(j + dj, k + dk)] = 1;
+        const int j = from_middle(1, ny_, y_away ? jj : ny_ - 1 - jj);
+        const int k = from_middle(2, nz_, z_away ? kk : nz_ - 1 - kk);
+        changed |= update_row(j, k, y_away);
       }
     return changed;
   }
@@ -74,24 +71,66 @@ class Sweeper {
   std::size_t flat_row(int j, int k) const {
     return static_cast<std::size_t>(nx_) * (j + static_cast<std::size_t>(ny_) * k);
   }
-  std::size_t dirty_index(int j, int k) const {
-    return (j + 1) + static_cast<std::size_t>(ny_ + 2) * (k + 1);
+  /// The middle of the points that are nearer to the smallest size than to the largest: small sizes spread
+  /// from there, and what is visited in the order in which they spread is lowered once.
+  void find_middle(const std::vector<float>& h) {
+    const auto [low, high] = std::minmax_element(h.begin(), h.end());
+    const float halfway = *low + (*high - *low) / 2;
+    std::array<double, 3> sum{};
+    std::size_t count = 0;
+    for (int k = 0; k < nz_; ++k)
+      for (int j = 0; j < ny_; ++j) {
+        const float* values = row(j, k);
+        for (int i = 0; i < nx_; ++i) {
+          if (values[i] > halfway) continue;
+          sum[0] += i;
+          sum[1] += j;
+          sum[2] += k;
+          ++count;
+        }
+      }
+    for (std::size_t d = 0; d < 3; ++d) middle_[d] = static_cast<int>(sum[d] / static_cast<double>(count));
   }
 
-  /// What the eight rows around offer by straight paths, and the lower neighbours across y and z.
-  void gather(int j, int k) {
-    const float *y0 = row(j - 1, k), *y1 = row(j + 1, k), *z0 = row(j, k - 1), *z1 = row(j, k + 1);
-    const float *c0 = row(j - 1, k - 1), *c1 = row(j + 1, k - 1), *c2 = row(j - 1, k + 1),
-                *c3 = row(j + 1, k + 1);
-    float *y = side_y_.data() + 1, *z = side_z_.data() + 1, *c = corner_.data() + 1, *path = path_.data();
-    for (int i = -1; i <= nx_; ++i) {
+  /// What comes at a place of the order 'from the middle up, then from the middle down'.
+  int from_middle(std::size_t axis, int size, int place) const {
+    return place < size - middle_[axis] ? middle_[axis] + place : size - 1 - place;
+  }
+
+  /// What tells of each block of a row whether anything around it has changed since it was looked at.
+  std::uint8_t* dirty_row(int j, int k) {
+    return dirty_.data() +
+           static_cast<std::size_t>(blocks_ + 2) * ((j + 1) + static_cast<std::size_t>(ny_ + 2) * (k + 1)) +
+           1;
+  }
+
+  /// What the eight rows around offer a block by straight paths, and the lower neighbours across y and z.
+  void gather(int j, int k, int block) {
+    if (gathered_[block]) return;
+    gathered_[block] = 1;
+    const int begin = block * kBlock, end = block_end(block);
+    if (orthogonal_)
+      gather_orthogonal(j, k, begin);
+    else
+      gather_sheared(j, k, begin, end);
+  }
+
+  /// Always a whole block and as much beside it as makes the number of points a multiple of four.
+  void gather_orthogonal(int j, int k, int begin) {
+    std::array<float, kBlock + 4> corner;
+    const auto from = [&](int dj, int dk) { return row(j + dj, k + dk) + begin; };
+    const float *y0 = from(-1, 0), *y1 = from(1, 0), *z0 = from(0, -1), *z1 = from(0, 1);
+    const float *c0 = from(-1, -1), *c1 = from(1, -1), *c2 = from(-1, 1), *c3 = from(1, 1);
+    float *y = side_y_.data() + begin + 1, *z = side_z_.data() + begin + 1, *c = corner.data() + 1;
+    float* path = path_.data() + begin;
+    for (int i = -1; i < kBlock + 3; ++i) {
       y[i] = std::min(y0[i], y1[i]);
       z[i] = std::min(z0[i], z1[i]);
       c[i] = std::min(std::min(c0[i], c1[i]), std::min(c2[i], c3[i]));
     }
     const float ry = rise_[1][2][1], rz = rise_[2][1][1], ryz = rise_[2][2][1];
     const float rxy = rise_[1][2][2], rxz = rise_[2][1][2], rxyz = rise_[2][2][2];
-    for (int i = 0; i < nx_; ++i) {
+    for (int i = 0; i < kBlock; ++i) {
       const float across = std::min(std::min(y[i] + ry, z[i] + rz), c[i] + ryz);
       const float y_ends = std::min(y[i - 1], y[i + 1]) + rxy;
       const float z_ends = std::min(z[i - 1], z[i + 1]) + rxz;
@@ -101,51 +140,64 @@ class Sweeper {
   }
 
   /// The straight paths where opposite steps have different lengths.
-  void gather_sheared(int j, int k) {
-    std::fill(path_.begin(), path_.end(), kFar);
+  void gather_sheared(int j, int k, int begin, int end) {
+    std::fill(path_.begin() + begin, path_.begin() + end, kFar);
     for (int dk = -1; dk <= 1; ++dk)
       for (int dj = -1; dj <= 1; ++dj) {
         if (dj == 0 && dk == 0) continue;
         const float* other = row(j + dj, k + dk);
         const auto& rise = rise_[dk + 1][dj + 1];
-        for (int i = 0; i < nx_; ++i)
+        for (int i = begin; i < end; ++i)
           for (int di = -1; di <= 1; ++di) path_[i] = std::min(path_[i], other[i - di] + rise[1 - di]);
       }
   }
 
-  bool update_row(int j, int k) {
-    float* h = row(j, k);
-    if (orthogonal_)
-      gather(j, k);
-    else
-      gather_sheared(j, k);
-    if (!find_blocks(h)) return false;
-    // A block in which nothing is to be lowered is passed over, unless a point beside it was lowered.
-    bool changed = false;
-    for (int b = 0; b < blocks(); ++b) {
-      if (!busy_[b]) continue;
-      const float first = h[b * kBlock], last = h[block_end(b) - 1];
-      for (int i = b * kBlock; i < block_end(b); ++i) changed |= update(h, i);
-      if (b > 0 && h[b * kBlock] < first) busy_[b - 1] = 1;
-      if (b + 1 < blocks() && h[block_end(b) - 1] < last) busy_[b + 1] = 1;
-    }
-    for (int b = blocks() - 1; b >= 0; --b) {
-      if (!busy_[b]) continue;
-      const float first = h[b * kBlock];
-      for (int i = block_end(b) - 1; i >= b * kBlock; --i) changed |= update(h, i);
-      if (b > 0 && h[b * kBlock] < first) busy_[b - 1] = 1;
-    }
-    return changed;
-  }
-
-  /// Marks the blocks of a row in which update() would lower a point as it stands; true if there is one.
-  bool find_blocks(const float* h) {
+  bool update_row(int j, int k, bool away_first) {
+    std::uint8_t* dirty = dirty_row(j, k);
+    if (std::find(dirty, dirty + blocks_, 1) == dirty + blocks_) return false;
+    std::fill(gathered_.begin(), gathered_.end(), 0);
+    std::fill(changed_.begin(), changed_.end(), 0);
+    std::copy_n(dirty, blocks_, busy_.begin());
+    std::fill_n(dirty, blocks_, 0);
+    sweep(j, k, away_first);
+    // What was lowered asks for a second look from the other side.
+    for (int b = 0; b < blocks_; ++b) busy_[b] |= gathered_[b];
+    sweep(j, k, !away_first);
     bool any = false;
-    for (int b = 0; b < blocks(); ++b) {
-      busy_[b] = needs_update(h, b * kBlock, block_end(b));
-      any = any || busy_[b];
+    for (int b = 0; b < blocks_; ++b) {
+      if (!changed_[b]) continue;
+      any = true;
+      for (int dk = -1; dk <= 1; ++dk)
+        for (int dj = -1; dj <= 1; ++dj) std::fill_n(dirty_row(j + dj, k + dk) + b - 1, 3, 1);
     }
     return any;
+  }
+
+  /// Looks at the busy blocks of a row, away from the middle or towards it.
+  void sweep(int j, int k, bool away) {
+    const int middle = middle_[0] / kBlock;
+    for (int b = away ? middle : 0; b < (away ? blocks_ : middle); ++b) look_at(j, k, b, true);
+    for (int b = (away ? middle : blocks_) - 1; b >= (away ? 0 : middle); --b) look_at(j, k, b, false);
+  }
+
+  /// Updates a busy block, up or down, if anything is to be lowered in it. The block beside a point that is
+  /// lowered becomes busy.
+  void look_at(int j, int k, int block, bool up) {
+    if (!busy_[block]) return;
+    busy_[block] = 0;
+    gather(j, k, block);
+    float* h = row(j, k);
+    const int begin = block * kBlock, end = block_end(block);
+    if (!needs_update(h, begin, end)) return;
+    const float first = h[begin], last = h[end - 1];
+    bool changed = false;
+    if (up)
+      for (int i = begin; i < end; ++i) changed |= update(h, i);
+    else
+      for (int i = end - 1; i >= begin; --i) changed |= update(h, i);
+    if (changed) changed_[block] = 1;
+    if (block > 0 && h[begin] < first) busy_[block - 1] = 1;
+    if (block + 1 < blocks_ && h[end - 1] < last) busy_[block + 1] = 1;
   }
 
   /// Free of branches, so that it vectorises.
@@ -175,7 +227,8 @@ class Sweeper {
   /// Godunov's |grad h|^2 / gradation^2 where the point has value h: above 1 means that godunov() is lower
   /// than h. Zero on sheared grids, where it does not hold.
   float slope_squared(float h, float x, float y, float z) const {
-    const float dx = std::max(0.0F, h - x), dy = std::max(0.0F, h - y), dz = std::max(0.0F, h - z);
+    const auto positive = [](float d) { return 0.5F * (d + std::abs(d)); };  // without a branch
+    const float dx = positive(h - x), dy = positive(h - y), dz = positive(h - z);
     return dx * dx * inverse_square_[0] + dy * dy * inverse_square_[1] + dz * dz * inverse_square_[2];
   }
 
@@ -207,17 +260,17 @@ class Sweeper {
   }
 
   static constexpr int kBlock = 16;
-  int blocks() const { return (nx_ + kBlock - 1) / kBlock; }
   int block_end(int block) const { return std::min(nx_, (block + 1) * kBlock); }
 
-  int nx_, ny_, nz_, stride_;
+  int nx_, ny_, nz_, blocks_, stride_;
   bool orthogonal_;
+  std::array<int, 3> middle_{};
   std::array<std::array<std::array<float, 3>, 3>, 3> rise_{};  ///< [dk+1][dj+1][di+1]: gradation * length
   std::array<float, 3> inverse_square_{};                      ///< 1 / (gradation * spacing)^2
   float all_squares_ = 0, inverse_of_all_ = 0;                 ///< of the sum of inverse_square_
-  std::vector<float> h_, path_, side_y_, side_z_, corner_;
-  std::vector<std::uint8_t> dirty_;
-  std::vector<std::uint8_t> busy_;  ///< the blocks of the row at hand
+  std::vector<float> h_, path_, side_y_, side_z_;
+  std::vector<std::uint8_t> dirty_;                      ///< by block, with a ring around
+  std::vector<std::uint8_t> gathered_, busy_, changed_;  ///< the blocks of the row at hand
 };
 
 }  // namespace

@@ -13,8 +13,9 @@ constexpr std::size_t kPatience = 12;
 constexpr int kAscentSteps = 8;
 /// The lowest quality has to grow by this factor to be worth a vertex.
 constexpr double kLeastRise = 1.02;
-/// New edges may be out of the range of sizes by this factor more than those of the cavity: between two walls
-/// that are near each other a vertex has no other place.
+/// New edges may be out of the range of sizes by this factor more than those of the cavity that no inserted
+/// vertex has (or one vertex would allow the next an ever smaller place): between two walls that are near
+/// each other a vertex has no other place.
 constexpr double kSizeSlack = 1.5;
 
 }  // namespace
@@ -95,11 +96,16 @@ Apex VertexInserter::smooth(const Point& at) {
 
 bool VertexInserter::sizes_allow(const Point& at) const {
   double before = 1, after = 0;
-  for (const StarSide& side : star_)
+  for (const Side& s : sides_) {
+    const Tet& corners = complex_.corners(s.tet);
+    const auto& side = kSideCorners[s.corner];
     for (std::size_t i = 0; i < 3; ++i) {
-      before = std::max(before, guard_.misfit(side[i], side[(i + 1) % 3]));
-      after = std::max(after, guard_.misfit(at, side[i]));
+      const std::uint32_t a = corners[side[i]], b = corners[side[(i + 1) % 3]];
+      if (std::max(a, b) < first_inserted_)
+        before = std::max(before, guard_.misfit(complex_.point(a), complex_.point(b)));
+      after = std::max(after, guard_.misfit(at, complex_.point(a)));
     }
+  }
   return after <= kSizeSlack * before;
 }
 

@@ -15,7 +15,9 @@ namespace voxtet::tetra {
 /// Inserts vertices into a complex. Holds what would else be allocated for each.
 class VertexInserter {
  public:
-  VertexInserter(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
+  /// The vertices that the complex has by then are not its own.
+  VertexInserter(TetComplex& complex, const SizeGuard& guard)
+      : complex_(complex), guard_(guard), first_inserted_(complex.point_count()) {}
 
   /// Replaces tet t and such tets around it as it takes by a star around a new vertex, when that raises the
   /// lowest quality and the sizes of the new edges are allowed. complex.made() are then the new tets.
@@ -47,6 +49,7 @@ class VertexInserter {
 
   TetComplex& complex_;
   const SizeGuard& guard_;
+  const std::uint32_t first_inserted_;
   std::vector<std::uint32_t> cavity_;
   std::vector<Side> sides_;
   std::vector<StarSide> star_;

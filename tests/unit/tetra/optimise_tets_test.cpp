@@ -211,26 +211,41 @@ TEST(OptimiseTets, KeepsJunctionsOnTheirCurves) {
   std::size_t moved = 0;
   for (const std::uint32_t v : junctions) {
     moved += after.points[v] != before.points[v];
-    EXPECT_LE(curve.closest(after.points[v]).distance_mm, params.slide * sizing.at(before.points[v]) + 1e-9) << v;
+    EXPECT_LE(curve.closest(after.points[v]).distance_mm, params.slide * sizing.at(before.points[v]) + 1e-9)
+        << v;
   }
   EXPECT_GT(moved, 0U);
   EXPECT_GT(junctions.size(), 20U);
 }
 
+double largest_misfit(const TetMesh& mesh, const SizingField& sizing) {
+  const tetra::SizeGuard guard(sizing);
+  double misfit = 1;
+  for (const auto& [a, b] : tet_edges(mesh.tets, mesh.points.size()))
+    misfit = std::max(misfit, guard.misfit(mesh.points[a], mesh.points[b]));
+  return misfit;
+}
+
 TEST(OptimiseTets, MakesNoEdgeFartherFromTheWishThanThereWas) {
   const TetMesh before = random_mesh(7, 800, 1);
   const SizingField sizing = test::uniform_sizing(0.8 * median_edge(before));
-  const tetra::SizeGuard guard(sizing);
-  const auto largest = [&](const TetMesh& mesh) {
-    double misfit = 1;
-    for (const auto& [a, b] : tet_edges(mesh.tets, mesh.points.size()))
-      misfit = std::max(misfit, guard.misfit(mesh.points[a], mesh.points[b]));
-    return misfit;
-  };
+  const double largest = largest_misfit(before, sizing);
   OptimiseParams params;
-  EXPECT_LE(largest(optimise_fixed(before, sizing, params)), 1.5 * largest(before));
+  EXPECT_LE(largest_misfit(optimise_fixed(before, sizing, params), sizing), 1.5 * largest);
   params.insertion_deg = 1;
-  EXPECT_LE(largest(optimise_fixed(before, sizing, params)), largest(before));
+  EXPECT_LE(largest_misfit(optimise_fixed(before, sizing, params), sizing), largest);
+}
+
+TEST(OptimiseTets, InsertedVerticesDoNotAllowEachOtherEverShorterEdges) {
+  OptimiseParams params;
+  params.rounds = 10;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const TetMesh before = random_mesh(seed, 400, 4);
+    const SizingField sizing = test::uniform_sizing(2 * median_edge(before));
+    const TetMesh after = optimise_fixed(before, sizing, params);
+    EXPECT_GT(after.points.size(), before.points.size()) << seed;
+    EXPECT_LE(largest_misfit(after, sizing), 1.5 * largest_misfit(before, sizing)) << seed;
+  }
 }
 
 TEST(OptimiseTets, GivesTheSameBytesEverywhere) {
