@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/morton_curve.h"
 #include "geometry/parallel.h"
 #include "geometry/triangle_intersection.h"
 
@@ -13,48 +14,16 @@ namespace {
 
 constexpr std::size_t kLeafSize = 8;
 constexpr std::size_t kFanOut = 4;
-constexpr unsigned kMortonBits = 10;  ///< an axis; the code has 30
 
-std::uint32_t spread_bits(std::uint32_t x) {
-  x = (x | (x << 16)) & 0x030000FFU;
-  x = (x | (x << 8)) & 0x0300F00FU;
-  x = (x | (x << 4)) & 0x030C30C3U;
-  return (x | (x << 2)) & 0x09249249U;
-}
-
-/// Indices of the codes in ascending order, equal codes by index.
-std::vector<std::uint32_t> radix_order(const std::vector<std::uint32_t>& codes) {
-  std::vector<std::uint32_t> order(codes.size()), next(codes.size());
-  std::iota(order.begin(), order.end(), 0U);
-  for (unsigned shift = 0; shift < 3 * kMortonBits; shift += kMortonBits) {
-    std::array<std::uint32_t, (1U << kMortonBits) + 1> first{};
-    const auto digit = [&](std::uint32_t i) { return (codes[i] >> shift) & ((1U << kMortonBits) - 1); };
-    for (const std::uint32_t i : order) ++first[digit(i) + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    for (const std::uint32_t i : order) next[first[digit(i)]++] = i;
-    order.swap(next);
-  }
-  return order;
-}
-
-std::vector<std::uint32_t> morton_codes(const SurfaceMesh& surface) {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::max()), high = -low;
-  for (const Eigen::Vector3d& p : surface.points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double extent = (high - low).maxCoeff();
-  const double scale = extent > 0 ? ((1U << kMortonBits) - 1) / extent : 0;
-  std::vector<std::uint32_t> codes;
-  codes.reserve(surface.triangles.size());
-  for (const Triangle& t : surface.triangles) {
-    const Eigen::Vector3d cell =
-        scale * ((surface.points[t[0]] + surface.points[t[1]] + surface.points[t[2]]) / 3 - low);
-    codes.push_back(spread_bits(static_cast<std::uint32_t>(cell.x())) |
-                    spread_bits(static_cast<std::uint32_t>(cell.y())) << 1 |
-                    spread_bits(static_cast<std::uint32_t>(cell.z())) << 2);
-  }
-  return codes;
+/// Along a curve through space; none of no triangles.
+std::vector<std::uint32_t> order_of_triangles(const SurfaceMesh& surface) {
+  if (surface.triangles.empty()) return {};
+  const MortonCurve curve(surface.points);
+  std::vector<std::uint32_t> places;
+  places.reserve(surface.triangles.size());
+  for (const auto& [a, b, c] : surface.triangles)
+    places.push_back(curve.place((surface.points[a] + surface.points[b] + surface.points[c]) / 3));
+  return order_of_places(places);
 }
 
 template <class Box>
@@ -129,10 +98,7 @@ class SelfIntersectionTree::Search {
 };
 
 SelfIntersectionTree::SelfIntersectionTree(const SurfaceMesh& surface, int threads)
-    : surface_(surface),
-      threads_(threads),
-      order_(radix_order(morton_codes(surface))),
-      boxes_(order_.size()) {
+    : surface_(surface), threads_(threads), order_(order_of_triangles(surface)), boxes_(order_.size()) {
   std::size_t count = order_.size(), per_node = kLeafSize;
   do {
     count = (count + per_node - 1) / per_node;

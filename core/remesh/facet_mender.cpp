@@ -18,10 +18,15 @@ constexpr double kLeastWeight = 0.2;  ///< of a corner that is moved to bring a 
 
 }  // namespace
 
+/// How near facets are to come, as far as samples show.
+double FacetMender::aim_mm() const {
+  return std::max(kAimShare * editor_.limits.reach_mm, kLeastReachVoxels * params_.voxel_mm);
+}
+
 bool FacetMender::come_nearer() {
   constexpr int kPasses = 6;
   const ComplexMesh& mesh = editor_.mesh();
-  const double reach_mm = std::max(kAimShare * editor_.limits.reach_mm, kLeastReachVoxels * params_.voxel_mm);
+  const double reach_mm = aim_mm();
   editor_.limits.lattice_mm = kFineLatticeVoxels * params_.voxel_mm;
   std::uint32_t since = 0;
   bool any = true;
@@ -69,11 +74,12 @@ bool FacetMender::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& bre
   }
   std::sort(by_weight.begin(), by_weight.end());
   std::sort(by_length.begin(), by_length.end());
-  editor_.limits.nearer_mm = kNearerShare * std::sqrt(breach.distance2);
+  const double nearer_mm = kNearerShare * std::sqrt(breach.distance2);
+  editor_.limits.nearer_mm = nearer_mm;
   for (const Healing healing : kHealings) {
     const auto done = [&](auto&& operation) {
       return attempt(
-          operation, [&] { return is_nearer(); }, healing);
+          operation, [&] { return is_within(nearer_mm * nearer_mm); }, healing);
     };
     const auto shift = [&](std::uint32_t v, const Eigen::Vector3d& by) {
       return done([&] { return operations_.shift(v, by, Demand::kNearer); });
@@ -101,12 +107,11 @@ bool FacetMender::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& bre
 
 /// Whether all that the trial made is: the operations themselves look at samples that have changed hosts, and
 /// not at those that have kept them.
-bool FacetMender::is_nearer() {
-  const double limit = editor_.limits.nearer_mm;
-  bool nearer = true;
+bool FacetMender::is_within(double distance2) {
+  bool within = true;
   editor_.for_trial_triangles(
-      [&](std::uint32_t t) { nearer = nearer && editor_.farthest(t).distance2 <= limit * limit; });
-  return nearer;
+      [&](std::uint32_t t) { within = within && editor_.farthest(t).distance2 <= distance2; });
+  return within;
 }
 
 bool FacetMender::unfold() {
@@ -128,16 +133,20 @@ bool FacetMender::unfold() {
   return true;
 }
 
-/// Whatever opens the fold at an edge: first what keeps the angles, then that after which they can be opened,
-/// last by more points.
+/// Whatever opens the fold at an edge and takes nothing beyond the envelope: first what keeps the angles,
+/// then that after which they can be opened, last by more points.
 bool FacetMender::unfold(std::uint32_t a, std::uint32_t b) {
   const ComplexMesh& mesh = editor_.mesh();
   std::vector<std::uint32_t> around;
   const double sharpest = sharpest_fold(a, b, around);
+  double distance2 = aim_mm() * aim_mm();
+  for (const std::uint32_t end : {a, b})
+    for (const std::uint32_t t : mesh.star(end))
+      distance2 = std::max(distance2, editor_.farthest(t).distance2);
   for (const Healing healing : kHealings) {
     const auto done = [&](auto&& operation) {
       return attempt(
-          operation, [&] { return is_flatter(sharpest); }, healing);
+          operation, [&] { return is_flatter(sharpest) && is_within(distance2); }, healing);
     };
     if (done([&] { return open_fold(a, b, around); })) return true;
     if (around.size() != 2) continue;

@@ -21,9 +21,10 @@ class FacetMender : public HealingPasses {
   bool unfold();
 
  private:
+  double aim_mm() const;
   bool approach(std::uint32_t t, double reach_mm);
   bool bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach);
-  bool is_nearer();
+  bool is_within(double distance2);
   bool unfold(std::uint32_t a, std::uint32_t b);
   bool is_flatter(double sharpest);
 };

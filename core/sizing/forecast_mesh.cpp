@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTrianglesPerArea = 2.15;  ///< in squared edges
-constexpr double kTetsPerVolume = 9.25;     ///< in cubed edges
+constexpr double kTetsPerVolume = 9.45;     ///< in cubed edges
 constexpr double kRise = 0.7;  ///< of edge lengths from a surface that is finer than wished, per mm
 constexpr double kPointsPerTet = 0.17, kPointsPerTriangle = 0.25;
 

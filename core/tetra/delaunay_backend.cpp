@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/morton_curve.h"
 #include "geometry/surface_measures.h"
 #include "tetra/delaunay_cells.h"
 #include "tetra/meshing_error.h"
@@ -35,9 +36,14 @@ Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing
                                  const DelaunayOptions& options, const WallLayers& layers,
                                  const RunContext& ctx) {
   DelaunayCells cells;
-  for (const Eigen::Vector3d& p : surface.points) {
-    if (cells.size() % kPointsPerQuestion == 0 && ctx.cancelled()) return cancelled_error("tetra");
-    if (!cells.add(p)) return meshing_error("two points of the surface coincide");
+  const MortonCurve curve(surface.points);
+  std::vector<std::uint32_t> places;
+  places.reserve(surface.points.size());
+  for (const Eigen::Vector3d& p : surface.points) places.push_back(curve.place(p));
+  std::size_t added = 0;
+  for (const std::uint32_t v : order_of_places(places)) {
+    if (added++ % kPointsPerQuestion == 0 && ctx.cancelled()) return cancelled_error("tetra");
+    if (!cells.add(surface.points[v], v)) return meshing_error("two points of the surface coincide");
   }
   const std::size_t triangles = surface.triangles.size();
   const std::vector<double> volumes = enclosed_volumes_mm3(surface);

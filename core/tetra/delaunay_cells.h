@@ -15,14 +15,15 @@
 
 namespace voxtet::tetra {
 
-/// Wraps CGAL's Delaunay_triangulation_3. Vertices are numbered in the order in which they were added.
+/// Wraps CGAL's Delaunay_triangulation_3.
 class DelaunayCells {
  public:
   DelaunayCells();
   ~DelaunayCells();
 
-  /// False where a vertex is there already.
-  bool add(const Eigen::Vector3d& point);
+  /// False where a vertex is there already. In the end the numbers are to be those from 0 on; quickest where
+  /// points that are added one after the other are near each other.
+  bool add(const Eigen::Vector3d& point, std::uint32_t number);
   std::uint32_t size() const;
   bool has_edge(std::uint32_t a, std::uint32_t b) const;
   /// Which triangles of a surface, whose points are the vertices, are facets.
@@ -33,8 +34,8 @@ class DelaunayCells {
   bool label(const SurfaceMesh& surface);
 
   enum class Refined { kDone, kCancelled, kTooMany };
-  /// After label(): adds points at the circumcentres of cells that are larger than `sizing` wishes, the
-  /// largest first, then of those with a higher ratio of circumradius to shortest edge, except where these
+  /// After label(): adds points at the circumcentres of cells that are larger than `sizing` wishes, then of
+  /// those with a higher ratio of circumradius to shortest edge, except where these
   /// are too close to the surface or behind it. A point only changes cells of one label: the triangulation
   /// stays Delaunay as seen from inside each label. No point is added in a layer. Polls ctx.cancelled().
   /// Stops at `max_points`.
