@@ -10,10 +10,11 @@
 namespace voxtet {
 namespace {
 
+constexpr float kOutside = 1e18F;   // larger than any size; finite, so that differences of two are numbers
 constexpr float kKeep = 1 - 5e-7F;  // smaller relative decreases are rounding
 constexpr int kMaxTraversals = 1000;
 
-/// A copy of the field with rings of +infinity around it, so that no update asks where the grid ends and rows
+/// A copy of the field with rings of kOutside around it, so that no update asks where the grid ends and rows
 /// are whole blocks.
 class Sweeper {
  public:
@@ -33,7 +34,7 @@ class Sweeper {
       inverse_square_[d] = static_cast<float>(1 / (gradation * gradation * linear.col(d).squaredNorm()));
     all_squares_ = inverse_square_[0] + inverse_square_[1] + inverse_square_[2];
     inverse_of_all_ = 1 / all_squares_;
-    h_.assign(static_cast<std::size_t>(stride_) * (ny_ + 2) * (nz_ + 2), kFar);
+    h_.assign(static_cast<std::size_t>(stride_) * (ny_ + 2) * (nz_ + 2), kOutside);
     dirty_.assign(static_cast<std::size_t>(blocks_ + 2) * (ny_ + 2) * (nz_ + 2), 1);
     path_.resize(stride_);
     for (std::vector<std::uint8_t>* flags : {&gathered_, &busy_, &changed_}) flags->resize(blocks_);
@@ -42,12 +43,21 @@ class Sweeper {
 
   void load(const std::vector<float>& h) {
     for (int k = 0; k < nz_; ++k)
-      for (int j = 0; j < ny_; ++j) std::copy_n(h.data() + flat_row(j, k), nx_, row(j, k));
-    find_middle(h);
+      for (int j = 0; j < ny_; ++j) {
+        const float* from = h.data() + flat_row(j, k);
+        std::transform(from, from + nx_, row(j, k), [](float size) { return std::min(size, kOutside); });
+      }
+    const auto [low, high] = std::minmax_element(h.begin(), h.end());
+    find_middle(std::min(*low, kOutside) / 2 + std::min(*high, kOutside) / 2);
   }
+  /// What no size has reached stays as it is.
   void store(std::vector<float>& h) {
     for (int k = 0; k < nz_; ++k)
-      for (int j = 0; j < ny_; ++j) std::copy_n(row(j, k), nx_, h.data() + flat_row(j, k));
+      for (int j = 0; j < ny_; ++j) {
+        float* to = h.data() + flat_row(j, k);
+        std::transform(to, to + nx_, row(j, k), to,
+                       [](float old, float size) { return size < kOutside ? size : old; });
+      }
   }
 
   /// One traversal of the rows in one of the four orders: along y and z away from the middle or towards it.
@@ -71,11 +81,9 @@ class Sweeper {
   std::size_t flat_row(int j, int k) const {
     return static_cast<std::size_t>(nx_) * (j + static_cast<std::size_t>(ny_) * k);
   }
-  /// The middle of the points that are nearer to the smallest size than to the largest: small sizes spread
-  /// from there, and what is visited in the order in which they spread is lowered once.
-  void find_middle(const std::vector<float>& h) {
-    const auto [low, high] = std::minmax_element(h.begin(), h.end());
-    const float halfway = *low + (*high - *low) / 2;
+  /// The middle of the points that are no larger than halfway between the smallest and the largest size:
+  /// small sizes spread from there, and what is visited in the order in which they spread is lowered once.
+  void find_middle(float halfway) {
     std::array<double, 3> sum{};
     std::size_t count = 0;
     for (int k = 0; k < nz_; ++k)

@@ -153,6 +153,17 @@ TEST(LimitGradation, LeavesInfinityWhereNothingIsWished) {
     EXPECT_EQ(h, std::numeric_limits<float>::infinity());
 }
 
+TEST(LimitGradation, FollowsRoundFrontsInGridsOfOneLayerToo) {
+  const Grid grid = orthogonal_grid({33, 33, 1}, {1, 1, 1});
+  std::vector<float> h(grid.count(), std::numeric_limits<float>::infinity());
+  h[16 + 33 * 16] = 1;
+  const std::vector<float> field = limited(grid, 0.3, h);
+  // Straight paths to the neighbours alone would be 8 % longer.
+  const double rise = field[28 + 33 * 22] - 1.0, exact = 0.3 * std::hypot(12, 6);
+  EXPECT_GE(rise, exact * (1 - 1e-5));
+  EXPECT_LE(rise, 1.055 * exact);
+}
+
 TEST(LimitGradation, StopsWhenCancelled) {
   const Grid grid = orthogonal_grid({6, 5, 4}, {1, 1, 1});
   std::vector<float> h(grid.count(), 1.F);
