@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,6 +19,10 @@ class MortonCurve {
   /// How far along the curve the cell of a point between those is.
   std::uint32_t place(const Eigen::Vector3d& point) const;
 
+  /// The numbers below `count` in the order in which the curve comes to point_at(number).
+  template <class PointAt>
+  std::vector<std::uint32_t> order(std::size_t count, const PointAt& point_at) const;
+
  private:
   Eigen::Vector3d low_;
   double scale_;
@@ -25,5 +30,13 @@ class MortonCurve {
 
 /// The numbers of the places in ascending order, equal places by number.
 std::vector<std::uint32_t> order_of_places(const std::vector<std::uint32_t>& places);
+
+template <class PointAt>
+std::vector<std::uint32_t> MortonCurve::order(std::size_t count, const PointAt& point_at) const {
+  std::vector<std::uint32_t> places;
+  places.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) places.push_back(place(point_at(i)));
+  return order_of_places(places);
+}
 
 }  // namespace voxtet

@@ -1,8 +1,6 @@
 #include "geometry/self_intersections.h"
 
 #include <algorithm>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 #include "geometry/morton_curve.h"
@@ -18,12 +16,10 @@ constexpr std::size_t kFanOut = 4;
 /// Along a curve through space; none of no triangles.
 std::vector<std::uint32_t> order_of_triangles(const SurfaceMesh& surface) {
   if (surface.triangles.empty()) return {};
-  const MortonCurve curve(surface.points);
-  std::vector<std::uint32_t> places;
-  places.reserve(surface.triangles.size());
-  for (const auto& [a, b, c] : surface.triangles)
-    places.push_back(curve.place((surface.points[a] + surface.points[b] + surface.points[c]) / 3));
-  return order_of_places(places);
+  return MortonCurve(surface.points).order(surface.triangles.size(), [&](std::size_t t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    return Eigen::Vector3d((surface.points[a] + surface.points[b] + surface.points[c]) / 3);
+  });
 }
 
 template <class Box>

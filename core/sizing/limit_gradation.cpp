@@ -50,6 +50,7 @@ class Sweeper {
     const auto [low, high] = std::minmax_element(h.begin(), h.end());
     find_middle(std::min(*low, kOutside) / 2 + std::min(*high, kOutside) / 2);
   }
+
   /// What no size has reached stays as it is.
   void store(std::vector<float>& h) {
     for (int k = 0; k < nz_; ++k)
@@ -81,6 +82,7 @@ class Sweeper {
   std::size_t flat_row(int j, int k) const {
     return static_cast<std::size_t>(nx_) * (j + static_cast<std::size_t>(ny_) * k);
   }
+
   /// The middle of the points that are no larger than halfway between the smallest and the largest size:
   /// small sizes spread from there, and what is visited in the order in which they spread is lowered once.
   void find_middle(float halfway) {

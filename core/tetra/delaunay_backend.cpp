@@ -36,12 +36,12 @@ Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing
                                  const DelaunayOptions& options, const WallLayers& layers,
                                  const RunContext& ctx) {
   DelaunayCells cells;
-  const MortonCurve curve(surface.points);
-  std::vector<std::uint32_t> places;
-  places.reserve(surface.points.size());
-  for (const Eigen::Vector3d& p : surface.points) places.push_back(curve.place(p));
+  const std::vector<std::uint32_t> order =
+      MortonCurve(surface.points).order(surface.points.size(), [&](std::size_t v) {
+        return surface.points[v];
+      });
   std::size_t added = 0;
-  for (const std::uint32_t v : order_of_places(places)) {
+  for (const std::uint32_t v : order) {
     if (added++ % kPointsPerQuestion == 0 && ctx.cancelled()) return cancelled_error("tetra");
     if (!cells.add(surface.points[v], v)) return meshing_error("two points of the surface coincide");
   }

@@ -52,7 +52,7 @@ struct DelaunayCells::Impl {
   Cell hint;
   std::uint32_t next_serial = 1;
   /// By level, of which the highest comes first; inside a level what was made last, which is still in the
-  /// caches: half the time of the worst first, and angles are the same.
+  /// caches.
   std::array<std::vector<BadCell>, kLevels.size() + 1> bad;
   std::vector<Cell> cavity, star;
   std::vector<Triangulation::Facet> rim;
@@ -168,10 +168,6 @@ bool DelaunayCells::add(const Vector3d& point, std::uint32_t number) {
   return true;
 }
 
-std::uint32_t DelaunayCells::size() const {
-  return static_cast<std::uint32_t>(impl_->vertices.size());
-}
-
 bool DelaunayCells::has_edge(std::uint32_t a, std::uint32_t b) const {
   Cell cell;
   int i = 0, j = 0;
@@ -223,11 +219,12 @@ DelaunayCells::Refined DelaunayCells::refine(const SizingField& sizing, double r
   Impl& m = *impl_;
   for (const Cell c : m.triangulation.finite_cell_handles())
     if (!layers.is_layer(c->info().label)) m.examine(c, sizing, radius_edge);
-  const double first_points = size();
+  const auto first_points = static_cast<double>(m.vertices.size());
   for (std::size_t k = 1;; ++k) {
     if (k % kTriesPerQuestion == 0) {
       if (ctx.cancelled()) return Refined::kCancelled;
-      ctx.progress("tetra", 0.1 + 0.8 * (size() - first_points) / (size() + first_points));
+      const auto points = static_cast<double>(m.vertices.size());
+      ctx.progress("tetra", 0.1 + 0.8 * (points - first_points) / (points + first_points));
     }
     if (m.vertices.size() >= max_points) return Refined::kTooMany;
     const auto bad = std::find_if(m.bad.rbegin(), m.bad.rend(), [](const auto& at) { return !at.empty(); });

@@ -24,7 +24,6 @@ class DelaunayCells {
   /// False where a vertex is there already. In the end the numbers are to be those from 0 on; quickest where
   /// points that are added one after the other are near each other.
   bool add(const Eigen::Vector3d& point, std::uint32_t number);
-  std::uint32_t size() const;
   bool has_edge(std::uint32_t a, std::uint32_t b) const;
   /// Which triangles of a surface, whose points are the vertices, are facets.
   std::vector<bool> find_facets(const SurfaceMesh& surface) const;
