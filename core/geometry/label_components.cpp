@@ -15,18 +15,21 @@ std::vector<std::uint32_t> label_components(const std::array<int, 3>& size, cons
   for (int k = 0; k < size[2]; ++k)
     for (int j = 0; j < size[1]; ++j)
       for (int i = 0; i < size[0]; ++i, ++voxel) {
+        const Label label = labels[voxel];
+        const bool follows = i > 0 && labels[voxel - 1] == label;
         const auto join = [&](std::size_t other) {
-          if (labels[other] == labels[voxel])
-            sets.join(static_cast<std::uint32_t>(other), static_cast<std::uint32_t>(voxel));
+          sets.join(static_cast<std::uint32_t>(other), static_cast<std::uint32_t>(voxel));
         };
-        if (i > 0) join(voxel - 1);
-        if (j > 0) join(voxel - nx);
-        if (k > 0) join(voxel - nx * ny);
-        if (!diagonals) continue;
-        if (i > 0 && j > 0) join(voxel - nx - 1);
-        if (i > 0 && k > 0) join(voxel - nx * ny - 1);
-        if (j > 0 && k > 0) join(voxel - nx * ny - nx);
-        if (i > 0 && j > 0 && k > 0) join(voxel - nx * ny - nx - 1);
+        // Two runs along rows are joined where they first meet.
+        const auto join_row = [&](std::size_t other) {
+          const bool before = i > 0 && labels[other - 1] == label;
+          if (labels[other] == label && !(follows && before)) join(other);
+          if (diagonals && before && !follows) join(other - 1);
+        };
+        if (follows) join(voxel - 1);
+        if (j > 0) join_row(voxel - nx);
+        if (k > 0) join_row(voxel - nx * ny);
+        if (diagonals && j > 0 && k > 0) join_row(voxel - nx * ny - nx);
       }
   std::vector<std::uint32_t> ids(labels.size());
   sizes.clear();

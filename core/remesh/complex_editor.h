@@ -20,11 +20,14 @@
 namespace voxtet::remesh {
 
 struct EditLimits {
-  double reach_mm = 0.5;       ///< envelope, both directions
-  double nearer_mm = 0;        ///< the envelope for Demand::kNearer, if it is wider
-  double lattice_mm = 1;       ///< spacing of the points at which new facets are compared with the reference
-  double angle_cosine = 0.95;  ///< planar angles
-  double crease_cosine = 0.5;  ///< angles between two facets inside a surface
+  double reach_mm = 0.5;  ///< envelope, both directions
+  double nearer_mm = 0;   ///< the envelope for Demand::kNearer, if it is wider
+  double lattice_mm = 1;  ///< spacing of the points at which new facets are compared with the reference
+  /// If positive: where a facet may be farther than this between the points of that lattice, a closer one is
+  /// looked at.
+  double sure_mm = 0;
+  double angle_cosine = 0.95;    ///< planar angles
+  double crease_cosine = 0.5;    ///< angles between two facets inside a surface
   double junction_cosine = 0.9;  ///< angles between two facets where curves run
   double gap_share = 0;          ///< least distance of sheets that face each other, in wished edge lengths
   /// The complex is adapted already: it may be beyond its reach somewhere, where it must not go farther, and
@@ -130,8 +133,8 @@ class ComplexEditor {
   bool is_folded(std::uint32_t t) const;
   void look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const;
   std::uint32_t nearest_hint(const Facet& facet, const Corners& p) const;
-  Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double content2,
-                        std::uint32_t hint, double enough2 = 0,
+  Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double lattice_mm,
+                        double content2, std::uint32_t hint, double enough2 = 0,
                         std::span<const std::uint32_t> more_hints = {}) const;
   Reason check_contacts(const Change& change);
   Reason check_balls(const Change& change, const Eigen::Vector3d& before);

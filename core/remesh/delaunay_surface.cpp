@@ -171,11 +171,14 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
           merged, {params.missed_voxels * voxel, repair->separation * voxel,
                    broken ? *broken : std::vector<Label>{}, repair->turned_cosine, repair->narrow_share});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
-      if (repair->thorough && broken->empty() && missed.empty()) break;
+      // Where the topology is as wanted, mending has done away with what was flawed.
+      const bool sound = repair->thorough && broken->empty();
       // These first, because new points do away with cells.
-      for (const InterfaceFacet& facet : flawed)
-        added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);
+      if (!sound)
+        for (const InterfaceFacet& facet : flawed)
+          added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);
       added += refiner.insert(missed, repair->separation * voxel);
+      if (sound && added == 0) break;
     }
     if (added > 0) continue;
     compare();

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kCoveredShare = 0.75;
 constexpr std::uint32_t kEveryCorner = kNone - 1;
+constexpr double kCloserShare = 0.3;  ///< of the lattice's spacing, where a closer look is needed
 
 /// Of a point of the triangle.
 Eigen::Vector3d barycentric(const Eigen::Vector3d& on, const Corners& p) {
@@ -32,8 +33,8 @@ Reason ComplexEditor::check_envelope(const Change& change) const {
     const std::uint32_t moved = change.added[i].pair == met ? kNone : change.moved;
     met = change.added[i].pair;
     for (;;) {
-      const double distance2 = farthest_point(change.added[i], new_corners_[i], moved, limit2,
-                                              nearest_hint(change.added[i], new_corners_[i]), limit2)
+      const double distance2 = farthest_point(change.added[i], new_corners_[i], moved, limits.lattice_mm,
+                                              limit2, nearest_hint(change.added[i], new_corners_[i]), limit2)
                                    .distance2;
       if (distance2 <= limit2) break;
       if (looked_back || distance2 == kNowhere) return Reason::kEnvelope;
@@ -64,9 +65,10 @@ std::uint32_t ComplexEditor::nearest_hint(const Facet& facet, const Corners& p) 
 /// Of the facet's lattice points; the first one above `content2`. Its corners were looked at when they came
 /// to their places, and each edge inside the change is left to one of its two facets.
 ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved,
-                                                    double content2, std::uint32_t hint, double enough2,
+                                                    double lattice_mm, double content2, std::uint32_t hint,
+                                                    double enough2,
                                                     std::span<const std::uint32_t> more_hints) const {
-  const int n = static_cast<int>(std::ceil(longest_edge_mm(p) / limits.lattice_mm));
+  const int n = static_cast<int>(std::ceil(longest_edge_mm(p) / lattice_mm));
   const double far2 = content2 < kNowhere ? content2 : limits.reach_mm * limits.reach_mm;
   Breach worst;
   if (hint == kNone) {
@@ -122,7 +124,15 @@ const ComplexEditor::Breach& ComplexEditor::farthest_point_of(std::uint32_t t, c
   Breach& breach = breaches_[t];
   if (breach.distance2 < 0) {
     const Facet facet{mesh_.triangle(t), mesh_.pair(t)};
-    breach = farthest_point(facet, p, kEveryCorner, kNowhere, nearest_hint(facet, p), 0, samples_of(t));
+    const auto look = [&](double lattice_mm) {
+      breach = farthest_point(facet, p, kEveryCorner, lattice_mm, kNowhere, nearest_hint(facet, p), 0,
+                              samples_of(t));
+    };
+    look(limits.lattice_mm);
+    // No point of the facet is farther than this from a point of the lattice.
+    const double between_mm = limits.lattice_mm / std::sqrt(3.0);
+    const double sure_mm = std::max(0.0, limits.sure_mm - between_mm);
+    if (limits.sure_mm > 0 && breach.distance2 > sure_mm * sure_mm) look(kCloserShare * limits.lattice_mm);
   }
   return breach;
 }

@@ -9,9 +9,9 @@
 namespace voxtet::remesh {
 namespace {
 
-constexpr double kFineLatticeVoxels = 0.33;
+constexpr double kMendLatticeVoxels = 0.5;
 constexpr double kLeastReachVoxels = 0.4;  ///< nearer than this is near enough
-constexpr double kAimShare = 0.88;         ///< of the envelope: between samples facets may be farther
+constexpr double kAimShare = 0.95;         ///< of the envelope: between samples facets may be farther
 constexpr double kNearShare = 0.4;         ///< of the envelope: samples that need no closer look
 constexpr double kNearerShare = 0.97;      ///< of the largest distance, if that is to fall
 constexpr double kLeastWeight = 0.2;  ///< of a corner that is moved to bring a point of its triangle nearer
@@ -27,7 +27,8 @@ bool FacetMender::come_nearer() {
   constexpr int kPasses = 6;
   const ComplexMesh& mesh = editor_.mesh();
   const double reach_mm = aim_mm();
-  editor_.limits.lattice_mm = kFineLatticeVoxels * params_.voxel_mm;
+  editor_.limits.lattice_mm = kMendLatticeVoxels * params_.voxel_mm;
+  editor_.limits.sure_mm = reach_mm;
   std::uint32_t since = 0;
   bool any = true;
   for (int pass = 0; pass < kPasses && any; ++pass) {

@@ -27,34 +27,50 @@ constexpr int kSteps = 3;
 constexpr double kWidening = 0.15;  ///< of a thin triangle's shortest edge, in one round
 constexpr int kWideningRounds = 10;
 
-/// Mean distance of a facet whose corners lie on the interface: the rule of the edge midpoints is exact for
-/// quadratics.
-double mean_distance(const SurfaceMesh& surface, std::size_t t, const LabelField& field) {
-  const auto [a, b, c] = surface.triangles[t];
-  const Vector3d &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
-  double sum = 0;
-  for (const Vector3d& middle : {Vector3d(0.5 * (p + q)), Vector3d(0.5 * (q + r)), Vector3d(0.5 * (r + p))})
-    sum += field.distance(middle, surface.sides[t][0], surface.sides[t][1]).value_or(0);
-  return sum / 3;
-}
-
 /// A triangle at one of its edges.
 struct Wing {
   std::uint32_t a, b;  ///< the edge, a < b
   std::uint32_t tip;
+  std::uint32_t triangle;
+
+  bool same_edge(const Wing& other) const { return a == other.a && b == other.b; }
 };
 
 /// All wings, those of an edge one after the other.
 std::vector<Wing> wings_of(const SurfaceMesh& surface) {
   std::vector<Wing> wings;
   wings.reserve(3 * surface.triangles.size());
-  for (const Triangle& t : surface.triangles)
+  for (std::uint32_t triangle = 0; triangle < surface.triangles.size(); ++triangle) {
+    const Triangle& t = surface.triangles[triangle];
     for (std::size_t i = 0; i < 3; ++i)
-      wings.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3]), t[(i + 2) % 3]});
+      wings.push_back(
+          {std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3]), t[(i + 2) % 3], triangle});
+  }
   std::sort(wings.begin(), wings.end(), [](const Wing& x, const Wing& y) {
     return std::tie(x.a, x.b, x.tip) < std::tie(y.a, y.b, y.tip);
   });
   return wings;
+}
+
+/// By triangle, the mean distance of a facet whose corners lie on the interface: the rule of the edge
+/// midpoints is exact for quadratics. Edges between facets of the same two labels are looked at once.
+std::vector<double> mean_distances(const SurfaceMesh& surface, const std::vector<Wing>& wings,
+                                   const LabelField& field) {
+  std::vector<double> means(surface.triangles.size(), 0);
+  for (std::size_t w = 0; w < wings.size(); ++w) {
+    const Sides& sides = surface.sides[wings[w].triangle];
+    const auto is_known = [&](const Wing& x) { return surface.sides[x.triangle] == sides; };
+    std::size_t first = w;
+    while (first > 0 && wings[first - 1].same_edge(wings[w])) --first;
+    if (std::any_of(wings.begin() + static_cast<std::ptrdiff_t>(first),
+                    wings.begin() + static_cast<std::ptrdiff_t>(w), is_known))
+      continue;
+    const Vector3d middle = 0.5 * (surface.points[wings[w].a] + surface.points[wings[w].b]);
+    const double third = field.distance(middle, sides[0], sides[1]).value_or(0) / 3;
+    for (std::size_t v = w; v < wings.size() && wings[v].same_edge(wings[w]); ++v)
+      if (is_known(wings[v])) means[wings[v].triangle] += third;
+  }
+  return means;
 }
 
 /// Shifts that are halved where they would make the surface worse, in the later rounds down to nothing.
@@ -65,10 +81,12 @@ class Shifts {
 
   std::vector<Vector3d> by_point;
 
+  const std::vector<Wing>& wings() const { return wings_; }
+
   void restrain() {
-    for (int round = 0; round < kFitRounds; ++round) {
-      const double factor = round < kFitRounds / 2 ? 0.5 : 0;
-      const bool thin = halve_where_thin(factor), sharp = halve_where_sharp(factor);
+    halved_in_.assign(by_point.size(), 0);
+    for (round_ = 0; round_ < kFitRounds; ++round_) {
+      const bool thin = halve_where_thin(), sharp = halve_where_sharp();
       if (!thin && !sharp) return;
     }
   }
@@ -80,45 +98,67 @@ class Shifts {
   }
 
  private:
-  bool rests(std::uint32_t p) const { return by_point[p].isZero(0); }
-  Vector3d at(std::uint32_t p, double scale) const { return surface_.points[p] + scale * by_point[p]; }
+  /// Whether none of some points moves, or what they are part of was looked at as it is.
+  template <std::size_t n>
+  bool rest(const std::array<std::uint32_t, n>& points) const {
+    return std::all_of(points.begin(), points.end(),
+                       [&](std::uint32_t p) { return by_point[p].isZero(0); }) ||
+           std::all_of(points.begin(), points.end(),
+                       [&](std::uint32_t p) { return halved_in_[p] + 1 < round_; });
+  }
 
-  /// Whether a cosine grows to more than it may.
-  static bool worsens(double before, double after, double limit) { return after > limit && after > before; }
+  template <std::size_t n>
+  void halve(const std::array<std::uint32_t, n>& points) {
+    for (const std::uint32_t p : points) {
+      by_point[p] *= round_ < kFitRounds / 2 ? 0.5 : 0;
+      halved_in_[p] = round_;
+    }
+  }
 
-  bool halve_where_thin(double factor) {
+  /// Whether a cosine, a function of the share of the shifts, grows to more than it may.
+  template <class Cosine>
+  static bool worsens(const Cosine& cosine, double limit) {
+    const double after = cosine(1.0);
+    return after > limit && after > cosine(0.0);
+  }
+
+  Vector3d at(std::uint32_t p, double share) const { return surface_.points[p] + share * by_point[p]; }
+
+  bool halve_where_thin() {
     bool changed = false;
     for (const Triangle& t : surface_.triangles) {
-      if (rests(t[0]) && rests(t[1]) && rests(t[2])) continue;
-      const auto cosine = [&](double scale) {
-        return sharpest_cosine({at(t[0], scale), at(t[1], scale), at(t[2], scale)});
+      if (rest(t)) continue;
+      const auto cosine = [&](double share) {
+        return sharpest_cosine({at(t[0], share), at(t[1], share), at(t[2], share)});
       };
-      if (!worsens(cosine(0), cosine(1), kThinnestCosine)) continue;
+      if (!worsens(cosine, kThinnestCosine)) continue;
       changed = true;
-      for (const std::uint32_t p : t) by_point[p] *= factor;
+      halve(t);
     }
     return changed;
   }
 
-  bool halve_where_sharp(double factor) {
+  bool halve_where_sharp() {
     bool changed = false;
     for (std::size_t w = 0; w < wings_.size(); ++w)
-      for (std::size_t v = w + 1;
-           v < wings_.size() && wings_[v].a == wings_[w].a && wings_[v].b == wings_[w].b; ++v) {
+      for (std::size_t v = w + 1; v < wings_.size() && wings_[v].same_edge(wings_[w]); ++v) {
         const Wing &x = wings_[w], &y = wings_[v];
-        if (rests(x.a) && rests(x.b) && rests(x.tip) && rests(y.tip)) continue;
-        const auto cosine = [&](double scale) {
-          const Vector3d a = at(x.a, scale), axis = at(x.b, scale) - a;
-          const Vector3d m = axis.cross(at(x.tip, scale) - a), n = axis.cross(at(y.tip, scale) - a);
+        const std::array points{x.a, x.b, x.tip, y.tip};
+        if (rest(points)) continue;
+        const auto cosine = [&](double share) {
+          const Vector3d a = at(x.a, share), axis = at(x.b, share) - a;
+          const Vector3d m = axis.cross(at(x.tip, share) - a), n = axis.cross(at(y.tip, share) - a);
           return m.dot(n) / std::sqrt(m.squaredNorm() * n.squaredNorm());
         };
-        if (!worsens(cosine(0), cosine(1), kLeastDihedralCosine)) continue;
+        if (!worsens(cosine, kLeastDihedralCosine)) continue;
         changed = true;
-        for (const std::uint32_t p : {x.a, x.b, x.tip, y.tip}) by_point[p] *= factor;
+        halve(points);
       }
     return changed;
   }
 
+  int round_ = 0;
+  std::vector<int> halved_in_;  ///< by point, the last round
   const SurfaceMesh& surface_;
   const std::vector<Wing> wings_;
 };
@@ -150,6 +190,7 @@ void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<d
               Shifts& shifts) {
   std::vector<Matrix3d> normal(surface.points.size(), Matrix3d::Zero());
   std::vector<Vector3d> right(surface.points.size(), Vector3d::Zero());
+  const std::vector<double> distances = mean_distances(surface, shifts.wings(), field);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const Triangle& corners = surface.triangles[t];
     const Vector3d& p = surface.points[corners[0]];
@@ -157,7 +198,7 @@ void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<d
     const double area = across.norm();
     if (!(area > 0)) continue;
     const Vector3d n = across / area;
-    const double distance = mean_distance(surface, t, field) + (lifts.empty() ? 0 : lifts[t]);
+    const double distance = distances[t] + (lifts.empty() ? 0 : lifts[t]);
     for (const std::uint32_t corner : corners) {
       normal[corner] += area * n * n.transpose();
       right[corner] += area * distance * n;

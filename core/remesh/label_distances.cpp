@@ -13,41 +13,52 @@ namespace {
 
 constexpr std::uint32_t kNoPoint = 0xffffffffU;
 
-/// The labels among the 27 voxels around each voxel that has another label near.
-void list_labels(const LabelGrid& grid, LabelDistances& out) {
+/// By voxel that is not on the grid's border, whether the 27 around it have one label. A row of three, then
+/// three rows, then three layers.
+std::vector<std::uint8_t> find_uniform(const LabelGrid& grid) {
+  const std::vector<Label>& labels = grid.labels;
   const std::size_t sx = static_cast<std::size_t>(grid.size[0]);
   const std::size_t sxy = sx * static_cast<std::size_t>(grid.size[1]);
-  const std::vector<Label>& labels = grid.labels;
-  out.offsets.assign(labels.size() + 1, 0);
-  // Rows of three first: most voxels have no other label near.
-  std::vector<std::uint8_t> alike(labels.size(), 0);
-  for (std::size_t v = 1; v + 1 < labels.size(); ++v)
-    alike[v] = labels[v - 1] == labels[v] && labels[v + 1] == labels[v];
-  std::array<Label, 27> near{};
-  for (std::size_t v = 0; v < labels.size(); ++v) {
-    out.offsets[v + 1] = static_cast<std::uint32_t>(out.labels.size());
-    const std::size_t x = v % sx, y = v / sx % static_cast<std::size_t>(grid.size[1]), z = v / sxy;
-    if (x == 0 || y == 0 || z == 0 || x + 1 == sx || y + 1 == static_cast<std::size_t>(grid.size[1]) ||
-        z + 1 == static_cast<std::size_t>(grid.size[2]))
-      continue;
-    bool uniform = true;
-    for (std::size_t row = 0; row < 9 && uniform; ++row) {
-      const std::size_t at = v - sxy - sx + row % 3 * sx + row / 3 * sxy;
-      uniform = alike[at] && labels[at] == labels[v];
+  std::vector<std::uint8_t> narrow(labels.size(), 1), wide(labels.size(), 0);
+  for (const std::size_t step : {std::size_t{1}, sx, sxy}) {
+    for (std::size_t v = step; v + step < labels.size(); ++v) {
+      const bool same = labels[v - step] == labels[v] && labels[v + step] == labels[v];
+      wide[v] = narrow[v - step] & narrow[v] & narrow[v + step] & static_cast<std::uint8_t>(same);
     }
-    if (uniform) continue;
-    std::size_t count = 0;
-    for (std::size_t row = 0; row < 9; ++row) {
-      const std::size_t at = v - sxy - sx - 1 + row % 3 * sx + row / 3 * sxy;
-      for (std::size_t i = 0; i < 3; ++i) {
+    std::swap(narrow, wide);
+  }
+  return narrow;
+}
+
+/// The labels among the 27 voxels around each voxel that has another label near.
+void list_labels(const LabelGrid& grid, LabelDistances& out) {
+  const std::size_t sx = static_cast<std::size_t>(grid.size[0]), sy = static_cast<std::size_t>(grid.size[1]),
+                    sz = static_cast<std::size_t>(grid.size[2]), sxy = sx * sy;
+  const std::vector<Label>& labels = grid.labels;
+  const std::vector<std::uint8_t> uniform = find_uniform(grid);
+  out.offsets.assign(labels.size() + 1, 0);
+  std::array<Label, 27> near{};
+  std::size_t v = 0;
+  for (std::size_t z = 0; z < sz; ++z)
+    for (std::size_t y = 0; y < sy; ++y) {
+      const bool inner = z > 0 && z + 1 < sz && y > 0 && y + 1 < sy;
+      for (std::size_t x = 0; x < sx; ++x, ++v) {
+        out.offsets[v + 1] = static_cast<std::uint32_t>(out.labels.size());
+        if (!inner || x == 0 || x + 1 == sx || uniform[v]) continue;
+        std::size_t count = 0;
+        for (std::size_t row = 0; row < 9; ++row) {
+          const std::size_t at = v - sxy - sx - 1 + row % 3 * sx + row / 3 * sxy;
+          for (std::size_t i = 0; i < 3; ++i) {
+            const auto end = near.begin() + static_cast<std::ptrdiff_t>(count);
+            if (std::find(near.begin(), end, labels[at + i]) == end) near[count++] = labels[at + i];
+          }
+        }
         const auto end = near.begin() + static_cast<std::ptrdiff_t>(count);
-        if (std::find(near.begin(), end, labels[at + i]) == end) near[count++] = labels[at + i];
+        std::sort(near.begin(), end);
+        out.labels.insert(out.labels.end(), near.begin(), end);
+        out.offsets[v + 1] = static_cast<std::uint32_t>(out.labels.size());
       }
     }
-    std::sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
-    out.labels.insert(out.labels.end(), near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count));
-    out.offsets[v + 1] = static_cast<std::uint32_t>(out.labels.size());
-  }
 }
 
 /// Which triangles meet at each point.

@@ -1,8 +1,9 @@
 #include "remesh/refine_delaunay.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <queue>
 
 #include "geometry/delaunay_triangulation.h"
 
@@ -19,25 +20,19 @@ using Cell = Triangulation::Cell_handle;
 /// A facet whose normal is more than 75 degrees off the field's is refined, unless its ball is this small.
 constexpr double kAstrayCosine = 0.25;
 constexpr double kLeastAstrayVoxels = 0.35;
+/// Levels of urgency, see badness(). With more levels triangles are a little larger and more even, with fewer
+/// it is quicker: 52,000 triangles take 0.35 s with these, 0.5 s with the most urgent first.
+constexpr std::array<double, 6> kLevels{0.5, 2, 2.1, 2.2, 2.35, 2.6};
 
 }  // namespace
 
 struct DelaunayRefiner::Impl {
   /// A facet that fails the criteria, as it was when it was examined.
   struct BadFacet {
-    double urgency;
     std::uint32_t serial, other_serial;
     Cell cell;
     int facet;
     Vector3d centre;  ///< of the surface Delaunay ball: where to refine
-  };
-
-  struct LessUrgent {
-    bool operator()(const BadFacet& a, const BadFacet& b) const {
-      if (a.urgency != b.urgency) return a.urgency < b.urgency;
-      if (a.serial != b.serial) return a.serial > b.serial;
-      return a.facet > b.facet;
-    }
   };
 
   const LabelField& field;
@@ -50,7 +45,9 @@ struct DelaunayRefiner::Impl {
 
   Triangulation triangulation;
   std::uint32_t next_vertex = 0, next_serial = 1;
-  std::priority_queue<BadFacet, std::vector<BadFacet>, LessUrgent> bad;
+  /// By level of urgency, of which the highest comes first; inside a level what was made last, which is still
+  /// in the caches.
+  std::array<std::vector<BadFacet>, kLevels.size() + 1> bad;
   std::vector<Cell> conflict, star;
   std::vector<Triangulation::Facet> rim;
   std::vector<Cell> exported;  ///< the cells of the last cells(), in its order
@@ -127,8 +124,13 @@ struct DelaunayRefiner::Impl {
     bool skips = false;
     if (!surface_centre(cell, i, centre, normal, skips)) return;
     const double urgency = badness(cell, i, centre, normal, skips);
-    if (urgency > 0)
-      bad.push({urgency, cell->info().serial, cell->neighbor(i)->info().serial, cell, i, centre});
+    if (urgency > 0) queue(urgency, cell, i, centre);
+  }
+
+  void queue(double urgency, Cell cell, int i, const Vector3d& centre) {
+    const auto level = std::lower_bound(kLevels.begin(), kLevels.end(), urgency) - kLevels.begin();
+    bad[static_cast<std::size_t>(level)].push_back(
+        {cell->info().serial, cell->neighbor(i)->info().serial, cell, i, centre});
   }
 
   /// 0 for a good facet; facets that are too large come before those that are too far off or too thin.
@@ -213,19 +215,20 @@ std::size_t DelaunayRefiner::insert(const std::vector<Vector3d>& points, double 
 bool DelaunayRefiner::refine(RunContext& ctx, double predicted_vertices) {
   Impl& m = *impl_;
   constexpr std::size_t kPollEvery = 512;
-  for (std::size_t round = 0; !m.bad.empty(); ++round) {
+  for (std::size_t round = 0;; ++round) {
+    const auto bad = std::find_if(m.bad.rbegin(), m.bad.rend(), [](const auto& at) { return !at.empty(); });
+    if (bad == m.bad.rend()) return true;
     if (round % kPollEvery == 0) {
       if (ctx.cancelled()) return false;
       ctx.progress("remesh", std::min(0.95, 0.1 + 0.8 * m.next_vertex / (1 + predicted_vertices)));
     }
-    const Impl::BadFacet facet = m.bad.top();
-    m.bad.pop();
+    const Impl::BadFacet facet = bad->back();
+    bad->pop_back();
     if (facet.cell->info().serial != facet.serial) continue;
     const Cell other = facet.cell->neighbor(facet.facet);
     if (other->info().serial != facet.other_serial) continue;
     m.insert_point(facet.centre, facet.cell, other);
   }
-  return true;
 }
 
 std::size_t DelaunayRefiner::vertex_count() const {
@@ -240,7 +243,7 @@ bool DelaunayRefiner::request(std::uint32_t cell, std::uint32_t corner, double l
   if (!impl_->surface_centre(handle, i, centre, normal, skips)) return false;
   const double radius = (centre - to_vector(handle->vertex((i + 1) % 4)->point())).norm();
   if (radius < least_radius_mm) return false;
-  impl_->bad.push({1, handle->info().serial, handle->neighbor(i)->info().serial, handle, i, centre});
+  impl_->queue(1, handle, i, centre);
   return true;
 }
 
