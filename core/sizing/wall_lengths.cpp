@@ -47,111 +47,16 @@ std::vector<Slope> slopes_of(const WallGrid& grid, const WallGraph& graph, const
   return slopes;
 }
 
-/// The direction, of the two along an axis, from which a length comes.
-std::size_t upwind(const Slope& slope, std::size_t axis, bool from_inner) {
-  return 2 * axis + ((slope[axis] < 0) == from_inner ? 1 : 0);
+/// The direction, of the two along an axis, in which the potential falls.
+std::size_t downhill(const Slope& slope, std::size_t axis) {
+  return 2 * axis + (slope[axis] < 0 ? 1 : 0);
 }
 
-/// The transport of lengths from one of the surfaces. The nodes are numbered anew, in the order in which they
-/// are reached, and those reached about together in the order of the grid, as memory has them.
-class Transport {
- public:
-  Transport(const WallGrid& grid, const WallGraph& graph, const std::vector<Slope>& slopes,
-            std::vector<std::uint32_t> order, bool from_inner)
-      : order_(std::move(order)),
-        tolerance_(kLengthTolerance * static_cast<float>(grid.spacing_mm().minCoeff())) {
-    std::vector<std::uint32_t> place(graph.nodes.size(), kNothing);
-    for (std::uint32_t i = 0; i < order_.size(); ++i) place[order_[i]] = i;
-    links_.resize(order_.size());
-    const std::uint32_t end = from_inner ? kInnerEnd : kOuterEnd;
-    for (std::size_t n = 0; n < place.size(); ++n) {
-      if (place[n] == kNothing) continue;
-      const auto number_of = [&](std::size_t direction) {
-        const std::uint32_t to = graph.nodes[n].neighbour[direction];
-        if (to < kInnerEnd) return place[to];
-        if (to != end) return kNothing;
-        beyond_.push_back(-grid.distance_mm[across(graph, graph.voxel[n], direction)]);
-        return static_cast<std::uint32_t>(order_.size() + beyond_.size() - 1);
-      };
-      Link& link = links_[place[n]];
-      for (std::size_t d = 0; d < 3; ++d) {
-        const std::size_t up = upwind(slopes[n], d, from_inner);
-        link.weight[d] = std::abs(slopes[n][d]);
-        link.before[d] = number_of(up);
-        link.after[d] = number_of(up ^ 1U);
-      }
-    }
-  }
-
-  /// A length for each node of the graph.
-  std::vector<float> lengths(std::size_t nodes) const {
-    std::vector<float> source(order_.size(), 1.F);
-    std::vector<float> length = solve(source, beyond_);
-    for (std::size_t i = 0; i < order_.size(); ++i) source[i] = 1 - central_slope(i, length);
-    const std::vector<float> correction = solve(source, std::vector<float>(beyond_.size(), 0.F));
-    std::vector<float> out(nodes, kFar);
-    for (std::size_t i = 0; i < order_.size(); ++i)
-      if (length[i] < kFar && correction[i] < kFar) out[order_[i]] = std::max(length[i] + correction[i], 0.F);
-    return out;
-  }
-
- private:
-  static constexpr std::uint32_t kNothing = 0xffffffffU;
-
-  /// What a node has along each axis: where lengths come from, and opposite.
-  struct Link {
-    std::array<std::uint32_t, 3> before, after;
-    std::array<float, 3> weight;  ///< |T_d| / spacing_d
-  };
-
-  /// T . grad(value) = source, first order upwind; `beyond` are the values beyond the surface.
-  std::vector<float> solve(const std::vector<float>& source, const std::vector<float>& beyond) const {
-    std::vector<float> value(order_.size(), kFar);
-    value.insert(value.end(), beyond.begin(), beyond.end());
-    for (int pass = 0; pass < kMostPasses; ++pass) {
-      std::size_t changed = 0;
-      for (std::size_t i = 0; i < links_.size(); ++i) {
-        const Link& link = links_[i];
-        float sum = source[i], weights = 0;
-        for (std::size_t d = 0; d < 3; ++d) {
-          if (link.before[d] == kNothing || value[link.before[d]] == kFar) continue;
-          sum += link.weight[d] * value[link.before[d]];
-          weights += link.weight[d];
-        }
-        if (!(weights > 0)) continue;
-        const float found = sum / weights;
-        changed += !(std::abs(found - value[i]) <= tolerance_);
-        value[i] = found;
-      }
-      if (changed <= links_.size() / kUnsettledPart) break;
-    }
-    return value;
-  }
-
-  /// T . grad(length) by central differences where there is something on both sides, else as `solve` has it.
-  float central_slope(std::size_t i, const std::vector<float>& length) const {
-    float slope = 0;
-    const Link& link = links_[i];
-    for (std::size_t d = 0; d < 3; ++d) {
-      const float before = link.before[d] == kNothing ? kFar : length[link.before[d]];
-      const float after = link.after[d] == kNothing ? kFar : length[link.after[d]];
-      if (before == kFar) continue;
-      slope += link.weight[d] * (after == kFar ? length[i] - before : (after - before) / 2);
-    }
-    return slope;
-  }
-
-  std::vector<std::uint32_t> order_;
-  std::vector<Link> links_;
-  std::vector<float> beyond_;  ///< minus the distance to the surface; numbered after the nodes
-  float tolerance_;
-};
-
-/// The nodes that have a direction, each after those of lower potential from which its length comes (of
-/// higher potential, if lengths come from the outer surface). Those free at the same time go as the grid has
-/// them.
-std::vector<std::uint32_t> upwind_order(const WallGraph& graph, const std::vector<float>& potential,
-                                        const std::vector<Slope>& slopes, bool from_inner) {
+/// The nodes that have a direction, each after those of lower potential from which its length from the inner
+/// surface comes; backwards, nearly all come after those from which the length from the outer surface comes.
+/// Those free at the same time go as the grid has them.
+std::vector<std::uint32_t> uphill_order(const WallGraph& graph, const std::vector<float>& potential,
+                                        const std::vector<Slope>& slopes) {
   // Bit d: waits for the neighbour in direction d.
   std::vector<std::uint8_t> waits(slopes.size(), 0);
   std::vector<std::uint32_t> order;
@@ -159,11 +64,10 @@ std::vector<std::uint32_t> upwind_order(const WallGraph& graph, const std::vecto
   const auto look_at = [&](std::size_t n) {
     if (slopes[n] == Slope{}) return;
     for (std::size_t d = 0; d < 3; ++d) {
-      const std::size_t up = upwind(slopes[n], d, from_inner);
-      const std::uint32_t to = graph.nodes[n].neighbour[up];
+      const std::size_t down = downhill(slopes[n], d);
+      const std::uint32_t to = graph.nodes[n].neighbour[down];
       if (to >= kInnerEnd || slopes[n][d] == 0 || slopes[to] == Slope{}) continue;
-      if (from_inner ? potential[to] < potential[n] : potential[to] > potential[n])
-        waits[n] = static_cast<std::uint8_t>(waits[n] | 1U << up);
+      if (potential[to] < potential[n]) waits[n] = static_cast<std::uint8_t>(waits[n] | 1U << down);
     }
     if (waits[n] == 0) order.push_back(static_cast<std::uint32_t>(n));
   };
@@ -187,19 +91,120 @@ std::vector<std::uint32_t> upwind_order(const WallGraph& graph, const std::vecto
   return order;
 }
 
+/// The transport of lengths from both surfaces. The nodes are numbered anew, in the order in which lengths
+/// from the inner surface reach them, and those reached about together in the order of the grid, as memory
+/// has them.
+class Transport {
+ public:
+  Transport(const WallGrid& grid, const WallGraph& graph, const std::vector<Slope>& slopes,
+            std::vector<std::uint32_t> order)
+      : order_(std::move(order)),
+        tolerance_(kLengthTolerance * static_cast<float>(grid.spacing_mm().minCoeff())) {
+    std::vector<std::uint32_t> place(graph.nodes.size(), kNothing);
+    for (std::uint32_t i = 0; i < order_.size(); ++i) place[order_[i]] = i;
+    links_.resize(order_.size());
+    for (std::size_t n = 0; n < place.size(); ++n) {
+      if (place[n] == kNothing) continue;
+      const auto number_of = [&](std::size_t direction) {
+        const std::uint32_t to = graph.nodes[n].neighbour[direction];
+        if (to < kInnerEnd) return place[to];
+        if (to != kInnerEnd && to != kOuterEnd) return kNothing;
+        beyond_.push_back({-grid.distance_mm[across(graph, graph.voxel[n], direction)], to == kInnerEnd});
+        return static_cast<std::uint32_t>(order_.size() + beyond_.size() - 1);
+      };
+      Link& link = links_[place[n]];
+      for (std::size_t d = 0; d < 3; ++d) {
+        const std::size_t down = downhill(slopes[n], d);
+        link.weight[d] = std::abs(slopes[n][d]);
+        link.below[d] = number_of(down);
+        link.above[d] = number_of(down ^ 1U);
+      }
+    }
+  }
+
+  /// A length from one of the surfaces for each node of the graph.
+  std::vector<float> lengths(std::size_t nodes, bool from_inner) const {
+    std::vector<float> source(order_.size(), 1.F);
+    std::vector<float> length = solve(source, true, from_inner);
+    for (std::size_t i = 0; i < order_.size(); ++i) source[i] = 1 - central_slope(i, length, from_inner);
+    const std::vector<float> correction = solve(source, false, from_inner);
+    std::vector<float> out(nodes, kFar);
+    for (std::size_t i = 0; i < order_.size(); ++i)
+      if (length[i] < kFar && correction[i] < kFar) out[order_[i]] = std::max(length[i] + correction[i], 0.F);
+    return out;
+  }
+
+ private:
+  static constexpr std::uint32_t kNothing = 0xffffffffU;
+
+  /// What a node has along each axis: where the potential falls to, and opposite.
+  struct Link {
+    std::array<std::uint32_t, 3> below, above;
+    std::array<float, 3> weight;  ///< |T_d| / spacing_d
+  };
+  /// A voxel beyond one of the surfaces.
+  struct Beyond {
+    float length;  ///< minus the distance to the surface
+    bool inner;
+  };
+
+  /// T . grad(value) = source, first order upwind, from values beyond a surface: those of lengths, or 0.
+  std::vector<float> solve(const std::vector<float>& source, bool of_lengths, bool from_inner) const {
+    std::vector<float> value(order_.size(), kFar);
+    value.reserve(order_.size() + beyond_.size());
+    for (const Beyond& b : beyond_) value.push_back(b.inner != from_inner ? kFar : of_lengths ? b.length : 0);
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+      std::size_t changed = 0;
+      for (std::size_t k = 0; k < links_.size(); ++k) {
+        const std::size_t i = from_inner ? k : links_.size() - 1 - k;
+        const Link& link = links_[i];
+        const std::array<std::uint32_t, 3>& before = from_inner ? link.below : link.above;
+        float sum = source[i], weights = 0;
+        for (std::size_t d = 0; d < 3; ++d) {
+          if (before[d] == kNothing || value[before[d]] == kFar) continue;
+          sum += link.weight[d] * value[before[d]];
+          weights += link.weight[d];
+        }
+        if (!(weights > 0)) continue;
+        const float found = sum / weights;
+        changed += !(std::abs(found - value[i]) <= tolerance_);
+        value[i] = found;
+      }
+      if (changed <= links_.size() / kUnsettledPart) break;
+    }
+    return value;
+  }
+
+  /// T . grad(length) by central differences where there is something on both sides, else as `solve` has it.
+  float central_slope(std::size_t i, const std::vector<float>& length, bool from_inner) const {
+    float slope = 0;
+    const Link& link = links_[i];
+    for (std::size_t d = 0; d < 3; ++d) {
+      const float below = link.below[d] == kNothing ? kFar : length[link.below[d]];
+      const float above = link.above[d] == kNothing ? kFar : length[link.above[d]];
+      const float before = from_inner ? below : above, after = from_inner ? above : below;
+      if (before == kFar) continue;
+      slope += link.weight[d] * (after == kFar ? length[i] - before : (after - before) / 2);
+    }
+    return slope;
+  }
+
+  std::vector<std::uint32_t> order_;
+  std::vector<Link> links_;
+  std::vector<Beyond> beyond_;  ///< numbered after the nodes
+  float tolerance_;
+};
+
 }  // namespace
 
 WallLengths wall_lengths(const WallGrid& grid, const WallGraph& graph, const std::vector<float>& potential,
                          int threads) {
   const std::vector<Slope> slopes = slopes_of(grid, graph, potential, threads);
+  const Transport transport(grid, graph, slopes, uphill_order(graph, potential, slopes));
   WallLengths out;
   parallel_for(threads, 2, [&](std::size_t first, std::size_t last) {
-    for (std::size_t which = first; which < last; ++which) {
-      const bool from_inner = which == 0;
-      (from_inner ? out.to_inner : out.to_outer) =
-          Transport(grid, graph, slopes, upwind_order(graph, potential, slopes, from_inner), from_inner)
-              .lengths(slopes.size());
-    }
+    for (std::size_t which = first; which < last; ++which)
+      (which == 0 ? out.to_inner : out.to_outer) = transport.lengths(slopes.size(), which == 0);
   });
   return out;
 }
