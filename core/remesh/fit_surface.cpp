@@ -57,18 +57,17 @@ std::vector<Wing> wings_of(const SurfaceMesh& surface) {
 std::vector<double> mean_distances(const SurfaceMesh& surface, const std::vector<Wing>& wings,
                                    const LabelField& field) {
   std::vector<double> means(surface.triangles.size(), 0);
-  for (std::size_t w = 0; w < wings.size(); ++w) {
-    const Sides& sides = surface.sides[wings[w].triangle];
-    const auto is_known = [&](const Wing& x) { return surface.sides[x.triangle] == sides; };
-    std::size_t first = w;
-    while (first > 0 && wings[first - 1].same_edge(wings[w])) --first;
-    if (std::any_of(wings.begin() + static_cast<std::ptrdiff_t>(first),
-                    wings.begin() + static_cast<std::ptrdiff_t>(w), is_known))
-      continue;
-    const Vector3d middle = 0.5 * (surface.points[wings[w].a] + surface.points[wings[w].b]);
-    const double third = field.distance(middle, sides[0], sides[1]).value_or(0) / 3;
-    for (std::size_t v = w; v < wings.size() && wings[v].same_edge(wings[w]); ++v)
-      if (is_known(wings[v])) means[wings[v].triangle] += third;
+  for (auto first = wings.begin(), last = first; first != wings.end(); first = last) {
+    while (last != wings.end() && last->same_edge(*first)) ++last;
+    for (auto wing = first; wing != last; ++wing) {
+      const Sides& sides = surface.sides[wing->triangle];
+      const auto has_sides = [&](const Wing& other) { return surface.sides[other.triangle] == sides; };
+      if (std::any_of(first, wing, has_sides)) continue;
+      const Vector3d middle = 0.5 * (surface.points[wing->a] + surface.points[wing->b]);
+      const double third = field.distance(middle, sides[0], sides[1]).value_or(0) / 3;
+      for (auto other = wing; other != last; ++other)
+        if (has_sides(*other)) means[other->triangle] += third;
+    }
   }
   return means;
 }
