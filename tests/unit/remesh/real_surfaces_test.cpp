@@ -104,7 +104,7 @@ TEST_P(RemeshReal, IsClosedWellShapedCloseAndReadyToFill) {
 INSTANTIATE_TEST_SUITE_P(
     Shared, RemeshReal,
     ::testing::Values(RealCase{"biv_mean_1mm.nii.gz", {1, 2}, 1.56, 29, 30, 0.002, 0.5},
-                      RealCase{"biv_ed_scar_1mm.nii.gz", {1, 2, 5, 6}, 2, 29, 30, 0.002, 0.75},
+                      RealCase{"biv_ed_scar_1mm.nii.gz", {1, 2, 5, 6}, 2, 29, 30, 0.002, 0.5},
                       RealCase{"ct_heart_1.5mm.nii.gz", {}, 3, 29, 60, 0.002, 0.75},
                       RealCase{"ct_aorta_dissection_1.5mm.nii.gz", {}, 2.5, 29, 30, 0.002, 0.5},
                       RealCase{"biv_es_oblique_sax.nii.gz", {1, 2}, 3, 29, 30, 0.002, 0.5},
