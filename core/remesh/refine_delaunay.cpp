@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "geometry/delaunay_triangulation.h"
+#include "geometry/level_stacks.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -45,9 +47,7 @@ struct DelaunayRefiner::Impl {
 
   Triangulation triangulation;
   std::uint32_t next_vertex = 0, next_serial = 1;
-  /// By level of urgency, of which the highest comes first; inside a level what was made last, which is still
-  /// in the caches.
-  std::array<std::vector<BadFacet>, kLevels.size() + 1> bad;
+  LevelStacks<BadFacet, kLevels.size()> bad{kLevels};
   std::vector<Cell> conflict, star;
   std::vector<Triangulation::Facet> rim;
   std::vector<Cell> exported;  ///< the cells of the last cells(), in its order
@@ -128,9 +128,7 @@ struct DelaunayRefiner::Impl {
   }
 
   void queue(double urgency, Cell cell, int i, const Vector3d& centre) {
-    const auto level = std::lower_bound(kLevels.begin(), kLevels.end(), urgency) - kLevels.begin();
-    bad[static_cast<std::size_t>(level)].push_back(
-        {cell->info().serial, cell->neighbor(i)->info().serial, cell, i, centre});
+    bad.push(urgency, {cell->info().serial, cell->neighbor(i)->info().serial, cell, i, centre});
   }
 
   /// 0 for a good facet; facets that are too large come before those that are too far off or too thin.
@@ -216,18 +214,16 @@ bool DelaunayRefiner::refine(RunContext& ctx, double predicted_vertices) {
   Impl& m = *impl_;
   constexpr std::size_t kPollEvery = 512;
   for (std::size_t round = 0;; ++round) {
-    const auto bad = std::find_if(m.bad.rbegin(), m.bad.rend(), [](const auto& at) { return !at.empty(); });
-    if (bad == m.bad.rend()) return true;
+    const std::optional<Impl::BadFacet> facet = m.bad.pop();
+    if (!facet) return true;
     if (round % kPollEvery == 0) {
       if (ctx.cancelled()) return false;
       ctx.progress("remesh", std::min(0.95, 0.1 + 0.8 * m.next_vertex / (1 + predicted_vertices)));
     }
-    const Impl::BadFacet facet = bad->back();
-    bad->pop_back();
-    if (facet.cell->info().serial != facet.serial) continue;
-    const Cell other = facet.cell->neighbor(facet.facet);
-    if (other->info().serial != facet.other_serial) continue;
-    m.insert_point(facet.centre, facet.cell, other);
+    if (facet->cell->info().serial != facet->serial) continue;
+    const Cell other = facet->cell->neighbor(facet->facet);
+    if (other->info().serial != facet->other_serial) continue;
+    m.insert_point(facet->centre, facet->cell, other);
   }
 }
 

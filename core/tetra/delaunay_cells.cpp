@@ -4,9 +4,11 @@
 #include <array>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "geometry/delaunay_triangulation.h"
+#include "geometry/level_stacks.h"
 #include "tetra/tet_complex.h"
 #include "tetra/triangle_index.h"
 
@@ -51,9 +53,7 @@ struct DelaunayCells::Impl {
   std::vector<Vertex> vertices;
   Cell hint;
   std::uint32_t next_serial = 1;
-  /// By level, of which the highest comes first; inside a level what was made last, which is still in the
-  /// caches.
-  std::array<std::vector<BadCell>, kLevels.size() + 1> bad;
+  LevelStacks<BadCell, kLevels.size()> bad{kLevels};
   std::vector<Cell> cavity, star;
   std::vector<Triangulation::Facet> rim;
 
@@ -87,10 +87,8 @@ struct DelaunayCells::Impl {
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < i; ++j) shortest2 = std::min(shortest2, (at(cell, i) - at(cell, j)).squaredNorm());
     const double size = radius2 / (wished * wished);
-    std::size_t level = 0;
-    while (level < kLevels.size() && size > kLevels[level]) ++level;
-    if (level > 0 || radius2 > radius_edge * radius_edge * shortest2)
-      bad[level].push_back({info.serial, cell});
+    if (size > kLevels[0] || radius2 > radius_edge * radius_edge * shortest2)
+      bad.push(size, {info.serial, cell});
   }
 
   /// The cells whose circumballs hold p and that are connected with `first` inside its label, and the facets
@@ -227,10 +225,9 @@ DelaunayCells::Refined DelaunayCells::refine(const SizingField& sizing, double r
       ctx.progress("tetra", 0.1 + 0.8 * (points - first_points) / (points + first_points));
     }
     if (m.vertices.size() >= max_points) return Refined::kTooMany;
-    const auto bad = std::find_if(m.bad.rbegin(), m.bad.rend(), [](const auto& at) { return !at.empty(); });
-    if (bad == m.bad.rend()) return Refined::kDone;
-    const auto [serial, cell] = bad->back();
-    bad->pop_back();
+    const std::optional<Impl::BadCell> bad = m.bad.pop();
+    if (!bad) return Refined::kDone;
+    const auto [serial, cell] = *bad;
     if (cell->info().serial != serial) continue;
     if (!m.insert_centre(cell)) continue;
     for (const Cell c : m.star) m.examine(c, sizing, radius_edge);

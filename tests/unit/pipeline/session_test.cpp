@@ -134,7 +134,7 @@ TEST(Session, LooksUpLabelsOfTheWholeImageInAMeshOfMergedOnes) {
   ASSERT_EQ(report["lookup"].size(), 3U);
   for (const int i : {1, 2}) {
     const nlohmann::json& label = report["lookup"][static_cast<std::size_t>(i)];
-    // Few hundred voxels, many at the surface of the wall, which is smoothed.
+    // A few hundred voxels, many at the surface of the wall, which is smoothed.
     EXPECT_NEAR(label["by_fraction"]["error_percent"].get<double>(), 0, 4) << label;
     EXPECT_GT(label["by_majority"]["dice"].get<double>(), 0.85) << label;
   }
