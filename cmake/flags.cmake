@@ -6,9 +6,11 @@ add_compile_definitions(
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 
 if(VOXTET_SANITIZE)
-  # Without null and vptr, a quarter of the time to compile: null pointers that are followed the address sanitizer
-  # finds, and there is hardly a virtual function.
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize=null,vptr -fno-sanitize-recover=undefined
+  # Without what the address sanitizer finds too (null pointers that are followed, accesses and pointers beyond an
+  # object), what x86 allows (alignment) and vptr, for which there is hardly a virtual function: tests run three to
+  # four times as fast.
+  add_compile_options(-fsanitize=address,undefined
+    -fno-sanitize=null,vptr,alignment,object-size,pointer-overflow -fno-sanitize-recover=undefined
     -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
