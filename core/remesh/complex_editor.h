@@ -132,6 +132,7 @@ class ComplexEditor {
   std::vector<std::uint32_t> samples_of(std::uint32_t t) const;
   bool is_folded(std::uint32_t t) const;
   void look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const;
+  void look_from(const Eigen::Vector3d& at, std::uint32_t t, const Corners& p, Breach& worst) const;
   std::uint32_t nearest_hint(const Facet& facet, const Corners& p) const;
   Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double lattice_mm,
                         double content2, std::uint32_t hint, double enough2 = 0,

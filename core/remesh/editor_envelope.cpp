@@ -159,26 +159,32 @@ bool ComplexEditor::is_folded(std::uint32_t t) const {
   return false;
 }
 
-/// Where the surface is folded, the reference may be farther from it between two samples than at both: in the
-/// middle of edges from samples of `t` to others'.
+/// Where the surface is folded, the reference may be farther from it between two samples than at both: on
+/// edges from samples of `t` to others', as far as their middle.
 void ComplexEditor::look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const {
   if (!is_folded(t)) return;
   const std::vector<std::uint32_t> own = samples_of(t);
   for (const std::uint32_t s : own)
     reference_.for_neighbours(s, mesh_.pair(t), [&](std::uint32_t r) {
       if (std::find(own.begin(), own.end(), r) != own.end()) return;
-      const Eigen::Vector3d at = 0.5 * (reference_.point(s) + reference_.point(r));
-      const Eigen::Vector3d on = closest_on_triangle(at, p[0], p[1], p[2]);
-      double distance2 = (at - on).squaredNorm();
-      for (const std::uint32_t v : mesh_.triangle(t))
-        for (const std::uint32_t other : mesh_.star(v)) {
-          if (distance2 <= worst.distance2) return;
-          if (mesh_.pair(other) != mesh_.pair(t)) continue;
-          const Corners q = mesh_.corners(mesh_.triangle(other));
-          distance2 = std::min(distance2, (closest_on_triangle(at, q[0], q[1], q[2]) - at).squaredNorm());
-        }
-      if (distance2 > worst.distance2) worst = {distance2, at - on, barycentric(on, p)};
+      const Eigen::Vector3d &from = reference_.point(s), &to = reference_.point(r);
+      for (const double share : {0.25, 0.5}) look_from(from + share * (to - from), t, p, worst);
     });
+}
+
+/// From a point of the reference at `t` and the facets of its labels around it.
+void ComplexEditor::look_from(const Eigen::Vector3d& at, std::uint32_t t, const Corners& p,
+                              Breach& worst) const {
+  const Eigen::Vector3d on = closest_on_triangle(at, p[0], p[1], p[2]);
+  double distance2 = (at - on).squaredNorm();
+  for (const std::uint32_t v : mesh_.triangle(t))
+    for (const std::uint32_t other : mesh_.star(v)) {
+      if (distance2 <= worst.distance2) return;
+      if (mesh_.pair(other) != mesh_.pair(t)) continue;
+      const Corners q = mesh_.corners(mesh_.triangle(other));
+      distance2 = std::min(distance2, (closest_on_triangle(at, q[0], q[1], q[2]) - at).squaredNorm());
+    }
+  if (distance2 > worst.distance2) worst = {distance2, at - on, barycentric(on, p)};
 }
 
 bool ComplexEditor::well_sampled(std::uint32_t t, double reach_mm) const {

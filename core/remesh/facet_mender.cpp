@@ -103,7 +103,25 @@ bool FacetMender::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& bre
         return true;
     }
   }
+  if (breach.distance2 <= editor_.limits.reach_mm * editor_.limits.reach_mm) return false;
+  for (const double step : {1.0, 0.5, 0.25})
+    for (const auto& [weight, i] : by_weight)
+      if (-weight > kLeastWeight && split_and_shift(corners[i], step * breach.toward)) return true;
   return false;
+}
+
+/// A vertex that is to go about as far as its edges are long takes its neighbours' share of the reference
+/// with it, or turns facets over: one of the edges is split first.
+bool FacetMender::split_and_shift(std::uint32_t v, const Eigen::Vector3d& by) {
+  const double reach_mm = editor_.limits.reach_mm;
+  const std::vector<std::uint32_t> neighbours = operations_.neighbours(v);
+  return std::any_of(neighbours.begin(), neighbours.end(), [&](std::uint32_t other) {
+    return attempt(
+        [&] {
+          return operations_.split(v, other, Demand::kNearer) && operations_.shift(v, by, Demand::kNearer);
+        },
+        [&] { return is_within(reach_mm * reach_mm); }, Healing::kPoints);
+  });
 }
 
 /// Whether all that the trial made is: the operations themselves look at samples that have changed hosts, and

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,12 +108,15 @@ INSTANTIATE_TEST_SUITE_P(
                       RealCase{"biv_ed_scar_1mm.nii.gz", {1, 2, 5, 6}, 2, 29, 30, 0.002, 0.5},
                       RealCase{"ct_heart_1.5mm.nii.gz", {}, 3, 29, 60, 0.002, 0.75},
                       RealCase{"ct_aorta_dissection_1.5mm.nii.gz", {}, 2.5, 29, 30, 0.002, 0.5},
+                      // A point of the reference between two samples is farther than both.
+                      RealCase{"ct_aorta_dissection_1.5mm.nii.gz", {}, 3.3, 29, 30, 0.002, 0.5},
                       RealCase{"biv_es_oblique_sax.nii.gz", {1, 2}, 3, 29, 30, 0.002, 0.5},
                       RealCase{"prostate_phantom.nrrd", {8, 9}, 2, 29, 30, 0.005, 0.5},
                       RealCase{"mickey.nrrd", {}, 2, 29, 60, 0.002, 0.5}),
     [](const auto& info) {
-      std::string name = info.param.file;
-      return name.substr(0, name.find_first_of('.'));
+      const std::string name = info.param.file;
+      return name.substr(0, name.find_first_of('.')) + "_at_" +
+             std::to_string(std::lround(1000 * info.param.edge_mm)) + "um";
     });
 
 }  // namespace
