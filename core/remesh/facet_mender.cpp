@@ -64,7 +64,8 @@ bool FacetMender::approach(std::uint32_t t, double reach_mm) {
 }
 
 /// Shifts of corners, flips, splits and collapses, whichever brings what is farthest nearer; first those that
-/// keep the angles, then those after which they can be opened, last by more points.
+/// keep the angles, then those after which they can be opened, then by more points. Beyond the envelope,
+/// last, what splits first.
 bool FacetMender::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach) {
   const ComplexMesh& mesh = editor_.mesh();
   const Triangle corners = mesh.triangle(t);

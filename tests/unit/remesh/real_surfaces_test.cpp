@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
                       RealCase{"biv_ed_scar_1mm.nii.gz", {1, 2, 5, 6}, 2, 29, 30, 0.002, 0.5},
                       RealCase{"ct_heart_1.5mm.nii.gz", {}, 3, 29, 60, 0.002, 0.75},
                       RealCase{"ct_aorta_dissection_1.5mm.nii.gz", {}, 2.5, 29, 30, 0.002, 0.5},
-                      // A point of the reference between two samples is farther than both.
+                      // A vertex gets there only after an edge at it is split.
                       RealCase{"ct_aorta_dissection_1.5mm.nii.gz", {}, 3.3, 29, 30, 0.002, 0.5},
                       RealCase{"biv_es_oblique_sax.nii.gz", {1, 2}, 3, 29, 30, 0.002, 0.5},
                       RealCase{"prostate_phantom.nrrd", {8, 9}, 2, 29, 30, 0.005, 0.5},
