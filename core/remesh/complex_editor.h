@@ -103,7 +103,7 @@ class ComplexEditor {
   }
   /// Squared distance where nothing of the reference is known to be near.
   static constexpr double kNowhere = 1e300;
-  /// Where a triangle is farthest from the reference, or a sample that it hosts from it.
+  /// Where a triangle is farthest from the reference, or a sample that it or its curve edges host from it.
   struct Breach {
     double distance2 = 0;
     Eigen::Vector3d toward = Eigen::Vector3d::Zero();   ///< from the triangle to the reference

@@ -146,6 +146,11 @@ ComplexEditor::Breach ComplexEditor::farthest(std::uint32_t t) const {
     const double distance2 = (at - on).squaredNorm();
     if (distance2 > worst.distance2) worst = {distance2, at - on, barycentric(on, p)};
   });
+  const Triangle& corners = mesh_.triangle(t);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (mesh_.is_curve(corners[i], corners[(i + 1) % 3]))
+      samples_.for_curve_samples(corners[i], corners[(i + 1) % 3],
+                                 [&](std::uint32_t s) { look_from(reference_.point(s), t, p, worst); });
   look_between_samples(t, p, worst);
   return worst;
 }

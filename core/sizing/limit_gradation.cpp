@@ -200,26 +200,31 @@ class Sweeper {
     const int begin = block * kBlock, end = block_end(block);
     if (!needs_update(h, begin, end)) return;
     const float first = h[begin], last = h[end - 1];
-    bool changed = false;
+    bool changed = false, beside = false;  // whether the point before was lowered
+    const auto look = [&](int i) {
+      beside = (beside || needs_[i - begin] != 0) && update(h, i);
+      changed |= beside;
+    };
     if (up)
-      for (int i = begin; i < end; ++i) changed |= update(h, i);
+      for (int i = begin; i < end; ++i) look(i);
     else
-      for (int i = end - 1; i >= begin; --i) changed |= update(h, i);
+      for (int i = end - 1; i >= begin; --i) look(i);
     if (changed) changed_[block] = 1;
     if (block > 0 && h[begin] < first) busy_[block - 1] = 1;
     if (block + 1 < blocks_ && h[end - 1] < last) busy_[block + 1] = 1;
   }
 
   /// Free of branches, so that it vectorises.
-  bool needs_update(const float* h, int begin, int end) const {
+  bool needs_update(const float* h, int begin, int end) {
     const float *y = side_y_.data() + 1, *z = side_z_.data() + 1, *path = path_.data();
     const float rx = rise_[1][1][0];
     int count = 0;
     for (int i = begin; i < end; ++i) {
       const float kept = h[i] * kKeep;
       const float x = std::min(h[i - 1], h[i + 1]);
-      count += static_cast<int>(std::min(path[i], x + rx) < kept) |
-               static_cast<int>(slope_squared(kept, x, y[i], z[i]) > 1);
+      needs_[i - begin] = static_cast<int>(std::min(path[i], x + rx) < kept) |
+                          static_cast<int>(slope_squared(kept, x, y[i], z[i]) > 1);
+      count += needs_[i - begin];
     }
     return count > 0;
   }
@@ -278,6 +283,7 @@ class Sweeper {
   std::array<std::array<std::array<float, 3>, 3>, 3> rise_{};  ///< [dk+1][dj+1][di+1]: gradation * length
   std::array<float, 3> inverse_square_{};                      ///< 1 / (gradation * spacing)^2
   float all_squares_ = 0, inverse_of_all_ = 0;                 ///< of the sum of inverse_square_
+  std::array<int, kBlock> needs_{};  ///< by point of the block at hand, whether it is to be lowered
   std::vector<float> h_, path_, side_y_, side_z_;
   std::vector<std::uint8_t> dirty_;                      ///< by block, with a ring around
   std::vector<std::uint8_t> gathered_, busy_, changed_;  ///< the blocks of the row at hand

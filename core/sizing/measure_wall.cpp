@@ -159,8 +159,13 @@ void spread(const WallGrid& grid, std::size_t rings, Wants&& wants, Measured& va
       if (wants(other) && !known(other)) next.push_back(other);
     });
   };
+  const std::array<std::size_t, 3> stride = grid.strides();  // at first nothing is known at the grid's border
+  const auto is_surrounded = [&](std::size_t at) {
+    return std::all_of(stride.begin(), stride.end(),
+                       [&](std::size_t step) { return known(at - step) && known(at + step); });
+  };
   for (std::size_t at = 0; at < grid.kind.size(); ++at)
-    if (known(at)) add_beside(at);
+    if (known(at) && !is_surrounded(at)) add_beside(at);
   for (std::size_t ring = 0; !next.empty() && ring < rings; ++ring) {
     std::sort(next.begin(), next.end());
     next.erase(std::unique(next.begin(), next.end()), next.end());

@@ -45,7 +45,7 @@ std::vector<std::uint8_t> near_surface(const WallGrid& grid, int steps) {
 
 /// The nearest triangle met so far, seen from a voxel centre.
 struct Nearest {
-  float squared = kFar;
+  float squared = kFar, distance = kFar;
   float cosine = 0;  ///< between the normal and the way to the centre: the larger one decides on a tie
 };
 
@@ -55,7 +55,11 @@ class Scatter {
  public:
   Scatter(const std::vector<Eigen::Vector3d>& points, const std::vector<Triangle>& triangles,
           const WallGrid& grid, const std::vector<std::uint8_t>& wanted)
-      : triangles_(triangles), grid_(grid), wanted_(wanted), spacing_(grid.spacing_mm()) {
+      : triangles_(triangles),
+        grid_(grid),
+        wanted_(wanted),
+        spacing_(grid.spacing_mm()),
+        per_mm_(spacing_.cwiseInverse()) {
     const Eigen::Matrix3d along = spacing_.asDiagonal() * grid.linear().inverse();
     const Eigen::Vector3d origin = grid.index_to_mm.topRightCorner<3, 1>();
     points_.reserve(points.size());
@@ -64,26 +68,35 @@ class Scatter {
   }
 
   void run(int first, int last, std::vector<Nearest>& nearest) const {
+    const Eigen::Vector3f spacing = spacing_.cast<float>();
     for (const Triangle& t : triangles_) {
       const Eigen::Vector3d &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
-      const Eigen::Vector3d lowest = a.cwiseMin(b).cwiseMin(c).cwiseQuotient(spacing_),
-                            highest = a.cwiseMax(b).cwiseMax(c).cwiseQuotient(spacing_);
+      const Eigen::Vector3d lowest = a.cwiseMin(b).cwiseMin(c).cwiseProduct(per_mm_),
+                            highest = a.cwiseMax(b).cwiseMax(c).cwiseProduct(per_mm_);
       std::array<int, 3> low{}, high{};
-      for (int d = 0; d < 3; ++d) {
-        const int end = d == 2 ? last : grid_.size[static_cast<std::size_t>(d)], begin = d == 2 ? first : 0;
-        low[static_cast<std::size_t>(d)] = std::max(begin, static_cast<int>(std::ceil(lowest[d] - kReach)));
-        high[static_cast<std::size_t>(d)] =
-            std::min(end, static_cast<int>(std::floor(highest[d] + kReach)) + 1);
+      for (std::size_t d = 0; d < 3; ++d) {
+        const int end = d == 2 ? last : grid_.size[d], begin = d == 2 ? first : 0;
+        low[d] = std::max(begin, first_from(lowest[static_cast<int>(d)] - kReach));
+        high[d] = std::min(end, first_from(highest[static_cast<int>(d)] + kReach));
       }
       if (low[2] >= high[2]) continue;
       Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
       if (mirrored_) normal = -normal;
+      const Eigen::Vector3d middle = (a + b + c) / 3;
+      const auto radius = static_cast<float>(std::sqrt(
+          std::max({(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()})));
+      const Eigen::Vector3f at = middle.cast<float>();
       for (int k = low[2]; k < high[2]; ++k)
         for (int j = low[1]; j < high[1]; ++j) {
           const std::size_t row = grid_.offset(0, j, k);
+          const float y = static_cast<float>(j) * spacing[1] - at[1];
+          const float z = static_cast<float>(k) * spacing[2] - at[2], aside = y * y + z * z;
           for (int i = low[0]; i < high[0]; ++i) {
-            Nearest& here = nearest[row + static_cast<std::size_t>(i)];
             if (!wanted_[row + static_cast<std::size_t>(i)]) continue;
+            Nearest& here = nearest[row + static_cast<std::size_t>(i)];
+            const float x = static_cast<float>(i) * spacing[0] - at[0];
+            const float within = (radius + here.distance) * kRounded;
+            if (x * x + aside > within * within) continue;
             const Eigen::Vector3d centre(i * spacing_[0], j * spacing_[1], k * spacing_[2]);
             const double height = normal.dot(centre - a);
             if (height * height > here.squared * (1 + 1e-6)) continue;
@@ -94,6 +107,14 @@ class Scatter {
   }
 
  private:
+  static constexpr float kRounded = 1 + 1e-3F;  ///< more than what single precision takes away
+
+  /// The first whole number from there on; std::ceil is a call on plain x86-64.
+  static int first_from(double place) {
+    const int whole = static_cast<int>(place);
+    return whole + (place > whole ? 1 : 0);
+  }
+
   static void take(const Eigen::Vector3d& way, const Eigen::Vector3d& normal, Nearest& nearest) {
     const double squared = way.squaredNorm();
     if (squared > nearest.squared * (1 + 1e-6)) return;
@@ -102,14 +123,14 @@ class Scatter {
     // The triangles at a common edge or corner are equally near; the one seen least edge-on knows the side.
     const bool tie = squared > nearest.squared * (1 - 1e-6);
     if (tie && std::abs(cosine) <= std::abs(nearest.cosine)) return;
-    nearest = {static_cast<float>(squared), cosine};
+    nearest = {static_cast<float>(squared), static_cast<float>(length), cosine};
   }
 
   std::vector<Eigen::Vector3d> points_;  ///< along the axes of the grid, mm
   const std::vector<Triangle>& triangles_;
   const WallGrid& grid_;
   const std::vector<std::uint8_t>& wanted_;
-  Eigen::Vector3d spacing_;
+  Eigen::Vector3d spacing_, per_mm_;
   bool mirrored_ = false;
 };
 

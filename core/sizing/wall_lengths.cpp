@@ -19,6 +19,10 @@ using Slope = std::array<float, 3>;
 
 double derivative(const WallGrid& grid, const WallGraph& graph, const std::vector<float>& u, std::size_t n,
                   std::size_t axis) {
+  const std::uint32_t before = graph.nodes[n].neighbour[2 * axis],
+                      after = graph.nodes[n].neighbour[2 * axis + 1];
+  if (before < kInnerEnd && after < kInnerEnd)
+    return (static_cast<double>(u[after]) - u[before]) / (2 * graph.step_mm[axis]);
   std::array<double, 2> step{}, rise{};
   for (const std::size_t way : {std::size_t{0}, std::size_t{1}}) {
     const std::uint32_t to = graph.nodes[n].neighbour[2 * axis + way];
@@ -141,6 +145,9 @@ class Transport {
   struct Link {
     std::array<std::uint32_t, 3> below, above;
     std::array<float, 3> weight;  ///< |T_d| / spacing_d
+
+    /// Where lengths from one of the surfaces come from.
+    const std::array<std::uint32_t, 3>& toward(bool inner) const { return inner ? below : above; }
   };
   /// A voxel beyond one of the surfaces.
   struct Beyond {
@@ -153,26 +160,44 @@ class Transport {
     std::vector<float> value(order_.size(), kFar);
     value.reserve(order_.size() + beyond_.size());
     for (const Beyond& b : beyond_) value.push_back(b.inner != from_inner ? kFar : of_lengths ? b.length : 0);
+    // The first pass takes every node, later ones those that a change has reached since.
+    std::vector<std::uint8_t> due(links_.size(), 1);
     for (int pass = 0; pass < kMostPasses; ++pass) {
       std::size_t changed = 0;
       for (std::size_t k = 0; k < links_.size(); ++k) {
         const std::size_t i = from_inner ? k : links_.size() - 1 - k;
+        if (!due[i]) continue;
+        due[i] = 0;
         const Link& link = links_[i];
-        const std::array<std::uint32_t, 3>& before = from_inner ? link.below : link.above;
         float sum = source[i], weights = 0;
         for (std::size_t d = 0; d < 3; ++d) {
-          if (before[d] == kNothing || value[before[d]] == kFar) continue;
-          sum += link.weight[d] * value[before[d]];
+          const std::uint32_t before = link.toward(from_inner)[d];
+          if (before == kNothing) continue;
+          if (pass == 0 && before < links_.size() && (before > i) == from_inner) due[i] = 1;
+          if (value[before] == kFar) continue;
+          sum += link.weight[d] * value[before];
           weights += link.weight[d];
         }
         if (!(weights > 0)) continue;
         const float found = sum / weights;
-        changed += !(std::abs(found - value[i]) <= tolerance_);
+        const bool moved = !(std::abs(found - value[i]) <= tolerance_);
         value[i] = found;
+        changed += moved;
+        if (moved && pass > 0) mark_dependents(i, from_inner, due);
       }
       if (changed <= links_.size() / kUnsettledPart) break;
     }
     return value;
+  }
+
+  /// Marks the nodes whose value comes from that of node i.
+  void mark_dependents(std::size_t i, bool from_inner, std::vector<std::uint8_t>& due) const {
+    for (const auto* side : {&links_[i].below, &links_[i].above})
+      for (const std::uint32_t to : *side) {
+        if (to >= links_.size()) continue;
+        const std::array<std::uint32_t, 3>& before = links_[to].toward(from_inner);
+        if (std::find(before.begin(), before.end(), i) != before.end()) due[to] = 1;
+      }
   }
 
   /// T . grad(length) by central differences where there is something on both sides, else as `solve` has it.

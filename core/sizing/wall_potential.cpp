@@ -9,7 +9,7 @@
 namespace voxtet::wall {
 namespace {
 
-constexpr float kOmega = 1.75F;
+constexpr float kOmega = 1.85F;
 constexpr int kMostSweeps = 500;
 constexpr std::size_t kFewNodes = 5000;  ///< for which a start is not worth the trouble
 constexpr float kPotentialTolerance = 1e-3F;

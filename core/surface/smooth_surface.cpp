@@ -22,6 +22,7 @@ using Points = std::vector<Eigen::Vector3d>;
 
 constexpr int kCorrectionPasses = 2;
 constexpr int kStepsBetweenGuards = 25;
+constexpr double kThickVoxels = 4;
 
 Error failure(ErrorCode code, const std::string& message) {
   return {code, "smooth", message, {}};
@@ -93,13 +94,30 @@ Result<RegionSides> find_region_sides(const SurfaceMesh& surface, const Points& 
   return found;
 }
 
+/// The graph in which the vertices of thin regions are fixed: those whose volume is less than a sheet of four
+/// voxels' thickness has by its area.
+SurfaceGraph graph_of_thick(const CorrectionProblem& problem, SurfaceGraph graph) {
+  std::vector<double> areas(problem.target.size(), 0);  // in voxels' faces
+  for (std::size_t t = 0; t < problem.regions.size(); ++t) {
+    const Triangle& v = problem.surface.triangles[t];
+    const Eigen::Vector3d &a = problem.start[v[0]], &b = problem.start[v[1]], &c = problem.start[v[2]];
+    for (const std::uint32_t region : problem.regions[t]) areas[region] += (b - a).cross(c - a).norm() / 2;
+  }
+  const auto is_thin = [&](std::uint32_t region) {
+    return region != VoxelRegions::kOutside && 2 * problem.target[region] < kThickVoxels * areas[region];
+  };
+  for (std::size_t t = 0; t < problem.regions.size(); ++t)
+    if (std::any_of(problem.regions[t].begin(), problem.regions[t].end(), is_thin))
+      for (const std::uint32_t v : problem.surface.triangles[t]) graph.kinds[v] = VertexKind::kFixed;
+  return graph;
+}
+
 /// Smoothing, and the guard after every few steps, so that a surface held at a voxel centre stays smooth
 /// around it. False when cancelled.
 bool smooth_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
                     const SmoothParams& params, const RunContext& ctx, Points& x) {
   BilaplacianSmoother smoother(graph, problem.start, problem.limits, params.step);
   for (int done = 0; done < params.iterations; done += kStepsBetweenGuards) {
-    ctx.progress("smooth", 0.8 * done / params.iterations);
     const Points safe = x;
     if (!smoother.run(std::min(kStepsBetweenGuards, params.iterations - done), ctx, x)) return false;
     guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
@@ -138,6 +156,11 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
   Points x = start;
   if (!smooth_guarded(problem, regions, graph, params, ctx, x)) return cancelled_error("smooth");
+  ctx.progress("smooth", 0.4);
+  const bool has_short_edges = only_label(surface) == kBackground;
+  if (has_short_edges && !smooth_guarded(problem, regions, graph_of_thick(problem, graph), params, ctx, x))
+    return cancelled_error("smooth");
+  ctx.progress("smooth", 0.8);
   if (params.keep_volume) correct_guarded(problem, regions, graph, ctx, x);
 
   SurfaceMesh out{std::move(x), surface.triangles, surface.sides};

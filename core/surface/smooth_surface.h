@@ -18,6 +18,8 @@ struct SmoothParams {
 /// Clamped bi-Laplacian smoothing in index space: x <- clamp(x - mu*L(L(x))), umbrella weights. Vertices on
 /// junctions of three or more labels use junction neighbours only; corners of junctions and junction loops of
 /// up to ten vertices stay fixed; specks and straight wires one voxel thick grow no thinner (move_limits.h).
+/// Surfaces of several labels, whose edges are half as long, take as many steps again, except at regions that
+/// are thinner than about four voxels.
 /// Then the interfaces shift along their normals, within the same clamp, until every connected region of a
 /// label has the volume of its voxels; the interface of regions a and b moves by lambda_a - lambda_b, the
 /// distribution of least area-weighted square (volume_correction.h).

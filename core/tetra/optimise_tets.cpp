@@ -35,6 +35,7 @@ constexpr std::size_t kTetsPerQuestion = 256;
 /// trials fail.
 constexpr std::size_t kTetsForStep = 20;
 constexpr std::size_t kStepsAlways = 5000;
+constexpr int kSlidingTrials = 4;
 
 class Optimiser {
  public:
@@ -157,17 +158,22 @@ class Optimiser {
     counts_.flipped += flipper_.flip(tets_of(bad_tets(goal)));
   }
 
-  /// Does what slides vertices, and takes it back should walls meet then.
+  /// Does what slides vertices. Should walls meet then, it is taken back and tried again, without the
+  /// vertices there.
   template <class Slide>
   void unless_walls_meet(const Slide& slide) {
-    const OperationCounts before = counts_;
-    const TetComplex::Mark start = complex_.mark();
-    slide();
-    if (slider_.walls_meet(start)) {
-      complex_.undo_to(start);
-      counts_ = before;
+    for (int trial = 0; trial < kSlidingTrials; ++trial) {
+      const OperationCounts before = counts_;
+      const TetComplex::Mark start = complex_.mark();
+      slide();
+      const bool meet = slider_.hold_where_walls_meet(start);
+      if (meet) {
+        complex_.undo_to(start);
+        counts_ = before;
+      }
+      complex_.forget_changes();
+      if (!meet) return;
     }
-    complex_.forget_changes();
   }
 
   /// Those on walls around the corners of the bad tets and around their neighbours.
@@ -196,9 +202,11 @@ class Optimiser {
     const std::size_t most_steps = std::max(kStepsAlways, complex_.places() / kTetsForStep);
     bool going = true;
     unless_walls_meet([&] {
+      const std::size_t first_step = compound_.steps();
       for (bool any = true; going && std::exchange(any, false);)
         for (const std::uint32_t t : tets_of(bad_tets(goal))) {
-          if (compound_.steps() >= most_steps || !complex_.alive(t) || !(complex_.quality_of(t) < goal))
+          if (compound_.steps() - first_step >= most_steps || !complex_.alive(t) ||
+              !(complex_.quality_of(t) < goal))
             continue;
           if (!(going = !ctx_.cancelled())) break;
           any = compound_.improve(t, goal, may_insert(t)) || any;

@@ -76,6 +76,7 @@ WallSlider::WallSlider(TetComplex& complex, VertexSmoother& smoother, const Surf
       envelope_(envelope),
       layers_(layers) {
   for (std::uint32_t v = 0; v < complex.point_count(); ++v) start_.push_back(complex.point(v));
+  held_.assign(start_.size(), 0);
 }
 
 std::optional<WallSlider::Seat> WallSlider::seat_of(std::uint32_t vertex) {
@@ -149,7 +150,7 @@ void WallSlider::approach(std::span<const std::uint32_t> vertices) {
 }
 
 bool WallSlider::slide(std::uint32_t vertex, double enough, double most_misfit) {
-  const std::optional<Seat> seat = nearby_ ? seat_of(vertex) : std::nullopt;
+  const std::optional<Seat> seat = nearby_ && !held_[vertex] ? seat_of(vertex) : std::nullopt;
   const ClosestPointTree* surface = seat ? nearby_->of(seat->kind) : nullptr;
   if (surface == nullptr) return false;
   const Point& at = complex_.point(vertex);
@@ -162,7 +163,7 @@ bool WallSlider::slide(std::uint32_t vertex, double enough, double most_misfit) 
   return smoother_.smooth(vertex, enough, kSteps, &track, most_misfit);
 }
 
-bool WallSlider::walls_meet(const TetComplex::Mark& since) const {
+bool WallSlider::hold_where_walls_meet(const TetComplex::Mark& since) {
   std::vector<std::uint8_t> away(complex_.point_count(), 0);
   bool any = false;
   for (const TetComplex::Change& change : complex_.changes_since(since)) {
@@ -175,7 +176,11 @@ bool WallSlider::walls_meet(const TetComplex::Mark& since) const {
   for (std::uint32_t v = 0; v < start_.size(); ++v) walls.points.push_back(complex_.point(v));
   std::vector<std::uint8_t> concerned;
   for (const auto& [a, b, c] : walls.triangles) concerned.push_back(away[a] | away[b] | away[c]);
-  return !SelfIntersectionTree(walls).find(concerned, 1).empty();
+  const std::vector<TrianglePair> meeting = SelfIntersectionTree(walls).find(concerned);
+  for (const TrianglePair& pair : meeting)
+    for (const std::uint32_t t : pair)
+      for (const std::uint32_t v : walls.triangles[t]) held_[v] = 1;
+  return !meeting.empty();
 }
 
 }  // namespace voxtet::tetra

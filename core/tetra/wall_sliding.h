@@ -33,8 +33,9 @@ class WallSlider {
   /// or from the curve on it, than the envelope or than it was. Sizes: see VertexSmoother.
   bool slide(std::uint32_t vertex, double enough, double most_misfit = 1);
 
-  /// Whether walls meet that do not share a corner, one of them at a vertex that moved since.
-  bool walls_meet(const TetComplex::Mark& since) const;
+  /// Whether walls meet beyond their common corners and edges, one of them at a vertex that moved since. The
+  /// vertices of such walls slide no more.
+  bool hold_where_walls_meet(const TetComplex::Mark& since);
 
  private:
   /// What a vertex slides on.
@@ -54,6 +55,7 @@ class WallSlider {
   const WallLayers& layers_;
   std::vector<Point> start_;               ///< of each vertex there was at first
   std::vector<std::uint32_t> wall_count_;  ///< walls at each of them when it was approached
+  std::vector<std::uint8_t> held_;         ///< 1: slides no more
   std::optional<NearbySurface> nearby_;
   std::vector<std::uint32_t> star_;
 };

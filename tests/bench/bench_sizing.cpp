@@ -50,7 +50,9 @@ void BM_Gradation(benchmark::State& state) {
           wished[static_cast<std::size_t>(i + kSize * (j + kSize * k))] = label == 1 ? 2.F : 1.F;
   RunContext ctx;
   for (auto _ : state) {
+    state.PauseTiming();
     std::vector<float> sizes = wished;
+    state.ResumeTiming();
     limit_gradation({kSize, kSize, kSize}, heart().linear(), 0.3, sizes, ctx);
     benchmark::DoNotOptimize(sizes.data());
   }

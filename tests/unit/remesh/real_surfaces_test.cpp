@@ -107,12 +107,13 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(RealCase{"biv_mean_1mm.nii.gz", {1, 2}, 1.56, 29, 30, 0.002, 0.5},
                       RealCase{"biv_ed_scar_1mm.nii.gz", {1, 2, 5, 6}, 2, 29, 30, 0.002, 0.5},
                       RealCase{"ct_heart_1.5mm.nii.gz", {}, 3, 29, 60, 0.002, 0.75},
+                      // A junction's curve is too far away where none of the facets beside it is.
                       RealCase{"ct_aorta_dissection_1.5mm.nii.gz", {}, 2.5, 29, 30, 0.002, 0.5},
                       // A vertex gets there only after an edge at it is split.
                       RealCase{"ct_aorta_dissection_1.5mm.nii.gz", {}, 3.3, 29, 30, 0.002, 0.5},
                       RealCase{"biv_es_oblique_sax.nii.gz", {1, 2}, 3, 29, 30, 0.002, 0.5},
                       RealCase{"prostate_phantom.nrrd", {8, 9}, 2, 29, 30, 0.005, 0.5},
-                      RealCase{"mickey.nrrd", {}, 2, 29, 60, 0.002, 0.5}),
+                      RealCase{"mickey.nrrd", {}, 2, 29, 55, 0.002, 0.5}),
     [](const auto& info) {
       const std::string name = info.param.file;
       return name.substr(0, name.find_first_of('.')) + "_at_" +

@@ -96,6 +96,33 @@ TEST(SmoothSurface, ReachesTheMeasuredAccuracyOnASphere) {
   }
 }
 
+TEST(SmoothSurface, SmoothsThickRegionsOfSeveralLabelsFartherAndThinOnesAlike) {
+  const double centre = 15.37, radius = 12.3;
+  constexpr int kSize = 44;
+  const auto in_plate = [](int i, int k) { return k >= 36 && k < 38 && i >= 4 && i < 30; };
+  const LabelVolume ball = test::ball_volume(kSize, centre, radius);
+  const LabelVolume plate = test::make_volume(
+      kSize, kSize, kSize, [&](int i, int j, int k) { return in_plate(i + j / 4, k) ? 2 : 0; });
+  const LabelVolume both = test::make_volume(kSize, kSize, kSize, [&](int i, int j, int k) {
+    return plate.at(i, j, k) != kBackground ? 2 : ball.at(i, j, k);
+  });
+  const SurfaceMesh surface = smooth(extract(both), both);
+  EXPECT_TRUE(is_valid_surface(surface));
+  const auto part = [&](Label label) {
+    SurfaceMesh out = surface;
+    std::erase_if(out.points, [&](const Eigen::Vector3d& p) { return (p.z() > 32) != (label == 2); });
+    return out;
+  };
+  const SurfaceMesh ball_alone = smooth(extract(ball, ExtractMethod::kMarchingTets), ball);
+  EXPECT_LE(sphere_errors(part(1), centre, radius).mean,
+            0.95 * sphere_errors(ball_alone, centre, radius).mean);
+  const SurfaceMesh plate_alone = smooth(extract(plate, ExtractMethod::kMarchingTets), plate);
+  const SurfaceMesh plate_beside = part(2);
+  ASSERT_EQ(plate_beside.points.size(), plate_alone.points.size());
+  for (std::size_t v = 0; v < plate_alone.points.size(); ++v)  // volumes are met to so much
+    EXPECT_LE((plate_beside.points[v] - plate_alone.points[v]).norm(), 1e-3) << v;
+}
+
 TEST(SmoothSurface, FollowsATorusAndBothWallsOfAShell) {
   const LabelVolume torus = test::make_volume(
       40, 40, 16, [](int i, int j, int k) { return test::in_torus(i - 19.5, j - 19.5, k - 7.5, 12, 5); });

@@ -161,5 +161,30 @@ TEST(WallSlider, SlidesAJunctionVertexAlongItsCurveOnly) {
   EXPECT_LE(std::hypot(at.y(), at.z()), 0.1 * 2 + 1e-12) << "in the envelope of the line";
 }
 
+TEST(WallSlider, HoldsTheVerticesOfWallsThatMeet) {
+  // The lower of two pyramids leans, so that its tip would slide; the upper one hangs over it.
+  TetMesh mesh;
+  mesh.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0.5, 0, 1},
+                 {-1, -1, 3}, {1, -1, 3}, {1, 1, 3}, {-1, 1, 3}, {0, 0, 1.1}};
+  mesh.tets = {{0, 1, 2, 4}, {0, 2, 3, 4}, {5, 6, 7, 9}, {5, 7, 8, 9}};
+  mesh.labels.assign(4, 1);
+  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t)
+    if (test::tet_volume(mesh, t) < 0) std::swap(mesh.tets[t][2], mesh.tets[t][3]);
+  test::add_faces(mesh);
+  Workshop shop(mesh, 2, 0.5);
+  const TetComplex::Mark start = shop.complex.mark();
+  ASSERT_TRUE(shop.slider.slide(4, 1));
+  EXPECT_FALSE(shop.slider.hold_where_walls_meet(start)) << "slid apart from each other";
+  shop.complex.undo_to(start);
+
+  std::vector<std::uint32_t> star;
+  shop.complex.find_star(9, star);
+  ASSERT_TRUE(shop.complex.move_point(9, {0.3, 0, 0.5}, star));
+  EXPECT_TRUE(shop.slider.hold_where_walls_meet(start));
+  shop.complex.undo_to(start);
+  EXPECT_FALSE(shop.slider.slide(4, 1));
+  EXPECT_FALSE(shop.slider.hold_where_walls_meet(start)) << "nothing has moved since";
+}
+
 }  // namespace
 }  // namespace voxtet::tetra
