@@ -94,7 +94,10 @@ void visit_fields(V& v, ExtractParams& p) {
 
 template <class V>
 void visit_fields(V& v, SmoothParams& p) {
-  v.field({"iterations", "", 0, 1000, "Bi-Laplacian steps; 0 leaves the staircase."}, p.iterations);
+  v.field(
+      {"iterations", "", 0, 1000,
+       "Bi-Laplacian steps, and as many again for thick regions of several labels; 0 leaves the staircase."},
+      p.iterations);
   v.field({"step", "", 0, 0.5, "Step of each iteration."}, p.step);
   v.field({"max_move_voxels", "voxel", 0, 1, "How far a vertex may move along each image axis."},
           p.max_move_voxels);
