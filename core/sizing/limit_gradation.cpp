@@ -214,7 +214,7 @@ class Sweeper {
     if (block + 1 < blocks_ && h[end - 1] < last) busy_[block + 1] = 1;
   }
 
-  /// Free of branches, so that it vectorises.
+  /// Finds the points that are to be lowered; whether there are any. Free of branches, so that it vectorises.
   bool needs_update(const float* h, int begin, int end) {
     const float *y = side_y_.data() + 1, *z = side_z_.data() + 1, *path = path_.data();
     const float rx = rise_[1][1][0];

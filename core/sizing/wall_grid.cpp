@@ -45,7 +45,7 @@ std::vector<std::uint8_t> near_surface(const WallGrid& grid, int steps) {
 
 /// The nearest triangle met so far, seen from a voxel centre.
 struct Nearest {
-  float squared = kFar, distance = kFar;
+  float distance = kFar;
   float cosine = 0;  ///< between the normal and the way to the centre: the larger one decides on a tie
 };
 
@@ -99,7 +99,7 @@ class Scatter {
             if (x * x + aside > within * within) continue;
             const Eigen::Vector3d centre(i * spacing_[0], j * spacing_[1], k * spacing_[2]);
             const double height = normal.dot(centre - a);
-            if (height * height > here.squared * (1 + 1e-6)) continue;
+            if (height * height > squared(here.distance) * (1 + 1e-6)) continue;
             take(centre - closest_on_triangle(centre, a, b, c), normal, here);
           }
         }
@@ -109,6 +109,8 @@ class Scatter {
  private:
   static constexpr float kRounded = 1 + 1e-3F;  ///< more than what single precision takes away
 
+  static double squared(double distance) { return distance * distance; }
+
   /// The first whole number from there on; std::ceil is a call on plain x86-64.
   static int first_from(double place) {
     const int whole = static_cast<int>(place);
@@ -116,14 +118,14 @@ class Scatter {
   }
 
   static void take(const Eigen::Vector3d& way, const Eigen::Vector3d& normal, Nearest& nearest) {
-    const double squared = way.squaredNorm();
-    if (squared > nearest.squared * (1 + 1e-6)) return;
-    const double length = std::sqrt(squared);
+    const double found = way.squaredNorm(), known = squared(nearest.distance);
+    if (found > known * (1 + 1e-6)) return;
+    const double length = std::sqrt(found);
     const auto cosine = static_cast<float>(length > 0 ? way.dot(normal) / length : 0);
     // The triangles at a common edge or corner are equally near; the one seen least edge-on knows the side.
-    const bool tie = squared > nearest.squared * (1 - 1e-6);
+    const bool tie = found > known * (1 - 1e-6);
     if (tie && std::abs(cosine) <= std::abs(nearest.cosine)) return;
-    nearest = {static_cast<float>(squared), static_cast<float>(length), cosine};
+    nearest = {static_cast<float>(length), cosine};
   }
 
   std::vector<Eigen::Vector3d> points_;  ///< along the axes of the grid, mm
@@ -209,8 +211,8 @@ void measure_distances(const std::vector<Eigen::Vector3d>& points, const std::ve
   grid.distance_mm.assign(grid.kind.size(), static_cast<float>(kTypicalVoxels) * voxel);
   std::vector<std::size_t> leavers;
   for (std::size_t at = 0; at < grid.kind.size(); ++at) {
-    if (nearest[at].squared == kFar) continue;
-    grid.distance_mm[at] = std::max(std::sqrt(nearest[at].squared), static_cast<float>(kLeastVoxels) * voxel);
+    if (nearest[at].distance == kFar) continue;
+    grid.distance_mm[at] = std::max(nearest[at].distance, static_cast<float>(kLeastVoxels) * voxel);
     const bool in_wall = nearest[at].cosine < 0;
     if (in_wall && grid.kind[at] != kWall && grid.kind[at] != kSide) grid.kind[at] = kJoins;
     if (!in_wall && grid.kind[at] == kWall) leavers.push_back(at);

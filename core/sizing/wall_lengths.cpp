@@ -160,7 +160,8 @@ class Transport {
     std::vector<float> value(order_.size(), kFar);
     value.reserve(order_.size() + beyond_.size());
     for (const Beyond& b : beyond_) value.push_back(b.inner != from_inner ? kFar : of_lengths ? b.length : 0);
-    // The first pass takes every node, later ones those that a change has reached since.
+    // The first pass takes every node, later ones those that a change has reached since; at first those that
+    // came before what their value comes from.
     std::vector<std::uint8_t> due(links_.size(), 1);
     for (int pass = 0; pass < kMostPasses; ++pass) {
       std::size_t changed = 0;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/surface_measures.h"
 #include "geometry/untangle.h"
 #include "surface/bilaplacian.h"
 #include "surface/move_limits.h"
@@ -23,6 +24,7 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr int kCorrectionPasses = 2;
 constexpr int kStepsBetweenGuards = 25;
 constexpr double kThickVoxels = 4;
+constexpr double kTurnShare = 0.4;  ///< of the progress, a turn of all steps
 
 Error failure(ErrorCode code, const std::string& message) {
   return {code, "smooth", message, {}};
@@ -99,9 +101,9 @@ Result<RegionSides> find_region_sides(const SurfaceMesh& surface, const Points& 
 SurfaceGraph graph_of_thick(const CorrectionProblem& problem, SurfaceGraph graph) {
   std::vector<double> areas(problem.target.size(), 0);  // in voxels' faces
   for (std::size_t t = 0; t < problem.regions.size(); ++t) {
-    const Triangle& v = problem.surface.triangles[t];
-    const Eigen::Vector3d &a = problem.start[v[0]], &b = problem.start[v[1]], &c = problem.start[v[2]];
-    for (const std::uint32_t region : problem.regions[t]) areas[region] += (b - a).cross(c - a).norm() / 2;
+    const auto [a, b, c] = problem.surface.triangles[t];
+    const double area = 0.5 * triangle_cross(problem.start[a], problem.start[b], problem.start[c]).norm();
+    for (const std::uint32_t region : problem.regions[t]) areas[region] += area;
   }
   const auto is_thin = [&](std::uint32_t region) {
     return region != VoxelRegions::kOutside && 2 * problem.target[region] < kThickVoxels * areas[region];
@@ -113,11 +115,12 @@ SurfaceGraph graph_of_thick(const CorrectionProblem& problem, SurfaceGraph graph
 }
 
 /// Smoothing, and the guard after every few steps, so that a surface held at a voxel centre stays smooth
-/// around it. False when cancelled.
+/// around it. `before`: progress so far. False when cancelled.
 bool smooth_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
-                    const SmoothParams& params, const RunContext& ctx, Points& x) {
+                    const SmoothParams& params, double before, const RunContext& ctx, Points& x) {
   BilaplacianSmoother smoother(graph, problem.start, problem.limits, params.step);
   for (int done = 0; done < params.iterations; done += kStepsBetweenGuards) {
+    ctx.progress("smooth", before + kTurnShare * done / params.iterations);
     const Points safe = x;
     if (!smoother.run(std::min(kStepsBetweenGuards, params.iterations - done), ctx, x)) return false;
     guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
@@ -147,7 +150,8 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   Points start(surface.points.size());
   for (std::size_t v = 0; v < start.size(); ++v) start[v] = to_index * (surface.points[v] - origin);
 
-  const VoxelRegions regions(volume, only_label(surface));
+  const Label label = only_label(surface);
+  const VoxelRegions regions(volume, label);
   const Result<RegionSides> sides = find_region_sides(surface, start, regions, volume.size);
   if (!sides) return sides.error();
   const SurfaceGraph graph = build_surface_graph(surface);
@@ -155,12 +159,11 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   const double orientation = to_mm.determinant() < 0 ? -1 : 1;
   const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
   Points x = start;
-  if (!smooth_guarded(problem, regions, graph, params, ctx, x)) return cancelled_error("smooth");
-  ctx.progress("smooth", 0.4);
-  const bool has_short_edges = only_label(surface) == kBackground;
-  if (has_short_edges && !smooth_guarded(problem, regions, graph_of_thick(problem, graph), params, ctx, x))
+  if (!smooth_guarded(problem, regions, graph, params, 0, ctx, x)) return cancelled_error("smooth");
+  // Surfaces of several labels have edges half as long, over which steps reach half as far.
+  if (label == kBackground &&
+      !smooth_guarded(problem, regions, graph_of_thick(problem, graph), params, kTurnShare, ctx, x))
     return cancelled_error("smooth");
-  ctx.progress("smooth", 0.8);
   if (params.keep_volume) correct_guarded(problem, regions, graph, ctx, x);
 
   SurfaceMesh out{std::move(x), surface.triangles, surface.sides};

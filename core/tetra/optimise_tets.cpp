@@ -35,6 +35,7 @@ constexpr std::size_t kTetsPerQuestion = 256;
 /// trials fail.
 constexpr std::size_t kTetsForStep = 20;
 constexpr std::size_t kStepsAlways = 5000;
+/// Each holds the vertices where walls met in the one before.
 constexpr int kSlidingTrials = 4;
 
 class Optimiser {
@@ -158,8 +159,8 @@ class Optimiser {
     counts_.flipped += flipper_.flip(tets_of(bad_tets(goal)));
   }
 
-  /// Does what slides vertices. Should walls meet then, it is taken back and tried again, without the
-  /// vertices there.
+  /// Does what slides vertices. Should walls meet then, it is taken back and tried again without the
+  /// vertices there; in the end it is not done at all.
   template <class Slide>
   void unless_walls_meet(const Slide& slide) {
     for (int trial = 0; trial < kSlidingTrials; ++trial) {

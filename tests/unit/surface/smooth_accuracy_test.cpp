@@ -1,0 +1,137 @@
+// How near smoothed surfaces come to the bodies whose voxels they bound.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "extracted.h"
+#include "geometry/surface_measures.h"
+#include "smoothed.h"
+#include "support/check_surface.h"
+#include "support/label_bodies.h"
+#include "support/surface_labels.h"
+
+namespace voxtet {
+namespace {
+
+using test::extract;
+using test::is_valid_surface;
+using test::kBothMethods;
+using test::smooth;
+
+struct SphereErrors {
+  double mean = 0, largest = 0;
+};
+
+/// Distances (voxels) of the points to a sphere.
+SphereErrors sphere_errors(const SurfaceMesh& surface, double centre, double radius) {
+  SphereErrors errors;
+  for (const Eigen::Vector3d& p : surface.points) {
+    const double distance = std::abs((p - Eigen::Vector3d::Constant(centre)).norm() - radius);
+    errors.mean += distance / static_cast<double>(surface.points.size());
+    errors.largest = std::max(errors.largest, distance);
+  }
+  return errors;
+}
+
+TEST(SmoothSurface, BringsABallBackToItsSphereAndVolume) {
+  const double centre = 24.3, radius = 20;
+  const LabelVolume ball = test::ball_volume(49, centre, radius);
+  for (const ExtractMethod method : kBothMethods) {
+    const SurfaceMesh raw = extract(ball, method);
+    const SurfaceMesh surface = smooth(raw, ball);
+    EXPECT_TRUE(is_valid_surface(surface));
+    const double voxels = test::label_counts(ball)[1];
+    EXPECT_NEAR(enclosed_volume_mm3(surface, 1), voxels, 0.003 * voxels);
+    const SphereErrors errors = sphere_errors(surface, centre, radius);
+    EXPECT_LE(errors.mean, 0.1);
+    EXPECT_LE(errors.largest, 0.4);
+    EXPECT_LE(staircase_energy_mm(surface), 0.1 * staircase_energy_mm(raw));
+  }
+}
+
+// A little above the figures measured; those of marching cubes are the table of the literature's methods.
+TEST(SmoothSurface, ReachesTheMeasuredAccuracyOnASphere) {
+  struct Bound {
+    ExtractMethod method;
+    int iterations;
+    double mean, largest;
+  };
+  for (const double centre : {15.0, 15.5, 15.37}) {
+    const LabelVolume ball = test::ball_volume(32, centre, 12.3);
+    const double voxels = test::label_counts(ball)[1];
+    for (const Bound& bound : {Bound{ExtractMethod::kMarchingCubes, 50, 0.054, 0.31},
+                               Bound{ExtractMethod::kMarchingCubes, 200, 0.04, 0.21},
+                               Bound{ExtractMethod::kMarchingTets, 50, 0.095, 0.45},
+                               Bound{ExtractMethod::kMarchingTets, 200, 0.066, 0.4}}) {
+      SmoothParams params;
+      params.iterations = bound.iterations;
+      const SurfaceMesh surface = smooth(extract(ball, bound.method), ball, params);
+      const SphereErrors errors = sphere_errors(surface, centre, 12.3);
+      EXPECT_LE(errors.mean, bound.mean) << centre << " " << bound.iterations;
+      EXPECT_LE(errors.largest, bound.largest) << centre << " " << bound.iterations;
+      EXPECT_NEAR(enclosed_volume_mm3(surface, 1), voxels, 0.001 * voxels);
+    }
+  }
+}
+
+TEST(SmoothSurface, SmoothsThickRegionsOfSeveralLabelsFartherAndThinOnesAlike) {
+  const double centre = 15.37, radius = 12.3;
+  constexpr int kSize = 44;
+  const auto in_plate = [](int i, int k) { return k >= 36 && k < 38 && i >= 4 && i < 30; };
+  const LabelVolume ball = test::ball_volume(kSize, centre, radius);
+  const LabelVolume plate = test::make_volume(
+      kSize, kSize, kSize, [&](int i, int j, int k) { return in_plate(i + j / 4, k) ? 2 : 0; });
+  const LabelVolume both = test::make_volume(kSize, kSize, kSize, [&](int i, int j, int k) {
+    return plate.at(i, j, k) != kBackground ? 2 : ball.at(i, j, k);
+  });
+  const SurfaceMesh surface = smooth(extract(both), both);
+  EXPECT_TRUE(is_valid_surface(surface));
+  const auto part = [&](Label label) {
+    SurfaceMesh out = surface;
+    std::erase_if(out.points, [&](const Eigen::Vector3d& p) { return (p.z() > 32) != (label == 2); });
+    return out;
+  };
+  const SurfaceMesh ball_alone = smooth(extract(ball, ExtractMethod::kMarchingTets), ball);
+  EXPECT_LE(sphere_errors(part(1), centre, radius).mean,
+            0.95 * sphere_errors(ball_alone, centre, radius).mean);
+  const SurfaceMesh plate_alone = smooth(extract(plate, ExtractMethod::kMarchingTets), plate);
+  const SurfaceMesh plate_beside = part(2);
+  ASSERT_EQ(plate_beside.points.size(), plate_alone.points.size());
+  for (std::size_t v = 0; v < plate_alone.points.size(); ++v)  // volumes are met to so much
+    EXPECT_LE((plate_beside.points[v] - plate_alone.points[v]).norm(), 1e-3) << v;
+}
+
+TEST(SmoothSurface, FollowsATorusAndBothWallsOfAShell) {
+  const LabelVolume torus = test::make_volume(
+      40, 40, 16, [](int i, int j, int k) { return test::in_torus(i - 19.5, j - 19.5, k - 7.5, 12, 5); });
+  const LabelVolume shell = test::make_volume(30, 30, 30, [](int i, int j, int k) {
+    const double r2 = (i - 14.5) * (i - 14.5) + (j - 14.5) * (j - 14.5) + (k - 14.5) * (k - 14.5);
+    return r2 <= 169 && r2 >= 64;
+  });
+  for (const ExtractMethod method : kBothMethods) {
+    double mean = 0, largest = 0;
+    const SurfaceMesh ring = smooth(extract(torus, method), torus);
+    for (const Eigen::Vector3d& p : ring.points) {
+      const double x = p.x() - 19.5, y = p.y() - 19.5, z = p.z() - 7.5, out = std::sqrt(x * x + y * y) - 12;
+      const double distance = std::abs(std::sqrt(out * out + z * z) - 5);
+      mean += distance / static_cast<double>(ring.points.size());
+      largest = std::max(largest, distance);
+    }
+    EXPECT_LE(mean, 0.12);
+    EXPECT_LE(largest, 0.5);
+    const SurfaceMesh walls = smooth(extract(shell, method), shell);
+    mean = largest = 0;
+    for (const Eigen::Vector3d& p : walls.points) {
+      const double r = (p - Eigen::Vector3d::Constant(14.5)).norm();
+      const double distance = std::min(std::abs(r - 8), std::abs(r - 13));
+      mean += distance / static_cast<double>(walls.points.size());
+      largest = std::max(largest, distance);
+    }
+    EXPECT_LE(mean, 0.12);
+    EXPECT_LE(largest, 0.5);
+  }
+}
+
+}  // namespace
+}  // namespace voxtet
