@@ -20,6 +20,7 @@
 #include "remesh/relabel_cells.h"
 #include "remesh/relax_surface.h"
 #include "remesh/seed_interfaces.h"
+#include "remesh/suspect_voxels.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -27,7 +28,8 @@ namespace {
 /// Measured on hearts, aorta and spheres: the median edge of a relaxed surface is 1.32 times the largest
 /// radius allowed for the surface Delaunay balls.
 constexpr double kEdgePerRadius = 1.32;
-constexpr double kSeedSeparation = 0.25;  ///< between first points, in units of the smallest spacing
+constexpr double kSeedSeparation = 0.25;   ///< between first points, in units of the smallest spacing
+constexpr double kPassedOverDepth = 0.06;  ///< of a cell's centroid in another label, in the same units
 
 /// How a surface is refined where it does not follow the reference; lengths in units of the smallest spacing.
 struct Repair {
@@ -135,6 +137,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
                           {params.facet_angle_deg, params.max_distance_voxels * voxel, 1 / kEdgePerRadius});
   refiner.insert(seeds.points, kSeedSeparation * voxel);
   MissedPlaces places(reference, field);
+  const SuspectVoxels suspect_voxels(reference, field);
   const std::vector<Edge> junctions = junction_edges(reference);
   std::optional<Nearest> nearest;
   auto repair = kRepairs.begin();
@@ -155,24 +158,30 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     if (ctx.cancelled()) return cancelled_error("remesh");
     const SurfaceMesh merged = merge_layers(surface, field.layers());
     std::optional<std::vector<Label>> broken;
+    std::vector<bool> suspects;  // empty: none, or all
     const auto compare = [&] {
       if (broken) return;
       const std::vector<TopologyDifference> differences = compare_topology(wanted, label_topology(merged));
       broken = labels_of(differences);
       const std::int64_t size = size_of(differences);
       if (!nearest || size <= nearest->differences) nearest = {surface, size};
+      if (!broken->empty()) suspects = suspect_voxels.of(merged, *broken);
     };
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {
       if (repair->thorough) compare();
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
-      const std::vector<Eigen::Vector3d> elsewhere = places.of(
-          merged, {params.missed_voxels * voxel, repair->separation * voxel,
-                   broken ? *broken : std::vector<Label>{}, repair->turned_cosine, repair->narrow_share});
+      const std::vector<Eigen::Vector3d> elsewhere =
+          places.of(merged, {params.missed_voxels * voxel, repair->separation * voxel,
+                             broken ? *broken : std::vector<Label>{}, suspects, repair->turned_cosine,
+                             repair->narrow_share});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
       // Where the topology is as wanted, mending has done away with what was flawed.
       const bool sound = repair->thorough && broken->empty();
+      if (repair->thorough && !sound)
+        for (const Eigen::Vector3d& p : refiner.passed_over(kPassedOverDepth * voxel))
+          if (suspects.empty() || suspects[field.nearest_voxel(p)]) missed.push_back(p);
       // These first, because new points do away with cells.
       if (!sound)
         for (const InterfaceFacet& facet : flawed)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "remesh/separate_diagonals.h"
 #include "remesh/widen_contacts.h"
 
 namespace voxtet::remesh {
@@ -123,7 +124,10 @@ LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface, co
 
   LabelGrid grid = padded(volume);
   LabelDistances distances = label_distances(grid, surface, index_to_mm_, mm_origin_);
-  widen_contacts(grid, distances);
+  if (connectivity_ == Connectivity::kFaces)
+    separate_diagonals(grid, distances);
+  else
+    widen_contacts(grid, distances);
   size_ = grid.size;
   centre_labels_ = std::move(grid.labels);
   build_cells(distances);
@@ -190,6 +194,15 @@ std::int32_t LabelField::code_at(const Eigen::Vector3d& index, std::array<double
 template <class Number>
 double LabelField::interpolate(const Number* corners, const std::array<double, 3>& t) const {
   return connectivity_ == Connectivity::kKuhn ? kuhn(corners, t) : trilinear(corners, t);
+}
+
+std::size_t LabelField::nearest_voxel(const Eigen::Vector3d& mm) const {
+  const Eigen::Vector3d index = to_index(mm);
+  Eigen::Vector3i voxel;
+  for (int d = 0; d < 3; ++d)
+    voxel[d] = static_cast<int>(
+        std::clamp(std::floor(index[d] + 0.5), 0.0, size_[static_cast<std::size_t>(d)] - 1.0));
+  return offset(voxel);
 }
 
 Label LabelField::at_index(const Eigen::Vector3d& index) const {

@@ -5,7 +5,8 @@
 // centres and interpolated between them; the label of a point is the one whose distance is largest. Because
 // background competes like any other label, no cusps of background open along label interfaces. The
 // interpolation follows the extraction, so that diagonal neighbours join where they do on the surface:
-// trilinear for one label, linear on the Kuhn tetrahedra for several; and no label closes a way between two
+// trilinear for one label, and between voxel centres it joins no more than the extraction
+// (separate_diagonals.h); linear on the Kuhn tetrahedra for several, and no label closes a way between two
 // others that the extraction leaves open (widen_contacts.h).
 #pragma once
 
@@ -66,6 +67,8 @@ class LabelField {
                (static_cast<std::size_t>(voxel[1]) +
                 static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(voxel[2]));
   }
+  /// Offset of the voxel of the padded grid whose centre is nearest to a point (mm).
+  std::size_t nearest_voxel(const Eigen::Vector3d& mm) const;
   /// Label at each voxel centre of the padded grid, by offset.
   const std::vector<Label>& centre_labels() const { return centre_labels_; }
   double smallest_spacing_mm() const { return smallest_spacing_mm_; }

@@ -117,16 +117,6 @@ std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint3
   return std::nullopt;
 }
 
-/// The voxel of the padded grid in which a point lies.
-std::size_t voxel_at(const LabelField& field, const Eigen::Vector3d& mm) {
-  const Eigen::Vector3d index = field.to_index(mm);
-  Eigen::Vector3i voxel;
-  for (int d = 0; d < 3; ++d)
-    voxel[d] = std::clamp(static_cast<int>(std::floor(index[d] + 0.5)), 0,
-                          field.size()[static_cast<std::size_t>(d)] - 1);
-  return field.offset(voxel);
-}
-
 /// Whether, straight behind or before a triangle, its label ends within so many mm.
 bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& field, double width_mm) {
   const Eigen::Vector3d middle = centroid(surface, t);
@@ -139,7 +129,7 @@ bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& fi
 }  // namespace
 
 MissedPlaces::MissedPlaces(const SurfaceMesh& reference, const LabelField& field)
-    : reference_(reference), field_(field), suspects_(reference, field) {
+    : reference_(reference), field_(field) {
   const std::size_t stride = stride_of(reference);
   samples_ = by_pair(reference, [&](std::uint32_t t) { return t % stride == 0 || t % kThoroughStride == 0; });
   followed_by_.assign(samples_.size(), 0);
@@ -151,8 +141,7 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
   const std::vector<std::uint32_t> ids = by_pair(surface, [](std::uint32_t) { return true; });
   const std::vector<std::uint64_t> names = names_of(surface);
   const NamedTriangles named(names);
-  std::vector<bool> suspects;
-  if (!criteria.thorough.empty()) suspects = suspects_.of(surface, criteria.thorough);
+  const std::vector<bool>& suspects = criteria.suspects;
   std::vector<Eigen::Vector3d> missed;
   std::size_t from = 0;
   for (std::size_t s = 0; s < samples_.size();) {
@@ -180,7 +169,7 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
     for (; s < samples_.size() && reference_.sides[samples_[s]] == sides; ++s) {
       const std::uint32_t sample = samples_[s];
       const bool thorough =
-          broken && (suspects.empty() || suspects[voxel_at(field_, centroid(reference_, sample))]);
+          broken && (suspects.empty() || suspects[field_.nearest_voxel(centroid(reference_, sample))]);
       if (!thorough && sample % stride != 0) continue;
       const bool narrow = thorough && criteria.narrow_share < 1 &&
                           is_narrow(reference_, sample, field_, kNarrowVoxels * field_.smallest_spacing_mm());

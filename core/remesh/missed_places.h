@@ -7,7 +7,6 @@
 
 #include "remesh/junction_points.h"
 #include "remesh/label_field.h"
-#include "remesh/suspect_voxels.h"
 #include "types/surface_mesh.h"
 
 namespace voxtet::remesh {
@@ -15,12 +14,13 @@ namespace voxtet::remesh {
 struct MissedCriteria {
   double limit_mm;       ///< farther than this from the surface counts as missed
   double separation_mm;  ///< between the places
-  /// Around these labels (ascending), at suspect voxels or all over if there are none, every other triangle
-  /// of the reference is a sample, not only some 100,000 of all, and missed also where the closest triangle
-  /// is turned by more than an angle: the wall of a tunnel has its lid near, but nothing parallel.
+  /// Around these labels (ascending), at the suspect voxels or all over if there are none, every other
+  /// triangle of the reference is a sample, not only some 100,000 of all, and missed also where the closest
+  /// triangle is turned by more than an angle: the wall of a tunnel has its lid near, but nothing parallel.
   std::vector<Label> thorough = {};
-  double turned_cosine = 0.3;  ///< of that angle
-  double narrow_share = 1;     ///< of the limit: what it is there where labels are narrow
+  std::vector<bool> suspects = {};  ///< SuspectVoxels::of the surface and these labels
+  double turned_cosine = 0.3;       ///< of that angle
+  double narrow_share = 1;          ///< of the limit: what it is there where labels are narrow
 };
 
 /// Where surfaces, one better than the other, miss a reference. Holds the reference and its field.
@@ -38,7 +38,6 @@ class MissedPlaces {
  private:
   const SurfaceMesh& reference_;
   const LabelField& field_;
-  SuspectVoxels suspects_;
   std::vector<std::uint32_t> samples_;      ///< triangles that may be samples, by their two labels
   std::vector<std::uint64_t> followed_by_;  ///< by sample, what names the triangle that was last closest
 };

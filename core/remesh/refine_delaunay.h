@@ -42,6 +42,11 @@ class DelaunayRefiner {
   /// marked; refine() does it.
   bool request(std::uint32_t cell, std::uint32_t corner, double least_radius_mm);
 
+  /// Points on interfaces that cells have passed over: where the label changes between the circumcentre of a
+  /// cell, whose label the cell has, and its centroid, if that lies at least `depth_mm` deep in another
+  /// label. In the order of cells().
+  std::vector<Eigen::Vector3d> passed_over(double depth_mm) const;
+
   std::size_t vertex_count() const;
   /// The triangulation as it stands.
   CellComplex cells();

@@ -11,6 +11,7 @@
 
 #include "geometry/surface_measures.h"
 #include "geometry/triangle_measures.h"
+#include "remesh/cube_neighbours.h"
 #include "remesh/kuhn_neighbours.h"
 
 namespace voxtet::remesh {
@@ -25,6 +26,15 @@ constexpr double kPlaneRounding = 1e-9;  ///< of a plane's distance, generously
 Vector3i to_neighbour(std::size_t neighbour) {
   const auto [i, j, k] = step_to(neighbour);
   return {i, j, k};
+}
+
+/// From a voxel to its neighbours: the edges of the Kuhn tetrahedra, then the other diagonals of faces.
+constexpr std::size_t kWays = kUp + 3;
+
+Vector3i to_end(std::size_t way) {
+  static const std::array<Vector3i, 3> kOtherDiagonals{Vector3i(1, -1, 0), Vector3i(1, 0, -1),
+                                                       Vector3i(0, 1, -1)};
+  return way < kUp ? to_neighbour(way) : kOtherDiagonals[way - kUp];
 }
 
 /// Where the segment from `a` along `way` meets a triangle, as a share of it (Möller and Trumbore 1997).
@@ -64,13 +74,17 @@ class LabelsBySurface {
     for (const WayCrossing& c : crossings) {
       const auto& [behind, front] = surface.sides[c.triangle];
       look_at(c.voxel, {c.at, c.triangle, c.way, c.outwards ? behind : front});
-      const auto backwards = static_cast<std::uint8_t>(c.way + kUp);
+      const auto backwards = static_cast<std::uint8_t>(c.way + kWays);
       look_at(c.end, {1 - c.at, c.triangle, backwards, c.outwards ? front : behind});
     }
+    find_passed_over();
   }
 
   Label at(std::uint64_t voxel) const {
-    return bits_[voxel / 64] >> voxel % 64 & 1 ? nearest_[rank(voxel)].label : centres_[voxel];
+    if (is_crossed(voxel)) return nearest_[rank(voxel)].label;
+    const auto passed =
+        std::lower_bound(passed_over_.begin(), passed_over_.end(), std::pair{voxel, Label{0}});
+    return passed != passed_over_.end() && passed->first == voxel ? passed->second : centres_[voxel];
   }
 
   /// Calls visit(voxel, label) for every voxel whose centre has another label by the surface.
@@ -81,15 +95,27 @@ class LabelsBySurface {
         const std::uint64_t voxel = 64 * w + static_cast<std::uint64_t>(std::countr_zero(rest));
         if (at(voxel) != centres_[voxel]) visit(voxel, at(voxel));
       }
+    for (const auto& [voxel, label] : passed_over_) visit(voxel, label);
   }
 
  private:
   struct Nearest {
     double at = 2;
     std::uint32_t triangle = 0;
-    std::uint8_t way = 0;  ///< plus 7 for backwards
+    std::uint8_t way = 0;  ///< plus kWays for backwards
     Label label = kBackground;
   };
+  bool is_crossed(std::uint64_t voxel) const { return bits_[voxel / 64] >> voxel % 64 & 1; }
+  /// A voxel with no triangle on its ways is on the same side as the one before it; the first is background.
+  void find_passed_over() {
+    Label before = kBackground;
+    for (std::uint64_t voxel = 0; voxel < centres_.size(); ++voxel) {
+      if (is_crossed(voxel))
+        before = nearest_[rank(voxel)].label;
+      else if (before != centres_[voxel])
+        passed_over_.push_back({voxel, before});
+    }
+  }
   std::size_t rank(std::uint64_t voxel) const {
     const std::uint64_t lower = bits_[voxel / 64] & ((std::uint64_t{1} << voxel % 64) - 1);
     return before_[voxel / 64] + static_cast<std::size_t>(std::popcount(lower));
@@ -104,6 +130,7 @@ class LabelsBySurface {
   std::vector<std::uint64_t> bits_;    ///< of voxels at the end of a crossed way
   std::vector<std::uint32_t> before_;  ///< by word of bits_, how many bits are set before it
   std::vector<Nearest> nearest_;       ///< of the voxels in bits_, in their order
+  std::vector<std::pair<std::uint64_t, Label>> passed_over_;  ///< other voxels with another label, ascending
 };
 
 bool is_one_of(Label label, const std::vector<Label>& labels) {
@@ -113,7 +140,9 @@ bool is_one_of(Label label, const std::vector<Label>& labels) {
 }  // namespace
 
 SuspectVoxels::SuspectVoxels(const SurfaceMesh& reference, const LabelField& field)
-    : reference_(reference), field_(field) {
+    : reference_(reference),
+      field_(field),
+      ways_(field.connectivity() == Connectivity::kFaces ? kWays : kUp) {
   for (int d = 0; d < 3; ++d) last_[d] = field.size()[static_cast<std::size_t>(d)] - 1;
 }
 
@@ -125,12 +154,12 @@ void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& 
     for (std::size_t k = 0; k < 3; ++k) p[k] = field_.to_index(surface.points[surface.triangles[t][k]]);
     const Vector3i low = p[0].cwiseMin(p[1]).cwiseMin(p[2]).array().floor().matrix().cast<int>().cwiseMax(0);
     const Vector3i high =
-        p[0].cwiseMax(p[1]).cwiseMax(p[2]).array().floor().matrix().cast<int>().cwiseMin(last_);
+        p[0].cwiseMax(p[1]).cwiseMax(p[2]).array().ceil().matrix().cast<int>().cwiseMin(last_);
     // By far most ways end on the side of the triangle's plane where they begin.
     const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
     const double doubt = kPlaneRounding * normal.cwiseAbs().sum();
-    std::array<double, kUp> rises;
-    for (std::size_t way = 0; way < kUp; ++way) rises[way] = normal.dot(to_neighbour(way).cast<double>());
+    std::array<double, kWays> rises;
+    for (std::size_t way = 0; way < ways_; ++way) rises[way] = normal.dot(to_end(way).cast<double>());
     for (int k = low[2]; k <= high[2]; ++k)
       for (int j = low[1]; j <= high[1]; ++j)
         for (int i = low[0]; i <= high[0]; ++i) {
@@ -138,10 +167,10 @@ void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& 
           const std::uint64_t voxel = field_.offset(from);
           if (!wanted(voxel)) continue;
           const double height = normal.dot(from.cast<double>() - p[0]);
-          for (std::uint8_t way = 0; way < kUp; ++way) {
+          for (std::uint8_t way = 0; way < ways_; ++way) {
             const double end = height + rises[way];
             if (std::min(height, end) > doubt || std::max(height, end) < -doubt) continue;
-            const Vector3i step = to_neighbour(way);
+            const Vector3i step = to_end(way);
             if (!inside(from + step)) continue;
             if (const auto at = meets(from.cast<double>(), step.cast<double>(), p)) visit(voxel, way, *at, t);
           }
@@ -151,9 +180,9 @@ void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& 
 
 std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vector<Label>& labels) const {
   const std::vector<Label>& centres = field_.centre_labels();
-  std::array<Vector3d, kUp> ways_mm;
-  for (std::size_t way = 0; way < kUp; ++way)
-    ways_mm[way] = field_.to_mm(to_neighbour(way).cast<double>()) - field_.to_mm(Vector3d::Zero());
+  std::array<Vector3d, kWays> ways_mm;
+  for (std::size_t way = 0; way < ways_; ++way)
+    ways_mm[way] = field_.to_mm(to_end(way).cast<double>()) - field_.to_mm(Vector3d::Zero());
   std::vector<WayCrossing> crossings;
   for_each_crossing(
       surface, [](std::uint64_t) { return true; },
@@ -166,19 +195,11 @@ std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vecto
   const LabelsBySurface by_surface(centres, surface, crossings);
   std::vector<bool> marked;
   by_surface.for_each_moved([&](std::uint64_t voxel, Label label) {
-    const Vector3i middle = voxel_of(voxel);
     bool simple = true;
-    for (const Label other : {label, centres[voxel]}) {
-      if (!is_one_of(other, labels)) continue;
-      std::uint32_t before = 0, after = 0;
-      for (std::size_t n = 0; n < kNeighbours; ++n) {
-        const Vector3i next = middle + to_neighbour(n);
-        const bool known = inside(next);
-        if ((known ? centres[field_.offset(next)] : kBackground) == other) before |= 1U << n;
-        if ((known ? by_surface.at(field_.offset(next)) : kBackground) == other) after |= 1U << n;
-      }
-      simple = simple && is_simple(before) && is_simple(after);
-    }
+    for (const Label other : {label, centres[voxel]})
+      if (is_one_of(other, labels))
+        simple = simple && stays_simple(voxel, other, [&](std::uint64_t v) { return centres[v]; }) &&
+                 stays_simple(voxel, other, [&](std::uint64_t v) { return by_surface.at(v); });
     if (!simple) mark_around(voxel, marked);
   });
   std::vector<std::uint64_t> closed;  // ways, by number
@@ -187,13 +208,31 @@ std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vecto
     if (!is_one_of(sides[0], labels) && !is_one_of(sides[1], labels)) continue;
     const Label label = centres[c.voxel];
     if (centres[c.end] == label && by_surface.at(c.voxel) == label && by_surface.at(c.end) == label)
-      closed.push_back(c.voxel * kUp + c.way);
+      closed.push_back(c.voxel * kWays + c.way);
   }
   for (const std::uint64_t way : not_of_reference(std::move(closed))) {
-    mark_around(way / kUp, marked);
-    mark_around(end_of(way / kUp, way % kUp), marked);
+    mark_around(way / kWays, marked);
+    mark_around(end_of(way / kWays, way % kWays), marked);
   }
   return marked;
+}
+
+template <class LabelAt>
+bool SuspectVoxels::stays_simple(std::uint64_t voxel, Label label, const LabelAt& label_at) const {
+  const Vector3i middle = voxel_of(voxel);
+  const auto is_of = [&](const std::array<int, 3>& step) {
+    const Vector3i next = middle + Vector3i(step[0], step[1], step[2]);
+    return (inside(next) ? label_at(field_.offset(next)) : kBackground) == label;
+  };
+  std::uint32_t around = 0;
+  if (field_.connectivity() == Connectivity::kFaces) {
+    for (std::size_t n = 0; n < kCube; ++n)
+      if (is_of(cube_step(n))) around |= 1U << n;
+    return is_simple_in_cube(around);
+  }
+  for (std::size_t n = 0; n < kNeighbours; ++n)
+    if (is_of(step_to(n))) around |= 1U << n;
+  return is_simple(around);
 }
 
 std::vector<std::uint64_t> SuspectVoxels::not_of_reference(std::vector<std::uint64_t> ways) const {
@@ -201,12 +240,12 @@ std::vector<std::uint64_t> SuspectVoxels::not_of_reference(std::vector<std::uint
   ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
   if (ways.empty()) return ways;
   std::vector<bool> begins(field_.centre_labels().size(), false), crossed(ways.size(), false);
-  for (const std::uint64_t way : ways) begins[way / kUp] = true;
+  for (const std::uint64_t way : ways) begins[way / kWays] = true;
   for_each_crossing(
       reference_, [&](std::uint64_t voxel) { return begins[voxel]; },
       [&](std::uint64_t voxel, std::uint8_t way, double, std::uint32_t) {
-        const auto found = std::lower_bound(ways.begin(), ways.end(), voxel * kUp + way);
-        if (found != ways.end() && *found == voxel * kUp + way)
+        const auto found = std::lower_bound(ways.begin(), ways.end(), voxel * kWays + way);
+        if (found != ways.end() && *found == voxel * kWays + way)
           crossed[static_cast<std::size_t>(found - ways.begin())] = true;
       });
   std::vector<std::uint64_t> others;
@@ -216,7 +255,7 @@ std::vector<std::uint64_t> SuspectVoxels::not_of_reference(std::vector<std::uint
 }
 
 std::uint64_t SuspectVoxels::end_of(std::uint64_t voxel, std::size_t way) const {
-  return field_.offset(voxel_of(voxel) + to_neighbour(way));
+  return field_.offset(voxel_of(voxel) + to_end(way));
 }
 
 Vector3i SuspectVoxels::voxel_of(std::uint64_t offset) const {

@@ -20,8 +20,7 @@ class SuspectVoxels {
   /// - a voxel whose centre the surface gives another label than the volume, one or both of the two labels of
   ///   `labels` (ascending), unless that takes or adds a simple point (Bertrand 1994), or
   /// - the end of a way that triangles beside `labels` cross although both centres keep their one label,
-  /// where
-  ///   the reference's do not.
+  ///   where the reference's do not.
   /// Empty if there are none.
   std::vector<bool> of(const SurfaceMesh& surface, const std::vector<Label>& labels) const;
 
@@ -30,7 +29,10 @@ class SuspectVoxels {
   /// for which wanted(voxel) holds.
   template <class Wanted, class Visit>
   void for_each_crossing(const SurfaceMesh& surface, const Wanted& wanted, const Visit& visit) const;
-  /// Those of the ways (7 * voxel + way) that no triangle of the reference crosses, ascending.
+  /// Whether the voxel, whatever it is itself, can join or leave a label without a change of topology.
+  template <class LabelAt>
+  bool stays_simple(std::uint64_t voxel, Label label, const LabelAt& label_at) const;
+  /// Those of the ways (voxel * ways + way) that no triangle of the reference crosses, ascending.
   std::vector<std::uint64_t> not_of_reference(std::vector<std::uint64_t> ways) const;
   std::uint64_t end_of(std::uint64_t voxel, std::size_t way) const;
   Eigen::Vector3i voxel_of(std::uint64_t offset) const;
@@ -39,6 +41,7 @@ class SuspectVoxels {
 
   const SurfaceMesh& reference_;
   const LabelField& field_;
+  std::size_t ways_;
   Eigen::Vector3i last_;  ///< voxel of the grid
 };
 

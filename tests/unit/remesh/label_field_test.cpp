@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,7 @@
 #include "support/random_labels.h"
 #include "support/test_random.h"
 #include "support/test_surfaces.h"
+#include "surface/extract_surface.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -46,6 +48,26 @@ TEST(LabelField, HasTheLabelsOfTheVolumeAtVoxelCentresAndBackgroundAround) {
       }
   EXPECT_EQ(field.size()[0], 14 + 2 * pad);
   EXPECT_EQ(wrong, 0U);
+}
+
+/// Pieces, cavities and handles of the first label.
+std::array<std::uint32_t, 3> topology_of(const LabelVolume& volume) {
+  RunContext ctx;
+  const LabelTopology topology = label_topology(extract_surface(volume, {}, ctx).value()).labels.at(0);
+  return {topology.components, topology.cavities, topology.handles};
+}
+
+TEST(LabelField, JoinsOneLabelBetweenVoxelCentresAsItsSurfaceDoes) {
+  constexpr int kFiner = 12;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const LabelVolume volume = test::random_volume(4, 1, seed);
+    const LabelField field = field_of(volume);
+    const std::array<int, 3>& size = field.size();
+    const LabelVolume fine =
+        test::make_volume(kFiner * (size[0] - 1) + 1, kFiner * (size[1] - 1) + 1, kFiner * (size[2] - 1) + 1,
+                          [&](int i, int j, int k) { return field.at_index(Vector3d(i, j, k) / kFiner); });
+    EXPECT_EQ(topology_of(fine), topology_of(volume)) << seed;
+  }
 }
 
 TEST(LabelField, ChangesItsLabelWhereTheSurfaceIs) {

@@ -102,6 +102,25 @@ TEST_P(RemeshReal, IsClosedWellShapedCloseAndReadyToFill) {
   RecordProperty("max_back_voxels", std::to_string(distances->back.max_mm / voxel));
 }
 
+TEST(RemeshRealMerged, KeepsItsNarrowestTunnelByRefinement) {
+  const std::string path = test::shared_data("biv_es_oblique_sax.nii.gz");
+  if (path.empty()) GTEST_SKIP() << "biv_es_oblique_sax.nii.gz is not present";
+  const Result<LabelVolume> file = read_volume_file(path);
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  RunContext ctx;
+  const Result<PreparedVolume> prepared =
+      prepare_volume(std::make_shared<const LabelVolume>(*file), {1, 2}, {{1, 2}}, {}, ctx);
+  ASSERT_TRUE(prepared.ok()) << prepared.error().message;
+  std::string warned;
+  ctx.on_warning = [&](const std::string&, const std::string& message) { warned += message + "; "; };
+  const SurfaceMesh reference = test::label_surface(*prepared->prepared);
+  const Result<SurfaceMesh> surface =
+      remesh_surface(*prepared->prepared, reference, test::uniform_sizing(2.8), {}, ctx);
+  ASSERT_TRUE(surface.ok()) << surface.error().message;
+  EXPECT_EQ(warned, "");
+  EXPECT_EQ(label_topology(*surface), label_topology(reference));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Shared, RemeshReal,
     ::testing::Values(RealCase{"biv_mean_1mm.nii.gz", {1, 2}, 1.56, 29, 30, 0.002, 0.5},

@@ -67,6 +67,28 @@ TEST(SuspectVoxels, AreAlongATunnelThatTheSurfaceHasClosed) {
   }
 }
 
+TEST(SuspectVoxels, AreAllAlongATunnelThatTheSurfaceHasClosed) {
+  const std::vector<bool> marked = suspects(solid(), with_tunnel(0), {1});
+  constexpr int kPadded = kBlockGrid + 2 * LabelField::kPad, kAxis = kMiddle + LabelField::kPad;
+  for (int k = kFirst + LabelField::kPad; k <= kLast + LabelField::kPad; ++k)
+    EXPECT_TRUE(marked[static_cast<std::size_t>((k * kPadded + kAxis) * kPadded + kAxis)]) << k;
+}
+
+TEST(SuspectVoxels, AreWhereBackgroundAlongADiagonalIsClosed) {
+  // Two bores end at the same edge, so that only a diagonal joins them; of one label alone it does.
+  for (const int turn : {1, -1}) {
+    const auto bores = [&](bool joined) {
+      return block([&](int i, int j, int k) {
+        if (j != kMiddle) return 1;
+        const bool lower = i == kMiddle && k <= kMiddle;
+        const bool upper = i == kMiddle + (joined ? 1 : 2) * turn && k > kMiddle;
+        return lower || upper ? 0 : 1;
+      });
+    };
+    EXPECT_GT(count_of(suspects(bores(false), bores(true), {1})), 0) << turn;
+  }
+}
+
 TEST(SuspectVoxels, AreNoneAtADentWhichChangesNoTopology) {
   const LabelVolume dented =
       block([](int i, int j, int k) { return i == kLast && j == kMiddle && k == kMiddle ? 0 : 1; });
