@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <set>
 
 namespace voxtet::remesh {
 namespace {
@@ -53,6 +55,25 @@ std::vector<std::size_t> voxels_in(const CellComplex& cells, const std::vector<s
   std::sort(voxels.begin(), voxels.end());
   voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
   return voxels;
+}
+
+/// The voxel of its label in whose middle a group lies beside the centre: nearest to the centroid of one of
+/// its cells, with the label all the way. Nothing where there is none.
+std::optional<std::size_t> voxel_beside(const CellComplex& cells, const std::vector<std::uint32_t>& group,
+                                        const LabelField& field) {
+  constexpr int kSteps = 8;
+  const Label label = cells.labels[group.front()];
+  for (const std::uint32_t c : group) {
+    const Eigen::Vector3d from = field.to_index(cells.centroid(c));
+    const std::size_t voxel = field.nearest_voxel(cells.centroid(c));
+    if (field.centre_labels()[voxel] != label) continue;
+    const Eigen::Vector3d to = from.array().round();
+    bool all = true;
+    for (int step = 0; step < kSteps && all; ++step)
+      all = field.at(field.to_mm(from + step * (to - from) / kSteps)) == label;
+    if (all) return voxel;
+  }
+  return std::nullopt;
 }
 
 /// Whether voxels are a whole piece, or enough of one to stay.
@@ -137,10 +158,20 @@ std::size_t drop_fragments(CellComplex& cells, const LabelField& field, const Vo
     most = std::max(most, group.size());
     if (group.size() <= kMostCells) fragments.push_back(group);
   }
-  std::size_t changed = 0;
+  std::vector<std::vector<std::size_t>> voxels_of;
+  std::set<std::size_t> held;
   for (const std::vector<std::uint32_t>& fragment : fragments) {
+    voxels_of.push_back(voxels_in(cells, fragment, field));
+    held.insert(voxels_of.back().begin(), voxels_of.back().end());
+  }
+  std::size_t changed = 0;
+  for (std::size_t f = 0; f < fragments.size(); ++f) {
+    const std::vector<std::uint32_t>& fragment = fragments[f];
     if (fragment.size() == largest[cells.labels[fragment.front()]]) continue;
-    const std::vector<std::size_t> voxels = voxels_in(cells, fragment, field);
+    std::vector<std::size_t>& voxels = voxels_of[f];
+    if (voxels.empty())
+      if (const auto beside = voxel_beside(cells, fragment, field); beside && held.insert(*beside).second)
+        voxels.push_back(*beside);
     if (is_piece(voxels, pieces)) continue;
     if (torn && !voxels.empty()) {
       const std::vector<InterfaceFacet> lids = lids_of(cells, fragment);

@@ -27,7 +27,7 @@ constexpr std::array<Columns, 3> kColumns{{{1, {0, 2, 6, 4}}, {2, {0, 1, 5, 4}},
 
 /// By corner, the first one that it is joined with, for each set of corners that are inside of the label: the
 /// label along edges, background along the diagonals of faces too.
-constexpr std::array<std::array<std::uint8_t, 8>, 256> kPieces = [] {
+const std::array<std::array<std::uint8_t, 8>, 256> kPieces = [] {
   std::array<std::array<std::uint8_t, 8>, 256> pieces{};
   for (std::size_t inside = 0; inside < 256; ++inside) {
     const auto are_joined = [&](std::size_t a, std::size_t b) {
