@@ -3,9 +3,10 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+
+#include "remesh/neighbour_rings.h"
 
 namespace voxtet::remesh {
 
@@ -18,8 +19,8 @@ constexpr std::array<int, 3> cube_step(std::size_t neighbour) {
 }
 
 /// By neighbour, the others in the cube next to it, as bits: those apart along `axes` of the three or fewer.
-constexpr std::array<std::uint32_t, kCube> cube_rings(int axes) {
-  std::array<std::uint32_t, kCube> rings{};
+constexpr NeighbourRings<kCube> cube_rings(int axes) {
+  NeighbourRings<kCube> rings{};
   for (std::size_t a = 0; a < kCube; ++a)
     for (std::size_t b = 0; b < kCube; ++b) {
       int differing = 0;
@@ -33,21 +34,13 @@ constexpr std::array<std::uint32_t, kCube> cube_rings(int axes) {
     }
   return rings;
 }
-inline constexpr std::array<std::uint32_t, kCube> kFaceRings = cube_rings(1), kEdgeRings = cube_rings(2);
+inline constexpr NeighbourRings<kCube> kFaceRings = cube_rings(1), kEdgeRings = cube_rings(2);
 
 /// How many pieces of `cube` touch the middle.
-constexpr int pieces_at_middle(std::uint32_t cube, const std::array<std::uint32_t, kCube>& rings) {
+constexpr int pieces_at_middle(std::uint32_t cube, const NeighbourRings<kCube>& rings) {
   int pieces = 0;
-  for (std::uint32_t touching = cube & rings[kCubeMiddle]; touching != 0; ++pieces) {
-    std::uint32_t piece = touching & -touching;
-    for (std::uint32_t last = 0; piece != last;) {
-      std::uint32_t fresh = piece & ~last;
-      last = piece;
-      for (; fresh != 0; fresh &= fresh - 1)
-        piece |= rings[static_cast<std::size_t>(std::countr_zero(fresh))] & cube;
-    }
-    touching &= ~piece;
-  }
+  for (std::uint32_t touching = cube & rings[kCubeMiddle]; touching != 0; ++pieces)
+    touching &= ~grow_piece(touching & -touching, cube, rings);
   return pieces;
 }
 

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+
+#include "remesh/neighbour_rings.h"
 
 namespace voxtet::remesh {
 
@@ -17,8 +18,8 @@ constexpr std::array<int, 3> step_to(std::size_t neighbour) {
 }
 
 /// By neighbour, those of the others that are neighbours of it, as bits: a ring around the edge to it.
-inline constexpr std::array<std::uint32_t, kNeighbours> kRings = [] {
-  std::array<std::uint32_t, kNeighbours> rings{};
+inline constexpr NeighbourRings<kNeighbours> kRings = [] {
+  NeighbourRings<kNeighbours> rings{};
   for (std::size_t a = 0; a < kNeighbours; ++a)
     for (std::size_t b = 0; b < kNeighbours; ++b) {
       bool up = a != b, down = a != b;
@@ -34,14 +35,7 @@ inline constexpr std::array<std::uint32_t, kNeighbours> kRings = [] {
 
 /// Whether neighbours, as bits, are joined with each other; so are none.
 constexpr bool are_joined(std::uint32_t neighbours) {
-  std::uint32_t reached = neighbours & -neighbours;
-  for (std::uint32_t last = 0; reached != last;) {
-    std::uint32_t fresh = reached & ~last;
-    last = reached;
-    for (; fresh != 0; fresh &= fresh - 1)
-      reached |= kRings[static_cast<std::size_t>(std::countr_zero(fresh))] & neighbours;
-  }
-  return reached == neighbours;
+  return grow_piece(neighbours & -neighbours, neighbours, kRings) == neighbours;
 }
 
 /// Whether a voxel can be taken from or added to a set without a change of topology, by those neighbours that
