@@ -194,7 +194,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     surface = std::move(nearest->surface);
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
     relax_surface(surface, sizing);
-    fit_surface(surface, field, with_layers_mm3(volumes, surface, field.layers()));
+    fit_surface(surface, field, reference, with_layers_mm3(volumes, surface, field.layers()));
     if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error("remesh");
     return surface;
   }

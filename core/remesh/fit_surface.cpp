@@ -7,10 +7,13 @@
 #include <cmath>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "geometry/closest_point.h"
 #include "geometry/surface_measures.h"
 #include "geometry/triangle_measures.h"
+#include "remesh/missed_places.h"
 #include "remesh/volume_lifts.h"
 
 namespace voxtet::remesh {
@@ -75,8 +78,13 @@ std::vector<double> mean_distances(const SurfaceMesh& surface, const std::vector
 /// Shifts that are halved where they would make the surface worse, in the later rounds down to nothing.
 class Shifts {
  public:
-  explicit Shifts(const SurfaceMesh& surface)
-      : by_point(surface.points.size(), Vector3d::Zero()), surface_(surface), wings_(wings_of(surface)) {}
+  /// `far`: points from whose closest triangles the surface is to go no farther away than `farthest_mm`.
+  Shifts(const SurfaceMesh& surface, std::vector<FarPoint> far, double farthest_mm)
+      : by_point(surface.points.size(), Vector3d::Zero()),
+        surface_(surface),
+        wings_(wings_of(surface)),
+        far_(std::move(far)),
+        farthest_mm_(farthest_mm) {}
 
   std::vector<Vector3d> by_point;
 
@@ -85,8 +93,8 @@ class Shifts {
   void restrain() {
     halved_in_.assign(by_point.size(), 0);
     for (round_ = 0; round_ < kFitRounds; ++round_) {
-      const bool thin = halve_where_thin(), sharp = halve_where_sharp();
-      if (!thin && !sharp) return;
+      const bool thin = halve_where_thin(), sharp = halve_where_sharp(), far = halve_where_far();
+      if (!thin && !sharp && !far) return;
     }
   }
 
@@ -114,11 +122,11 @@ class Shifts {
     }
   }
 
-  /// Whether a cosine, a function of the share of the shifts, grows to more than it may.
-  template <class Cosine>
-  static bool worsens(const Cosine& cosine, double limit) {
-    const double after = cosine(1.0);
-    return after > limit && after > cosine(0.0);
+  /// Whether a measure, a function of the share of the shifts, grows to more than it may.
+  template <class Measure>
+  static bool worsens(const Measure& measure, double limit) {
+    const double after = measure(1.0);
+    return after > limit && after > measure(0.0);
   }
 
   Vector3d at(std::uint32_t p, double share) const { return surface_.points[p] + share * by_point[p]; }
@@ -156,10 +164,27 @@ class Shifts {
     return changed;
   }
 
+  bool halve_where_far() {
+    bool changed = false;
+    for (const auto& [point, triangle] : far_) {
+      const Triangle& t = surface_.triangles[triangle];
+      if (rest(t)) continue;
+      const auto distance = [&](double share) {
+        return (closest_on_triangle(point, at(t[0], share), at(t[1], share), at(t[2], share)) - point).norm();
+      };
+      if (!worsens(distance, farthest_mm_)) continue;
+      changed = true;
+      halve(t);
+    }
+    return changed;
+  }
+
   int round_ = 0;
   std::vector<int> halved_in_;  ///< by point, the last round
   const SurfaceMesh& surface_;
   const std::vector<Wing> wings_;
+  const std::vector<FarPoint> far_;
+  const double farthest_mm_;
 };
 
 /// By triangle, the lift along its normal that its pair of labels needs for their volumes.
@@ -241,9 +266,11 @@ void widen_thin(SurfaceMesh& surface, Shifts& shifts) {
 
 }  // namespace
 
-void fit_surface(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& volumes_mm3) {
-  const double most = kMostShiftVoxels * field.smallest_spacing_mm();
-  Shifts shifts(surface);
+void fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMesh& reference,
+                 const std::vector<double>& volumes_mm3) {
+  const double voxel = field.smallest_spacing_mm(), most = kMostShiftVoxels * voxel;
+  const double farthest = kFarthestVoxels * voxel;
+  Shifts shifts(surface, far_points(reference, surface, field.layers(), farthest - 2 * most), farthest);
   std::vector<double> lifts;
   fit_once(surface, field, lifts, most, shifts);
   lifts.assign(surface.triangles.size(), 0);

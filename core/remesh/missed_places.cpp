@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "geometry/closest_point.h"
@@ -30,13 +32,12 @@ bool beside_any(const Sides& sides, const std::vector<Label>& labels) {
 
 /// Triangles for which `wanted` holds, grouped by their two labels.
 template <class Wanted>
-std::vector<std::uint32_t> by_pair(const SurfaceMesh& surface, Wanted&& wanted) {
+std::vector<std::uint32_t> by_pair(const std::vector<Sides>& sides, Wanted&& wanted) {
   std::vector<std::uint32_t> ids;
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < sides.size(); ++t)
     if (wanted(t)) ids.push_back(t);
-  std::stable_sort(ids.begin(), ids.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return pair_of(surface.sides[a]) < pair_of(surface.sides[b]);
-  });
+  std::stable_sort(ids.begin(), ids.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return pair_of(sides[a]) < pair_of(sides[b]); });
   return ids;
 }
 
@@ -117,6 +118,12 @@ std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint3
   return std::nullopt;
 }
 
+ClosestPointTree tree_of(const SurfaceMesh& surface, std::span<const std::uint32_t> ids) {
+  std::vector<Triangle> triangles;
+  for (const std::uint32_t t : ids) triangles.push_back(surface.triangles[t]);
+  return ClosestPointTree(surface.points, triangles);
+}
+
 /// Whether, straight behind or before a triangle, its label ends within so many mm.
 bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& field, double width_mm) {
   const Eigen::Vector3d middle = centroid(surface, t);
@@ -131,14 +138,15 @@ bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& fi
 MissedPlaces::MissedPlaces(const SurfaceMesh& reference, const LabelField& field)
     : reference_(reference), field_(field) {
   const std::size_t stride = stride_of(reference);
-  samples_ = by_pair(reference, [&](std::uint32_t t) { return t % stride == 0 || t % kThoroughStride == 0; });
+  samples_ =
+      by_pair(reference.sides, [&](std::uint32_t t) { return t % stride == 0 || t % kThoroughStride == 0; });
   followed_by_.assign(samples_.size(), 0);
 }
 
 std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const MissedCriteria& criteria) {
   const double separation2 = criteria.separation_mm * criteria.separation_mm;
   const std::size_t stride = stride_of(reference_);
-  const std::vector<std::uint32_t> ids = by_pair(surface, [](std::uint32_t) { return true; });
+  const std::vector<std::uint32_t> ids = by_pair(surface.sides, [](std::uint32_t) { return true; });
   const std::vector<std::uint64_t> names = names_of(surface);
   const NamedTriangles named(names);
   const std::vector<bool>& suspects = criteria.suspects;
@@ -184,9 +192,7 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
           follows(thorough, sample, limit, *last, distance_to(surface, *last, middle)))
         continue;
       if (!tree) {
-        std::vector<Triangle> triangles;
-        for (std::size_t i = from; i < to; ++i) triangles.push_back(surface.triangles[ids[i]]);
-        tree.emplace(surface.points, triangles);
+        tree.emplace(tree_of(surface, std::span(ids).subspan(from, to - from)));
       }
       const ClosestPointTree::Hit hit = tree->closest(middle, hint, thorough ? kTurnedShare * limit : limit);
       hint = hit.triangle;
@@ -197,6 +203,37 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
     from = to;
   }
   return missed;
+}
+
+std::vector<FarPoint> far_points(const SurfaceMesh& reference, const SurfaceMesh& surface,
+                                 const WallLayers& layers, double limit_mm) {
+  std::vector<Sides> parents = surface.sides;
+  for (Sides& sides : parents) {
+    for (Label& label : sides) label = layers.parent(label);
+    std::sort(sides.begin(), sides.end(), std::greater());
+  }
+  const auto all = [](std::uint32_t) { return true; };
+  const std::vector<std::uint32_t> ids = by_pair(parents, all), wanted = by_pair(reference.sides, all);
+  std::vector<std::uint32_t> seen_at(reference.points.size(), 0);  // a number that stands for two labels
+  std::vector<FarPoint> far;
+  std::size_t from = 0, to = 0;
+  for (std::size_t w = 0; w < wanted.size();) {
+    const Sides& sides = reference.sides[wanted[w]];
+    const std::uint32_t pair = pair_of(sides);
+    while (from < ids.size() && pair_of(parents[ids[from]]) < pair) ++from;
+    for (to = from; to < ids.size() && parents[ids[to]] == sides;) ++to;
+    std::optional<ClosestPointTree> tree;
+    if (to > from) tree.emplace(tree_of(surface, std::span(ids).subspan(from, to - from)));
+    std::uint32_t hint = 0;
+    for (; w < wanted.size() && reference.sides[wanted[w]] == sides; ++w)
+      for (const std::uint32_t p : reference.triangles[wanted[w]]) {
+        if (!tree || std::exchange(seen_at[p], pair) == pair) continue;
+        const ClosestPointTree::Hit hit = tree->closest(reference.points[p], hint, limit_mm);
+        hint = hit.triangle;
+        if (hit.distance_mm > limit_mm) far.push_back({reference.points[p], ids[from + hit.triangle]});
+      }
+  }
+  return far;
 }
 
 std::vector<Eigen::Vector3d> missed_junctions(const SurfaceMesh& reference, const std::vector<Edge>& edges,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/wall_layers.h"
 #include "remesh/junction_points.h"
 #include "remesh/label_field.h"
 #include "types/surface_mesh.h"
@@ -41,6 +42,17 @@ class MissedPlaces {
   std::vector<std::uint32_t> samples_;      ///< triangles that may be samples, by their two labels
   std::vector<std::uint64_t> followed_by_;  ///< by sample, what names the triangle that was last closest
 };
+
+/// A point of a reference that is far from a surface, and the surface's triangle that is closest.
+struct FarPoint {
+  Eigen::Vector3d point;
+  std::uint32_t triangle;
+};
+
+/// Points of the reference that are farther than the limit from the triangles of `surface` between the same
+/// two labels, layers counted as their parents. Once for every two labels that meet there, in their order.
+std::vector<FarPoint> far_points(const SurfaceMesh& reference, const SurfaceMesh& surface,
+                                 const WallLayers& layers, double limit_mm);
 
 /// Points on the junction curves of `reference` (its junction_edges): middles of edges that are farther than
 /// the limit from the junction curves of `surface`, then what is closest to middles of the surface's junction

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "geometry/closest_point.h"
 #include "geometry/surface_measures.h"
+#include "remesh/missed_places.h"
 #include "support/label_bodies.h"
 #include "support/test_random.h"
 #include "support/test_surfaces.h"
@@ -30,7 +33,7 @@ TEST(FitSurface, GivesCoarseFacetsOfASphereTheirVolume) {
   const double thinnest = test::report_on(coarse, test::uniform_sizing(1)).least_planar_deg;
   ASSERT_GT(lost, 0.02 * kBall);
   ASSERT_GE(thinnest, 29.25);
-  fit_surface(coarse, ball_field(), {0, kBall});
+  fit_surface(coarse, ball_field(), {}, {0, kBall});
   EXPECT_LT(std::abs(kBall - enclosed_volume_mm3(coarse, 1)), lost / 50);
   EXPECT_GE(test::report_on(coarse, test::uniform_sizing(1)).least_planar_deg, 29);
   EXPECT_EQ(coarse.triangles, before.triangles);
@@ -49,14 +52,36 @@ TEST(FitSurface, MakesNoTriangleThinnerThanBeforeAndThan29Degrees) {
   }
   const double thinnest = test::report_on(surface, test::uniform_sizing(1)).least_planar_deg;
   ASSERT_LT(thinnest, 29);
-  fit_surface(surface, ball_field(), {0, kBall});
+  fit_surface(surface, ball_field(), {}, {0, kBall});
   EXPECT_GE(test::report_on(surface, test::uniform_sizing(1)).least_planar_deg, thinnest - 1e-9);
+}
+
+TEST(FitSurface, GoesNoFartherFromTheReferenceThanAllowed) {
+  // A reference that lies outside of the field's ball, by more than is allowed once coarse facets have been
+  // fitted to the ball.
+  const SurfaceMesh reference = test::sphere(kCentre, kRadius + 0.6, 2, 1, 0);
+  const auto farthest = [&](const SurfaceMesh& surface) {
+    double most = 0;
+    for (const FarPoint& p : far_points(reference, surface, {}, kFarthestVoxels)) {
+      const auto& [a, b, c] = surface.triangles[p.triangle];
+      const Vector3d on =
+          closest_on_triangle(p.point, surface.points[a], surface.points[b], surface.points[c]);
+      most = std::max(most, (on - p.point).norm());
+    }
+    return most;
+  };
+  SurfaceMesh free = test::sphere(kCentre, kRadius + 0.3, 2, 1, 0), held = free;
+  const double shrunk = 0.95 * kBall;
+  fit_surface(free, ball_field(), {}, {0, shrunk});
+  ASSERT_GT(farthest(free), 1.05 * kFarthestVoxels);
+  fit_surface(held, ball_field(), reference, {0, shrunk});
+  EXPECT_LE(farthest(held), kFarthestVoxels + 1e-9);
 }
 
 TEST(FitSurface, LeavesPointsWhereTheFieldKnowsNoDistance) {
   SurfaceMesh inside = test::sphere(kCentre, 3, 2, 1, 0);
   const SurfaceMesh before = inside;
-  fit_surface(inside, ball_field(), enclosed_volumes_mm3(before));
+  fit_surface(inside, ball_field(), {}, enclosed_volumes_mm3(before));
   EXPECT_EQ(inside.points, before.points);
 }
 
