@@ -166,11 +166,12 @@ class Shifts {
 
   bool halve_where_far() {
     bool changed = false;
-    for (const auto& [point, triangle] : far_) {
-      const Triangle& t = surface_.triangles[triangle];
+    for (const FarPoint& far : far_) {
+      const Triangle& t = surface_.triangles[far.triangle];
       if (rest(t)) continue;
       const auto distance = [&](double share) {
-        return (closest_on_triangle(point, at(t[0], share), at(t[1], share), at(t[2], share)) - point).norm();
+        const Vector3d on = closest_on_triangle(far.point, at(t[0], share), at(t[1], share), at(t[2], share));
+        return (on - far.point).norm();
       };
       if (!worsens(distance, farthest_mm_)) continue;
       changed = true;
