@@ -13,10 +13,6 @@
 namespace voxtet::remesh {
 namespace {
 
-/// A facet may turn by 60 degrees in one step; slivers, whose normals say little, by any angle.
-constexpr double kLeastTurnCosine = 0.5;
-/// Least cosine between facets and the reference's normals.
-constexpr double kNormalCosine = 0.5, kNormalCosineOfSlivers = -0.3;
 /// Improvements of an angle's cosine below this are not worth a change.
 constexpr double kCosineStep = 1e-3;
 
@@ -109,7 +105,7 @@ Reason ComplexEditor::check(const Change& change, const Eigen::Vector3d& before)
   if (reason == Reason::kNo) reason = samples_.try_curves(mesh_, change, reach_mm_, before);
   if (reason == Reason::kNo)
     reason = samples_.try_surface(mesh_, change, reach_mm_,
-                                  demand_ == Demand::kAllowed ? kNormalCosine : kNormalCosineOfSlivers,
+                                  demand_ == Demand::kAllowed ? limits.turn_cosine : kTurnCosineOfSlivers,
                                   {old_corners_, old_normals_}, new_normals_);
   if (reason == Reason::kNo) reason = check_contacts(change);
   if (reason == Reason::kNo && limits.keeps_balls && demand_ != Demand::kNearer)
@@ -136,7 +132,7 @@ Reason ComplexEditor::check_shapes(const Change& change) {
     new_normals_.push_back(cross / size);
     const std::size_t i = new_corners_.size() - 1;
     if (demand_ == Demand::kAllowed && i < old_normals_.size() &&
-        new_normals_[i].dot(old_normals_[i]) < kLeastTurnCosine)
+        new_normals_[i].dot(old_normals_[i]) < limits.turn_cosine)
       return Reason::kNormal;
   }
   return Reason::kNo;

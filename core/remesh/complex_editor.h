@@ -19,6 +19,9 @@
 
 namespace voxtet::remesh {
 
+/// EditLimits::turn_cosine where slivers are to go, whose normals say little.
+inline constexpr double kTurnCosineOfSlivers = -0.3;
+
 struct EditLimits {
   double reach_mm = 0.5;  ///< envelope, both directions
   double nearer_mm = 0;   ///< the envelope for Demand::kNearer, if it is wider
@@ -29,6 +32,7 @@ struct EditLimits {
   double angle_cosine = 0.95;    ///< planar angles
   double crease_cosine = 0.5;    ///< angles between two facets inside a surface
   double junction_cosine = 0.9;  ///< angles between two facets where curves run
+  double turn_cosine = 0.5;      ///< of a facet against the reference, and in one change
   double gap_share = 0;          ///< least distance of sheets that face each other, in wished edge lengths
   /// The complex is adapted already: it may be beyond its reach somewhere, where it must not go farther, and
   /// where sheets are nearer than the gap edges grow no faster than it.

@@ -125,8 +125,7 @@ bool FacetMender::split_and_shift(std::uint32_t v, const Eigen::Vector3d& by) {
   });
 }
 
-/// Whether all that the trial made is: the operations themselves look at samples that have changed hosts, and
-/// not at those that have kept them.
+/// The operations themselves look at samples that have changed hosts, and not at those that have kept them.
 bool FacetMender::is_within(double distance2) {
   bool within = true;
   editor_.for_trial_triangles(

@@ -19,13 +19,14 @@ class FacetMender : public HealingPasses {
   bool come_nearer();
   /// Edges that open_folds() left folded more sharply than the limits, again as long as that helps.
   bool unfold();
+  /// Whether all that a trial made is.
+  bool is_within(double distance2);
 
  private:
   double aim_mm() const;
   bool approach(std::uint32_t t, double reach_mm);
   bool bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach);
   bool split_and_shift(std::uint32_t v, const Eigen::Vector3d& by);
-  bool is_within(double distance2);
   bool unfold(std::uint32_t a, std::uint32_t b);
   bool is_flatter(double sharpest);
 };

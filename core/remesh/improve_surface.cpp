@@ -41,7 +41,7 @@ bool Improver::run() {
   editor_.limits.gap_share = kRefinedGapShare;
   editor_.limits.lattice_mm = kLatticeVoxels * params_.voxel_mm;
   fit_cells();
-  for (const double share : {0.8, 0.9}) {
+  for (const double share : {0.8, 0.86, 0.92}) {
     if (!step(share)) return false;
     if (!coarsen_in_steps() || !relocate_touched()) return false;
     if (!open_angles(editor_.limits.angle_cosine) || !open_folds()) return false;
@@ -71,13 +71,22 @@ bool Improver::coarsen_to(double shortest) {
   });
 }
 
+/// Where angles refuse it, it is healed; where normals do, as around necks hardly wider than an edge, they
+/// count for no more than a sliver's, and a closer look replaces them.
 bool Improver::collapse(std::uint32_t v, std::uint32_t other, double longest) {
   const auto operation = [&] { return operations_.collapse(v, other, longest); };
-  const std::uint64_t angles = editor_.refusals(Reason::kAngle);
+  const std::uint64_t angles = editor_.refusals(Reason::kAngle), normals = editor_.refusals(Reason::kNormal);
   if (operation()) return true;
-  // Healing is for angles alone.
-  return editor_.refusals(Reason::kAngle) > angles && attempt(
-                                                          operation, [] { return true; }, Healing::kAngles);
+  const auto heal = [&](auto&& demanded) { return attempt(operation, demanded, Healing::kAngles); };
+  if (editor_.refusals(Reason::kAngle) > angles && heal([] { return true; })) return true;
+  if (editor_.refusals(Reason::kNormal) == normals) return false;
+  const EditLimits strict = editor_.limits;
+  const double reach_mm = strict.reach_mm;
+  editor_.limits.turn_cosine = kTurnCosineOfSlivers;
+  editor_.limits.sure_mm = reach_mm;
+  const bool done = heal([&] { return is_within(reach_mm * reach_mm); });
+  editor_.limits = strict;
+  return done;
 }
 
 /// Vertices around what changed, and at first around junction curves, whose vertices refinement puts beside

@@ -102,7 +102,7 @@ TEST_P(RemeshReal, IsClosedWellShapedCloseAndReadyToFill) {
   RecordProperty("max_back_voxels", std::to_string(distances->back.max_mm / voxel));
 }
 
-TEST(RemeshRealMerged, KeepsItsNarrowestTunnelByRefinement) {
+TEST(RemeshRealMerged, KeepsItsNarrowestTunnelByRefinementAndIsCoarseAroundItsNecks) {
   const std::string path = test::shared_data("biv_es_oblique_sax.nii.gz");
   if (path.empty()) GTEST_SKIP() << "biv_es_oblique_sax.nii.gz is not present";
   const Result<LabelVolume> file = read_volume_file(path);
@@ -114,11 +114,14 @@ TEST(RemeshRealMerged, KeepsItsNarrowestTunnelByRefinement) {
   std::string warned;
   ctx.on_warning = [&](const std::string&, const std::string& message) { warned += message + "; "; };
   const SurfaceMesh reference = test::label_surface(*prepared->prepared);
-  const Result<SurfaceMesh> surface =
-      remesh_surface(*prepared->prepared, reference, test::uniform_sizing(2.8), {}, ctx);
-  ASSERT_TRUE(surface.ok()) << surface.error().message;
-  EXPECT_EQ(warned, "");
-  EXPECT_EQ(label_topology(*surface), label_topology(reference));
+  for (const double edge_mm : {2.8, 3.0}) {
+    const SizingField sizing = test::uniform_sizing(edge_mm);
+    const Result<SurfaceMesh> surface = remesh_surface(*prepared->prepared, reference, sizing, {}, ctx);
+    ASSERT_TRUE(surface.ok()) << surface.error().message;
+    EXPECT_EQ(warned, "");
+    EXPECT_EQ(label_topology(*surface), label_topology(reference));
+    EXPECT_GE(test::report_on(*surface, sizing).size_p5, -0.5);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(
