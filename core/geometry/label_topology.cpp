@@ -102,8 +102,9 @@ class Sheets {
         if (const Label label = label_of(sheet); label != kBackground)
           halves_.push_back({label, 3 * sheet + (s == 0 ? i : 2 - i)});
       }
-    std::stable_sort(halves_.begin(), halves_.end(),
-                     [](const LabelHalf& a, const LabelHalf& b) { return a.label < b.label; });
+    std::sort(halves_.begin(), halves_.end(), [](const LabelHalf& a, const LabelHalf& b) {
+      return a.label != b.label ? a.label < b.label : a.half < b.half;
+    });
     for (std::size_t first = 0, last = 0; first < halves_.size(); first = last) {
       while (last < halves_.size() && halves_[last].label == halves_[first].label) ++last;
       const auto own = std::span<const LabelHalf>(halves_).subspan(first, last - first);

@@ -141,6 +141,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   const std::vector<Edge> junctions = junction_edges(reference);
   std::optional<Nearest> nearest;
   auto repair = kRepairs.begin();
+  bool was_sound = false;
   for (;;) {
     if (!refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count()))))
       return cancelled_error("remesh");
@@ -170,6 +171,11 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {
       if (repair->thorough) compare();
+      // Where the topology is as wanted, mending has done away with what was flawed; what is still far from
+      // the reference then is left to the improvement of the surface.
+      const bool sound = repair->thorough && broken->empty();
+      if (sound && was_sound) break;
+      was_sound = sound;
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
       const std::vector<Eigen::Vector3d> elsewhere =
@@ -177,8 +183,6 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
                              broken ? *broken : std::vector<Label>{}, suspects, repair->turned_cosine,
                              repair->narrow_share});
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
-      // Where the topology is as wanted, mending has done away with what was flawed.
-      const bool sound = repair->thorough && broken->empty();
       if (repair->thorough && !sound)
         for (const Eigen::Vector3d& p : refiner.passed_over(kPassedOverDepth * voxel))
           if (suspects.empty() || suspects[field.nearest_voxel(p)]) missed.push_back(p);

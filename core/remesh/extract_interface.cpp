@@ -1,6 +1,31 @@
 #include "remesh/extract_interface.h"
 
+#include <utility>
+#include "geometry/morton_curve.h"
+
 namespace voxtet::remesh {
+namespace {
+
+/// What is done to a surface triangle by triangle then finds what it needs in the processor's cache.
+void sort_in_space(SurfaceMesh& surface) {
+  if (surface.triangles.empty()) return;
+  const MortonCurve curve(surface.points);
+  const std::vector<std::uint32_t> along =
+      curve.order(surface.triangles.size(), [&](std::size_t t) -> Eigen::Vector3d {
+        const auto& [a, b, c] = surface.triangles[t];
+        return (surface.points[a] + surface.points[b] + surface.points[c]) / 3;
+      });
+  std::vector<Triangle> triangles;
+  std::vector<Sides> sides;
+  for (const std::uint32_t t : along) {
+    triangles.push_back(surface.triangles[t]);
+    sides.push_back(surface.sides[t]);
+  }
+  surface.triangles = std::move(triangles);
+  surface.sides = std::move(sides);
+}
+
+}  // namespace
 
 SurfaceMesh extract_interface(const CellComplex& cells) {
   SurfaceMesh out;
@@ -25,6 +50,7 @@ SurfaceMesh extract_interface(const CellComplex& cells) {
     }
   for (Triangle& triangle : out.triangles)
     for (std::uint32_t& corner : triangle) corner = id[corner];
+  sort_in_space(out);
   return out;
 }
 

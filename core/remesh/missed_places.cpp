@@ -214,6 +214,7 @@ std::vector<FarPoint> far_points(const SurfaceMesh& reference, const SurfaceMesh
   }
   const auto all = [](std::uint32_t) { return true; };
   const std::vector<std::uint32_t> ids = by_pair(parents, all), wanted = by_pair(reference.sides, all);
+  const std::size_t stride = std::max<std::size_t>(1, reference.points.size() / kMostSamples);
   std::vector<std::uint32_t> seen_at(reference.points.size(), 0);  // a number that stands for two labels
   std::vector<FarPoint> far;
   std::size_t from = 0, to = 0;
@@ -227,7 +228,7 @@ std::vector<FarPoint> far_points(const SurfaceMesh& reference, const SurfaceMesh
     std::uint32_t hint = 0;
     for (; w < wanted.size() && reference.sides[wanted[w]] == sides; ++w)
       for (const std::uint32_t p : reference.triangles[wanted[w]]) {
-        if (!tree || std::exchange(seen_at[p], pair) == pair) continue;
+        if (!tree || p % stride != 0 || std::exchange(seen_at[p], pair) == pair) continue;
         const ClosestPointTree::Hit hit = tree->closest(reference.points[p], hint, limit_mm);
         hint = hit.triangle;
         if (hit.distance_mm > limit_mm) far.push_back({reference.points[p], ids[from + hit.triangle]});

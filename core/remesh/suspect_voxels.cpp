@@ -28,6 +28,8 @@ Vector3i to_neighbour(std::size_t neighbour) {
   return {i, j, k};
 }
 
+constexpr std::size_t kUsualCrossings = 6;  ///< of a triangle about as large as a voxel
+
 /// From a voxel to its neighbours: the edges of the Kuhn tetrahedra, then the other diagonals of faces.
 constexpr std::size_t kWays = kUp + 3;
 
@@ -37,16 +39,54 @@ Vector3i to_end(std::size_t way) {
   return way < kUp ? to_neighbour(way) : kOtherDiagonals[way - kUp];
 }
 
-/// Where the segment from `a` along `way` meets a triangle, as a share of it (Möller and Trumbore 1997).
-std::optional<double> meets(const Vector3d& a, const Vector3d& way, const TriangleCorners& p) {
-  const Vector3d e1 = p[1] - p[0], e2 = p[2] - p[0], h = way.cross(e2);
-  const double det = e1.dot(h);
-  if (det == 0) return std::nullopt;
-  const Vector3d s = a - p[0], q = s.cross(e1);
-  const double u = s.dot(h) / det, v = way.dot(q) / det, at = e2.dot(q) / det;
-  if (!(u >= 0 && v >= 0 && u + v <= 1 && at >= 0 && at <= 1)) return std::nullopt;
-  return at;
-}
+using Ways = std::array<Vector3d, kWays>;
+
+/// Where segments along the ways meet a triangle (Möller and Trumbore 1997).
+class WaysThroughTriangle {
+ public:
+  WaysThroughTriangle(const Ways& ways, std::size_t count, const TriangleCorners& p)
+      : ways_(ways), origin_(p[0]), e1_(p[1] - p[0]), e2_(p[2] - p[0]), normal_(e1_.cross(e2_)) {
+    doubt_ = kPlaneRounding * normal_.cwiseAbs().sum();
+    for (std::size_t way = 0; way < count; ++way) {
+      rises_[way] = normal_.dot(ways[way]);
+      across_[way] = ways[way].cross(e2_);
+      dets_[way] = e1_.dot(across_[way]);
+      deepest_ = std::min(deepest_, rises_[way]);
+      highest_ = std::max(highest_, rises_[way]);
+    }
+  }
+
+  /// Whether a way from there may reach the triangle's plane.
+  bool begin_at(const Vector3d& from) {
+    s_ = from - origin_;
+    height_ = normal_.dot(s_);
+    if (height_ + deepest_ > doubt_ || height_ + highest_ < -doubt_) return false;
+    q_ = s_.cross(e1_);
+    return true;
+  }
+
+  /// As a share of the way from where begin_at() was.
+  std::optional<double> at(std::size_t way) const {
+    // By far most ways end on the side of the triangle's plane where they begin.
+    const double end = height_ + rises_[way], det = dets_[way];
+    if (std::min(height_, end) > doubt_ || std::max(height_, end) < -doubt_ || det == 0) return std::nullopt;
+    const double u = s_.dot(across_[way]) / det;
+    if (!(u >= 0 && u <= 1)) return std::nullopt;
+    const double v = ways_[way].dot(q_) / det, at = e2_.dot(q_) / det;
+    if (!(v >= 0 && u + v <= 1 && at >= 0 && at <= 1)) return std::nullopt;
+    return at;
+  }
+
+ private:
+  const Ways& ways_;
+  Vector3d origin_, e1_, e2_, normal_;
+  double doubt_;
+  Ways across_;
+  std::array<double, kWays> rises_, dets_;
+  double deepest_ = 0, highest_ = 0;  ///< of the rises
+  Vector3d s_, q_;                    ///< of Möller and Trumbore
+  double height_ = 0;
+};
 
 /// A triangle on a way.
 struct WayCrossing {
@@ -149,31 +189,28 @@ SuspectVoxels::SuspectVoxels(const SurfaceMesh& reference, const LabelField& fie
 template <class Wanted, class Visit>
 void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& wanted,
                                       const Visit& visit) const {
+  Ways ways;
+  for (std::size_t way = 0; way < kWays; ++way) ways[way] = to_end(way).cast<double>();
+  std::vector<Vector3d> points;
+  points.reserve(surface.points.size());
+  for (const Vector3d& p : surface.points) points.push_back(field_.to_index(p));
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     TriangleCorners p;
-    for (std::size_t k = 0; k < 3; ++k) p[k] = field_.to_index(surface.points[surface.triangles[t][k]]);
+    for (std::size_t k = 0; k < 3; ++k) p[k] = points[surface.triangles[t][k]];
     const Vector3i low = p[0].cwiseMin(p[1]).cwiseMin(p[2]).array().floor().matrix().cast<int>().cwiseMax(0);
     const Vector3i high =
         p[0].cwiseMax(p[1]).cwiseMax(p[2]).array().ceil().matrix().cast<int>().cwiseMin(last_);
-    // By far most ways end on the side of the triangle's plane where they begin.
-    const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
-    const double doubt = kPlaneRounding * normal.cwiseAbs().sum();
-    std::array<double, kWays> rises;
-    for (std::size_t way = 0; way < ways_; ++way) rises[way] = normal.dot(to_end(way).cast<double>());
+    std::optional<WaysThroughTriangle> through;
     for (int k = low[2]; k <= high[2]; ++k)
       for (int j = low[1]; j <= high[1]; ++j)
         for (int i = low[0]; i <= high[0]; ++i) {
           const Vector3i from(i, j, k);
           const std::uint64_t voxel = field_.offset(from);
           if (!wanted(voxel)) continue;
-          const double height = normal.dot(from.cast<double>() - p[0]);
-          for (std::uint8_t way = 0; way < ways_; ++way) {
-            const double end = height + rises[way];
-            if (std::min(height, end) > doubt || std::max(height, end) < -doubt) continue;
-            const Vector3i step = to_end(way);
-            if (!inside(from + step)) continue;
-            if (const auto at = meets(from.cast<double>(), step.cast<double>(), p)) visit(voxel, way, *at, t);
-          }
+          if (!through) through.emplace(ways, ways_, p);
+          if (!through->begin_at(from.cast<double>())) continue;
+          for (std::uint8_t way = 0; way < ways_; ++way)
+            if (const auto at = through->at(way); at && inside(from + to_end(way))) visit(voxel, way, *at, t);
         }
   }
 }
@@ -184,6 +221,7 @@ std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vecto
   for (std::size_t way = 0; way < ways_; ++way)
     ways_mm[way] = field_.to_mm(to_end(way).cast<double>()) - field_.to_mm(Vector3d::Zero());
   std::vector<WayCrossing> crossings;
+  crossings.reserve(kUsualCrossings * surface.triangles.size());
   for_each_crossing(
       surface, [](std::uint64_t) { return true; },
       [&](std::uint64_t voxel, std::uint8_t way, double at, std::uint32_t t) {
