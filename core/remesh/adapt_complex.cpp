@@ -1,19 +1,23 @@
 #include "remesh/adapt_complex.h"
 
+#include <algorithm>
+#include <array>
 #include <new>
 
-#include "remesh/adapt_passes.h"
+#include "geometry/triangle_measures.h"
+#include "remesh/healing_passes.h"
 #include "remesh/stage.h"
 
 namespace voxtet::remesh {
 namespace {
 
-constexpr double kGapShare = 0.25;   ///< EditLimits::gap_share
-constexpr double kPoorCosine = 0.9;  ///< 26 degrees: planar angles below this are polished
+constexpr double kGapShare = 0.25;     ///< EditLimits::gap_share
+constexpr double kPoorCosine = 0.9;    ///< 26 degrees: planar angles below this are polished
+constexpr double kWorstCosine = 0.93;  ///< 21.6 degrees: below this with changes around
 
-class Adapter : public AdaptPasses {
+class Adapter : public HealingPasses {
  public:
-  using AdaptPasses::AdaptPasses;
+  using HealingPasses::HealingPasses;
 
   /// False when cancelled.
   bool run() { return params_.schedule == AdaptSchedule::kAdaptive ? run_adaptive() : run_paper(); }
@@ -31,6 +35,8 @@ class Adapter : public AdaptPasses {
   bool quarter();
   bool polish();
   bool balance();
+  bool open_worst_angles();
+  bool open_worst_angle(std::uint32_t t);
 };
 
 /// Lifts sheets until the labels have the reference's volumes.
@@ -50,7 +56,46 @@ bool Adapter::polish() {
     if (!open_angles(kPoorCosine) || !open_folds()) return false;
     if (round == 0 && !balance()) return false;
   }
-  return true;
+  return open_worst_angles();
+}
+
+/// Triangles that no single operation has opened.
+bool Adapter::open_worst_angles() {
+  const ComplexMesh& mesh = editor_.mesh();
+  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t)
+    if (mesh.alive(t) && sharpest_cosine(mesh.corners(mesh.triangle(t))) > kWorstCosine) open_worst_angle(t);
+  return !ctx_.cancelled();
+}
+
+/// Whatever leaves no angle as small, once what it spoils around is healed.
+bool Adapter::open_worst_angle(std::uint32_t t) {
+  constexpr double kLeastGain = 1e-3;
+  const ComplexMesh& mesh = editor_.mesh();
+  const Triangle corners = mesh.triangle(t);
+  const double limit = sharpest_cosine(mesh.corners(corners)) - kLeastGain;
+  for (const Healing healing : {Healing::kAngles, Healing::kPoints}) {
+    const auto done = [&](auto&& operation) {
+      return attempt(
+          operation,
+          [&] {
+            bool open = true;
+            editor_.for_trial_triangles([&](std::uint32_t made) {
+              open = open && sharpest_cosine(mesh.corners(mesh.triangle(made))) <= limit;
+            });
+            return open;
+          },
+          healing);
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = corners[i], b = corners[(i + 1) % 3];
+      if (done([&] { return operations_.collapse(a, b, kLongestPolished, Demand::kNearer); }) ||
+          done([&] { return operations_.collapse(b, a, kLongestPolished, Demand::kNearer); }) ||
+          done([&] { return operations_.flip(a, b, Demand::kNearer); }) ||
+          done([&] { return operations_.split(a, b, Demand::kNearer); }))
+        return true;
+    }
+  }
+  return false;
 }
 
 /// First at the scale of the input's own triangles, where the search needs small cells.
