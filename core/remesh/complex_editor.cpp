@@ -31,11 +31,15 @@ ComplexEditor::ComplexEditor(ComplexMesh mesh, const ComplexMesh& reference,
       samples_(mesh_, reference_, correspondence),
       sizing_(sizing),
       hints_(correspondence.hints) {
+  sizes_.reserve(mesh_.vertex_count());
+  normals_.reserve(mesh_.slot_count());
+  balls_.reserve(mesh_.slot_count());
   for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) sizes_.push_back(sizing.at(mesh_.point(v)));
   for (std::uint32_t t = 0; t < mesh_.slot_count(); ++t) {
     const Corners p = mesh_.corners(mesh_.triangle(t));
     const Eigen::Vector3d cross = triangle_cross(p[0], p[1], p[2]);
     normals_.push_back(cross / std::max(cross.norm(), 1e-300));
+    balls_.emplace_back(p);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "remesh/change.h"
 #include "remesh/complex_mesh.h"
 #include "remesh/correspondence.h"
+#include "remesh/empty_balls.h"
 #include "remesh/reference_complex.h"
 #include "remesh/sample_hosts.h"
 #include "remesh/triangle_hash.h"
@@ -143,8 +144,9 @@ class ComplexEditor {
                         std::span<const std::uint32_t> more_hints = {}) const;
   Reason check_contacts(const Change& change);
   Reason check_balls(const Change& change, const Eigen::Vector3d& before);
+  void gather_near_vertices(const Change& change);
   bool all_have_balls(const Change& change) const;
-  bool has_ball(const Triangle& corners, const Corners& p) const;
+  bool has_ball(const Triangle& corners, EmptyBalls balls) const;
   double least_wish(const Change& change) const;
   Reason check_pair(const Facet& facet, std::size_t i, const Triangle& other, const Corners& corners,
                     const Eigen::Vector3d& normal, PairId pair, bool boxes_meet);
@@ -170,6 +172,7 @@ class ComplexEditor {
   std::vector<double> sizes_;
   std::vector<std::uint32_t> hints_, changed_at_;
   std::vector<Eigen::Vector3d> normals_;
+  std::vector<EmptyBalls> balls_;  ///< by slot, before any other vertex is known
   std::array<std::uint64_t, kReasonNames.size()> refusals_{};
   std::uint64_t violations_ = 0;
   /// Of triangles as they are, by slot, on the lattice of that spacing; distance2 < 0 where not known.
@@ -186,6 +189,7 @@ class ComplexEditor {
   std::vector<FloatBox> new_boxes_, wide_boxes_;
   double gap_mm_ = 0, gap_growth_ = 1, reach_mm_ = 0;
   std::vector<std::uint32_t> near_, slots_, near_vertices_;
+  std::vector<std::uint32_t> met_in_;  ///< by vertex: the attempt in which it was last near
   std::vector<Eigen::Vector3d> near_points_;
 
   /// What takes an accepted change back.

@@ -121,20 +121,26 @@ std::uint32_t ComplexMesh::add(const Facet& facet) {
 
 void ComplexMesh::classify() {
   strata_.assign(points_.size(), Stratum::kSurface);
-  std::vector<std::uint32_t> ends;
+  std::vector<Spoke> spokes;
   for (std::uint32_t v = 0; v < points_.size(); ++v)
-    if (rows_[v].count > 0) strata_[v] = stratum_of(v, ends);
+    if (rows_[v].count > 0) strata_[v] = stratum_of(v, spokes);
 }
 
-Stratum ComplexMesh::stratum_of(std::uint32_t v, std::vector<std::uint32_t>& curve_ends) const {
-  curve_ends.clear();
+Stratum ComplexMesh::stratum_of(std::uint32_t v, std::vector<Spoke>& spokes) const {
+  spokes.clear();
   for (const std::uint32_t t : star(v))
-    for (const std::uint32_t other : triangles_[t])
-      if (other != v && edge_degree(v, other) != 2) curve_ends.push_back(other);
-  std::sort(curve_ends.begin(), curve_ends.end());
-  curve_ends.erase(std::unique(curve_ends.begin(), curve_ends.end()), curve_ends.end());
-  if (curve_ends.empty() && is_one_fan(v)) return Stratum::kSurface;
-  if (curve_ends.size() == 2 && is_book(v, curve_ends[0], curve_ends[1])) return Stratum::kCurve;
+    for (const std::uint32_t other : triangles_[t]) {
+      if (other == v) continue;
+      const auto known =
+          std::find_if(spokes.begin(), spokes.end(), [&](const Spoke& spoke) { return spoke.end == other; });
+      if (known != spokes.end())
+        ++known->degree;
+      else
+        spokes.push_back({other, 1});
+    }
+  std::erase_if(spokes, [](const Spoke& spoke) { return spoke.degree == 2; });
+  if (spokes.empty() && is_one_fan(v)) return Stratum::kSurface;
+  if (spokes.size() == 2 && is_book(v, spokes[0].end, spokes[1].end)) return Stratum::kCurve;
   return Stratum::kCorner;
 }
 

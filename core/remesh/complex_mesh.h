@@ -78,7 +78,12 @@ class ComplexMesh {
   void attach(std::uint32_t v, std::uint32_t t);
   void detach(std::uint32_t v, std::uint32_t t);
   void classify();
-  Stratum stratum_of(std::uint32_t v, std::vector<std::uint32_t>& curve_ends) const;
+  /// An edge at the vertex at hand, with how many triangles it has.
+  struct Spoke {
+    std::uint32_t end, degree;
+  };
+  /// `spokes` is room to work in.
+  Stratum stratum_of(std::uint32_t v, std::vector<Spoke>& spokes) const;
   bool is_one_fan(std::uint32_t v) const;
   bool is_book(std::uint32_t v, std::uint32_t from, std::uint32_t to) const;
   std::uint32_t walk_sheet(std::uint32_t v, std::uint32_t t, std::uint32_t over, std::uint32_t stop_a,

@@ -124,14 +124,17 @@ const ComplexEditor::Breach& ComplexEditor::farthest_point_of(std::uint32_t t, c
   Breach& breach = breaches_[t];
   if (breach.distance2 < 0) {
     const Facet facet{mesh_.triangle(t), mesh_.pair(t)};
-    const auto look = [&](double lattice_mm) {
-      breach = farthest_point(facet, p, kEveryCorner, lattice_mm, kNowhere, nearest_hint(facet, p), 0,
-                              samples_of(t));
-    };
-    look(limits.lattice_mm);
     // No point of the facet is farther than this from a point of the lattice.
     const double between_mm = limits.lattice_mm / std::sqrt(3.0);
     const double sure_mm = std::max(0.0, limits.sure_mm - between_mm);
+    // Nothing depends on how much nearer than this a point is.
+    const double enough2 =
+        limits.sure_mm > 0 ? std::min(reference_.near2(), sure_mm * sure_mm) : reference_.near2();
+    const auto look = [&](double lattice_mm) {
+      breach = farthest_point(facet, p, kEveryCorner, lattice_mm, kNowhere, nearest_hint(facet, p), enough2,
+                              samples_of(t));
+    };
+    look(limits.lattice_mm);
     if (limits.sure_mm > 0 && breach.distance2 > sure_mm * sure_mm) look(kCloserShare * limits.lattice_mm);
   }
   return breach;

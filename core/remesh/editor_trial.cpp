@@ -86,8 +86,14 @@ void ComplexEditor::place(const Change& change, std::size_t i) {
     slots_[i] = mesh_.add(change.added[i]);
     hash_->insert(slots_[i], new_corners_[i]);
   }
-  if (slots_[i] >= normals_.size()) normals_.resize(slots_[i] + 1);
-  normals_[slots_[i]] = new_normals_[i];
+  const EmptyBalls balls(new_corners_[i]);
+  if (slots_[i] == normals_.size()) {
+    normals_.push_back(new_normals_[i]);
+    balls_.push_back(balls);
+  } else {
+    normals_[slots_[i]] = new_normals_[i];
+    balls_[slots_[i]] = balls;
+  }
   if (slots_[i] < breaches_.size()) breaches_[slots_[i]] = kUnknown;
 }
 

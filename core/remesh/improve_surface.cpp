@@ -1,6 +1,7 @@
 #include "remesh/improve_surface.h"
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 #include <vector>
 
@@ -121,8 +122,9 @@ Result<SurfaceMesh> improve_surface(const SurfaceMesh& surface, const SurfaceMes
                                     AdaptRecord* record) {
   try {
     if (surface.triangles.empty()) return surface;
-    std::vector<Sides> sides = surface.sides;
-    sides.insert(sides.end(), reference.sides.begin(), reference.sides.end());
+    std::vector<Sides> sides;
+    for (const SurfaceMesh* part : {&surface, &reference})
+      std::unique_copy(part->sides.begin(), part->sides.end(), std::back_inserter(sides));
     const ComplexMesh mesh(surface, sides), other(reference, sides);
     Improver improver(mesh, other, nearest_parts(mesh, other, kContentVoxels * params.voxel_mm), sizing,
                       params, ctx);

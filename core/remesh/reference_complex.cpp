@@ -28,7 +28,16 @@ ReferenceComplex::ReferenceComplex(const ComplexMesh& mesh) {
   normals_.assign(n, Eigen::Vector3d::Zero());
   areas_.assign(n, 0);
   curve_.assign(n, {kNone, kNone});
+  for (auto* flat : {&stars_, &rings_}) flat->reserve(3 * mesh.slot_count());
+  first_.reserve(n + 1);
+  ring_first_.reserve(n + 1);
+  only_pair_.reserve(n);
+  points_.reserve(n);
+  strata_.reserve(n);
+  triangles_.reserve(mesh.slot_count());
+  pairs_.reserve(mesh.slot_count());
   first_.assign(1, 0);
+  ring_first_.assign(1, 0);
   for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
     triangles_.push_back(mesh.triangle(t));
     pairs_.push_back(mesh.pair(t));
@@ -46,6 +55,7 @@ ReferenceComplex::ReferenceComplex(const ComplexMesh& mesh) {
     strata_.push_back(mesh.stratum(v));
     stars_.insert(stars_.end(), mesh.star(v).begin(), mesh.star(v).end());
     first_.push_back(static_cast<std::uint32_t>(stars_.size()));
+    add_ring(v);
     const double size = normals_[v].norm();
     if (size > 0) normals_[v] /= size;
     if (strata_[v] != Stratum::kCurve) continue;
@@ -56,6 +66,20 @@ ReferenceComplex::ReferenceComplex(const ComplexMesh& mesh) {
         (curve_[v][0] == kNone ? curve_[v][0] : curve_[v][1]) = other;
       }
   }
+}
+
+/// Of the next vertex, each neighbour once, in the order of its triangles.
+void ReferenceComplex::add_ring(std::uint32_t r) {
+  PairId pair = star(r).empty() ? kNone : pairs_[star(r).front()];
+  for (const std::uint32_t t : star(r))
+    if (pairs_[t] != pair) pair = kNone;
+  const auto begin = static_cast<std::ptrdiff_t>(rings_.size());
+  if (pair != kNone)
+    for (const std::uint32_t t : star(r))
+      for (const std::uint32_t v : triangles_[t])
+        if (v != r && std::find(rings_.begin() + begin, rings_.end(), v) == rings_.end()) rings_.push_back(v);
+  only_pair_.push_back(pair);
+  ring_first_.push_back(static_cast<std::uint32_t>(rings_.size()));
 }
 
 template <class VisitNeighbours>
@@ -83,27 +107,29 @@ Eigen::Vector3d ReferenceComplex::walk(const Eigen::Vector3d& p, PairId pair, st
       p, hint, [&](std::uint32_t from, const auto& visit) { for_neighbours(from, pair, visit); });
   Foot best{points_[hint], least, kNone};
   if (least <= enough2) return best.on;
-  try_star(p, pair, hint, best);
+  try_star(p, pair, hint, enough2, best);
   // Where triangles are long, the nearest vertex need not have the nearest one: go on from triangle to
   // triangle.
   const double near2 = std::max(near2_, enough2);
   for (int step = 0; step < kLongestWalk && best.distance2 > near2 && best.triangle != kNone; ++step) {
     const std::uint32_t from = best.triangle;
     for (const std::uint32_t v : triangles_[from])
-      if (v != hint) try_star(p, pair, v, best);
+      if (v != hint) try_star(p, pair, v, enough2, best);
     if (best.triangle == from) break;
     hint = triangles_[best.triangle][0];
   }
   return best.on;
 }
 
-void ReferenceComplex::try_star(const Eigen::Vector3d& p, PairId pair, std::uint32_t r, Foot& best) const {
+void ReferenceComplex::try_star(const Eigen::Vector3d& p, PairId pair, std::uint32_t r, double enough2,
+                                Foot& best) const {
   for (const std::uint32_t t : star(r)) {
     if (pairs_[t] != pair) continue;
     const auto& [a, b, c] = triangles_[t];
     const Eigen::Vector3d on = closest_on_triangle(p, points_[a], points_[b], points_[c]);
     const double distance2 = (on - p).squaredNorm();
     if (distance2 < best.distance2) best = {on, distance2, t};
+    if (best.distance2 <= enough2) return;
   }
 }
 

@@ -22,13 +22,21 @@ class ReferenceComplex {
   const Eigen::Vector3d& point(std::uint32_t r) const { return points_[r]; }
   const Eigen::Vector3d& normal(std::uint32_t r) const { return normals_[r]; }
   double area(std::uint32_t r) const { return areas_[r]; }
+  /// Squared distance below which walks end at the first star.
+  double near2() const { return near2_; }
   Stratum stratum(std::uint32_t r) const { return strata_[r]; }
   bool beside(std::uint32_t r, PairId pair) const {
+    if (only_pair_[r] != kNone) return only_pair_[r] == pair;
     return std::any_of(star(r).begin(), star(r).end(), [&](std::uint32_t t) { return pairs_[t] == pair; });
   }
-  /// Vertices that share a triangle of the pair with r, some more than once.
+  /// Vertices that share a triangle of the pair with r, on junction curves some more than once.
   template <class Visit>
   void for_neighbours(std::uint32_t r, PairId pair, Visit&& visit) const {
+    if (only_pair_[r] != kNone) {
+      if (only_pair_[r] == pair)
+        for (std::uint32_t k = ring_first_[r]; k < ring_first_[r + 1]; ++k) visit(rings_[k]);
+      return;
+    }
     for (const std::uint32_t t : star(r))
       if (pairs_[t] == pair)
         for (const std::uint32_t v : triangles_[t])
@@ -55,7 +63,8 @@ class ReferenceComplex {
   /// From vertex `at` on to neighbours nearer to p, while there are any; the squared distance reached.
   template <class VisitNeighbours>
   double walk_downhill(const Eigen::Vector3d& p, std::uint32_t& at, VisitNeighbours&& visit_neighbours) const;
-  void try_star(const Eigen::Vector3d& p, PairId pair, std::uint32_t r, Foot& best) const;
+  void add_ring(std::uint32_t r);
+  void try_star(const Eigen::Vector3d& p, PairId pair, std::uint32_t r, double enough2, Foot& best) const;
   std::span<const std::uint32_t> star(std::uint32_t r) const {
     return {stars_.data() + first_[r], first_[r + 1] - first_[r]};
   }
@@ -67,6 +76,8 @@ class ReferenceComplex {
   std::vector<Triangle> triangles_;
   std::vector<PairId> pairs_;
   std::vector<std::uint32_t> first_, stars_;
+  std::vector<PairId> only_pair_;                  ///< by vertex; kNone where there are several
+  std::vector<std::uint32_t> ring_first_, rings_;  ///< neighbours of the vertices that have one pair only
   std::vector<std::array<std::uint32_t, 2>> curve_;
 };
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/huge_pages.h"
+
 namespace voxtet::sweep {
 
 struct CommandLine {
@@ -21,6 +23,7 @@ struct CommandLine {
   }
   /// Ends the program after --help and after a wrong command line.
   void parse(int argc, char** argv) {
+    use_huge_pages(argv);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& end) {

@@ -99,7 +99,9 @@ Result<nlohmann::json> fastest(const Timed& t, int runs) {
 int main(int argc, char** argv) {
   CommandLine line{"Seconds of one thread up to the adapted surface. Exit code 1 when slower than promised."};
   int runs = 3;
+  std::string only;
   line.app.add_option("--runs", runs, "the fastest of so many counts");
+  line.app.add_option("--only", only, "cases whose name holds this");
   line.parse(argc, argv);
 
   Findings findings;
@@ -111,6 +113,7 @@ int main(int argc, char** argv) {
   for (const Timed& t : all_timed()) {
     if (std::find(line.methods.begin(), line.methods.end(), t.method) == line.methods.end()) continue;
     const std::string name = std::string(t.file) + (t.merge ? ", merged, " : ", conforming, ") + t.method;
+    if (name.find(only) == std::string::npos) continue;
     const Result<nlohmann::json> row = fastest(t, runs);
     if (!row) {
       findings.add_error(name, row.error());
