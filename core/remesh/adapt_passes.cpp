@@ -64,6 +64,7 @@ std::vector<AdaptPasses::Edge> AdaptPasses::edges() const {
 }
 
 void AdaptPasses::fit_cells() {
+  constexpr double kMuch = 1.25;
   const ComplexMesh& mesh = editor_.mesh();
   double sum = 0;
   std::size_t count = 0;
@@ -73,8 +74,11 @@ void AdaptPasses::fit_cells() {
       sum += (p[0] - p[1]).norm() + (p[1] - p[2]).norm() + (p[2] - p[0]).norm();
       count += 3;
     }
-  editor_.set_cell(
-      std::max(2 * sum / static_cast<double>(std::max<std::size_t>(count, 1)), 1e-6 * params_.voxel_mm));
+  const double cell_mm =
+      std::max(2 * sum / static_cast<double>(std::max<std::size_t>(count, 1)), 1e-6 * params_.voxel_mm);
+  if (cell_mm < kMuch * cell_mm_ && cell_mm_ < kMuch * cell_mm) return;
+  cell_mm_ = cell_mm;
+  editor_.set_cell(cell_mm);
 }
 
 bool AdaptPasses::refine() {

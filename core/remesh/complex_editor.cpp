@@ -111,9 +111,10 @@ Reason ComplexEditor::check(const Change& change, const Eigen::Vector3d& before)
     reason = samples_.try_surface(mesh_, change, reach_mm_,
                                   demand_ == Demand::kAllowed ? limits.turn_cosine : kTurnCosineOfSlivers,
                                   {old_corners_, old_normals_}, new_normals_);
+  if (reason != Reason::kNo) return reason;
+  find_near(change);
+  if (limits.keeps_balls && demand_ != Demand::kNearer) reason = check_balls(change, before);
   if (reason == Reason::kNo) reason = check_contacts(change);
-  if (reason == Reason::kNo && limits.keeps_balls && demand_ != Demand::kNearer)
-    reason = check_balls(change, before);
   if (reason == Reason::kNo) reason = check_envelope(change);
   return reason;
 }
@@ -142,7 +143,8 @@ Reason ComplexEditor::check_shapes(const Change& change) {
   return Reason::kNo;
 }
 
-Reason ComplexEditor::check_contacts(const Change& change) {
+/// The triangles that new facets may meet, or come nearer to than the gap.
+void ComplexEditor::find_near(const Change& change) {
   new_boxes_.clear();
   for (const Corners& p : new_corners_) new_boxes_.push_back(box_of(p));
   const double longest = longest_of_facets_mm(new_corners_);
@@ -152,13 +154,16 @@ Reason ComplexEditor::check_contacts(const Change& change) {
   for (const FloatBox& box : new_boxes_) wide_boxes_.push_back(box.grown(gap_mm_));
   FloatBox all = wide_boxes_.front();
   for (const FloatBox& box : wide_boxes_) all.extend(box);
+  hash_->find(all, near_);
+}
+
+Reason ComplexEditor::check_contacts(const Change& change) {
   for (std::size_t i = 0; i < change.added.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Reason reason = check_pair(change.added[i], i, change.added[j].corners, new_corners_[j],
                                        new_normals_[j], change.added[j].pair, true);
       if (reason != Reason::kNo) return reason;
     }
-  hash_->find(all, near_);
   for (const std::uint32_t t : near_) {
     if (is_removed(t)) continue;
     const FloatBox& box = hash_->box(t);
@@ -255,9 +260,9 @@ bool ComplexEditor::gap_allowed(std::size_t i, const Corners& corners, const Eig
   if (along * along < kFacing * kFacing * across.squaredNorm()) return true;
   const double now = corner_distance2(p, corners);
   if (now >= gap_mm_ * gap_mm_) return true;
-  double before = 1e300;
-  for (const Corners& old : old_corners_) before = std::min(before, corner_distance2(old, corners));
-  return now >= before * gap_growth_ * gap_growth_;
+  return std::any_of(old_corners_.begin(), old_corners_.end(), [&](const Corners& old) {
+    return now >= corner_distance2(old, corners) * gap_growth_ * gap_growth_;
+  });
 }
 
 /// Another path than the checks take: everything around, CGAL's own intersections.

@@ -142,6 +142,7 @@ class ComplexEditor {
   Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double lattice_mm,
                         double content2, std::uint32_t hint, double enough2 = 0,
                         std::span<const std::uint32_t> more_hints = {}) const;
+  void find_near(const Change& change);
   Reason check_contacts(const Change& change);
   Reason check_balls(const Change& change, const Eigen::Vector3d& before);
   void gather_near_vertices(const Change& change);

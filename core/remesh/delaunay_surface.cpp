@@ -85,6 +85,14 @@ std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells, const Pi
   return out;
 }
 
+std::vector<Eigen::Vector3d> places_of(const CellComplex& cells, const Pinches& pinches) {
+  std::vector<Eigen::Vector3d> places;
+  for (const std::uint32_t p : pinches.at_points) places.push_back(cells.points[p]);
+  for (const std::uint32_t e : pinches.at_edges)
+    for (const std::uint32_t p : pinches.edges.ends[e]) places.push_back(cells.points[p]);
+  return places;
+}
+
 std::int64_t size_of(const std::vector<TopologyDifference>& differences) {
   std::int64_t size = 0;
   for (const TopologyDifference& difference : differences)
@@ -166,7 +174,8 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       broken = labels_of(differences);
       const std::int64_t size = size_of(differences);
       if (!nearest || size <= nearest->differences) nearest = {surface, size};
-      if (!broken->empty()) suspects = suspect_voxels.of(merged, *broken);
+      if (!broken->empty())
+        suspects = suspect_voxels.of(merged, *broken, places_of(cells, find_pinches(cells)));
     };
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {

@@ -5,7 +5,7 @@
 
 namespace voxtet::remesh {
 
-/// After check_contacts, which found the triangles near the change.
+/// After find_near.
 Reason ComplexEditor::check_balls(const Change& change, const Eigen::Vector3d& before) {
   gather_near_vertices(change);
   if (all_have_balls(change)) return Reason::kNo;

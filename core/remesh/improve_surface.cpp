@@ -52,8 +52,10 @@ bool Improver::run() {
 
 /// The shortest edges first: among edges of about one length, angles stay good.
 bool Improver::coarsen_in_steps() {
-  for (const double share : {0.125, 0.25, 0.5, 1.0})
+  for (const double share : {0.125, 0.25, 0.5, 1.0}) {
     if (!coarsen_to(share * kShort)) return false;
+    fit_cells();
+  }
   return true;
 }
 

@@ -215,7 +215,8 @@ void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& 
   }
 }
 
-std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vector<Label>& labels) const {
+std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vector<Label>& labels,
+                                    const std::vector<Vector3d>& touching) const {
   const std::vector<Label>& centres = field_.centre_labels();
   std::array<Vector3d, kWays> ways_mm;
   for (std::size_t way = 0; way < ways_; ++way)
@@ -252,6 +253,7 @@ std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vecto
     mark_around(way / kWays, marked);
     mark_around(end_of(way / kWays, way % kWays), marked);
   }
+  for (const Vector3d& p : touching) mark_around(field_.nearest_voxel(p), marked);
   return marked;
 }
 

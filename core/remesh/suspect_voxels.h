@@ -20,9 +20,11 @@ class SuspectVoxels {
   /// - a voxel whose centre the surface gives another label than the volume, one or both of the two labels of
   ///   `labels` (ascending), unless that takes or adds a simple point (Bertrand 1994), or
   /// - the end of a way that triangles beside `labels` cross although both centres keep their one label,
-  ///   where the reference's do not.
+  ///   where the reference's do not, or
+  /// - nearest to one of `touching`, points where the surface touches itself.
   /// Empty if there are none.
-  std::vector<bool> of(const SurfaceMesh& surface, const std::vector<Label>& labels) const;
+  std::vector<bool> of(const SurfaceMesh& surface, const std::vector<Label>& labels,
+                       const std::vector<Eigen::Vector3d>& touching) const;
 
  private:
   /// Calls visit(voxel, way, share of the way, triangle) for every triangle on a way forwards from a voxel
