@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #endif
 
 namespace voxtet {
@@ -16,7 +18,9 @@ inline void use_huge_pages([[maybe_unused]] char** argv) {
 #if defined(__linux__)
   constexpr const char* kName = "GLIBC_TUNABLES";
   if (std::getenv(kName)) return;
-  if (setenv(kName, "glibc.malloc.hugetlb=1", 0) == 0) execv("/proc/self/exe", argv);
+  std::error_code failed;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failed);
+  if (!failed && setenv(kName, "glibc.malloc.hugetlb=1", 0) == 0) execv(self.c_str(), argv);
 #endif
 }
 
