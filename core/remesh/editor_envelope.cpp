@@ -128,8 +128,8 @@ const ComplexEditor::Breach& ComplexEditor::farthest_point_of(std::uint32_t t, c
     const double between_mm = limits.lattice_mm / std::sqrt(3.0);
     const double sure_mm = std::max(0.0, limits.sure_mm - between_mm);
     // Nothing depends on how much nearer than this a point is.
-    const double enough2 =
-        limits.sure_mm > 0 ? std::min(reference_.near2(), sure_mm * sure_mm) : reference_.near2();
+    const double enough_mm = limits.sure_mm > 0 ? sure_mm : limits.reach_mm;
+    const double enough2 = std::min(reference_.near2(), enough_mm * enough_mm);
     const auto look = [&](double lattice_mm) {
       breach = farthest_point(facet, p, kEveryCorner, lattice_mm, kNowhere, nearest_hint(facet, p), enough2,
                               samples_of(t));

@@ -34,10 +34,11 @@ LabelVolume with_tunnel(int content) {
 
 /// Suspects of the surface of one volume, with the other as the labels.
 std::vector<bool> suspects(const LabelVolume& found, const LabelVolume& wanted,
-                           const std::vector<Label>& labels) {
+                           const std::vector<Label>& labels,
+                           const std::vector<Eigen::Vector3d>& touching = {}) {
   const SurfaceMesh reference = test::label_surface(wanted);
   const LabelField field(wanted, reference);
-  return SuspectVoxels(reference, field).of(test::label_surface(found), labels);
+  return SuspectVoxels(reference, field).of(test::label_surface(found), labels, touching);
 }
 
 int count_of(const std::vector<bool>& marked) {
@@ -104,6 +105,11 @@ TEST(SuspectVoxels, AreWhereAThinSheetHasAHole) {
     });
   };
   EXPECT_GT(count_of(suspects(sheet(false), sheet(true), {1})), 0);
+}
+
+TEST(SuspectVoxels, AreAroundPlacesWhereTheSurfaceTouchesItself) {
+  const LabelVolume volume = with_tunnel(0);
+  EXPECT_EQ(count_of(suspects(volume, volume, {1}, {volume.to_mm({kMiddle, kMiddle, 1})})), 27);
 }
 
 TEST(SuspectVoxels, AreNoneOfLabelsThatWereNotAskedFor) {
