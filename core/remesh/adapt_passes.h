@@ -36,8 +36,8 @@ class AdaptPasses {
   static constexpr double kShortest = 4.0 / 5, kLongest = 4.0 / 3;  ///< Botsch and Kobbelt 2004
   static constexpr double kLongestPolished = 1.7;                   ///< where shape is at stake
 
-  /// Cells of the search twice as large as edges are long, as long as they are not much longer or shorter than
-  /// at the last call: measured, the quickest.
+  /// Cells of the search twice as large as edges are long, as long as they are not much longer or shorter
+  /// than at the last call: measured, the quickest.
   void fit_cells();
   struct Near {
     double length;
