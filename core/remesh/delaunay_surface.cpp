@@ -87,9 +87,7 @@ std::vector<InterfaceFacet> facets_at_pinches(const CellComplex& cells, const Pi
 
 std::vector<Eigen::Vector3d> places_of(const CellComplex& cells, const Pinches& pinches) {
   std::vector<Eigen::Vector3d> places;
-  for (const std::uint32_t p : pinches.at_points) places.push_back(cells.points[p]);
-  for (const std::uint32_t e : pinches.at_edges)
-    for (const std::uint32_t p : pinches.edges.ends[e]) places.push_back(cells.points[p]);
+  for (const std::uint32_t p : pinches.points()) places.push_back(cells.points[p]);
   return places;
 }
 

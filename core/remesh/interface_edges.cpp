@@ -147,6 +147,15 @@ InterfaceEdges find_interface_edges(const CellComplex& cells) {
   return out;
 }
 
+std::vector<std::uint32_t> Pinches::points() const {
+  std::vector<std::uint32_t> points = at_points;
+  for (const std::uint32_t e : at_edges)
+    points.insert(points.end(), edges.ends[e].begin(), edges.ends[e].end());
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
 Pinches find_pinches(const CellComplex& cells) {
   Pinches pinches;
   pinches.edges = find_interface_edges(cells);

@@ -31,6 +31,9 @@ struct Pinches {
   /// Points at which the boundary facets of some label form more than one fan, ascending. A point at the end
   /// of a pinched edge is not counted for that alone.
   std::vector<std::uint32_t> at_points;
+
+  /// These and the ends of pinched edges, each once, ascending.
+  std::vector<std::uint32_t> points() const;
 };
 
 Pinches find_pinches(const CellComplex& cells);

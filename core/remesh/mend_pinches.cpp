@@ -1,7 +1,7 @@
 #include "remesh/mend_pinches.h"
 
-#include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "remesh/cell_stars.h"
@@ -105,11 +105,7 @@ class Mender {
 }  // namespace
 
 std::size_t mend_pinches(CellComplex& cells, const LabelField& field, const Pinches& pinches) {
-  Cells queue = pinches.at_points;
-  for (const std::uint32_t e : pinches.at_edges)
-    queue.insert(queue.end(), pinches.edges.ends[e].begin(), pinches.edges.ends[e].end());
-  std::sort(queue.begin(), queue.end());
-  queue.erase(std::unique(queue.begin(), queue.end()), queue.end());
+  Cells queue = pinches.points();
   return queue.empty() ? 0 : Mender(cells, field).run(std::move(queue));
 }
 
