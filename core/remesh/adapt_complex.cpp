@@ -1,7 +1,6 @@
 #include "remesh/adapt_complex.h"
 
 #include <algorithm>
-#include <array>
 #include <new>
 
 #include "geometry/triangle_measures.h"
