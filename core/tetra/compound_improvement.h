@@ -16,7 +16,7 @@ namespace voxtet::tetra {
 
 /// How often what was done.
 struct OperationCounts {
-  std::size_t edges = 0, faces = 0, moved = 0, inserted = 0, slid = 0, flipped = 0;
+  std::size_t edges = 0, faces = 0, moved = 0, fitted = 0, inserted = 0, slid = 0, flipped = 0;
   bool operator==(const OperationCounts&) const = default;
 
   void add(Swap swap) {

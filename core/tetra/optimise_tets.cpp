@@ -12,6 +12,7 @@
 
 #include "tetra/compound_improvement.h"
 #include "tetra/local_swaps.h"
+#include "tetra/size_smoothing.h"
 #include "tetra/tet_complex.h"
 #include "tetra/vertex_insertion.h"
 #include "tetra/vertex_smoothing.h"
@@ -45,6 +46,7 @@ class Optimiser {
       : complex_(std::move(mesh)),
         guard_(sizing),
         smoother_(complex_, guard_),
+        size_smoother_(complex_, guard_),
         inserter_(complex_, guard_),
         slider_(complex_, smoother_, reference, sizing, params.slide, layers),
         flipper_(complex_, reference, sizing, guard_, params.slide),
@@ -74,7 +76,7 @@ class Optimiser {
       if (!insert(quality_of_angle(kLayerInsertionDeg), true)) return false;
       slide(last_goal);
     }
-    if (!combine(last_goal)) return false;
+    if (!combine(last_goal) || !fit_sizes(goal)) return false;
     tell(bad_before, bad_tets(goal).size());
     return true;
   }
@@ -216,6 +218,16 @@ class Optimiser {
     return going;
   }
 
+  /// False when cancelled.
+  bool fit_sizes(double enough) {
+    for (std::uint32_t v = 0; v < complex_.point_count(); ++v) {
+      if (!complex_.in_use(v) || complex_.on_wall(v)) continue;
+      if (cancelled()) return false;
+      counts_.fitted += size_smoother_.smooth(v, enough);
+    }
+    return true;
+  }
+
   bool may_insert(std::uint32_t t) const {
     return counts_.inserted < most_inserted_ &&
            (!layers_.is_layer(complex_.label(t)) ||
@@ -228,9 +240,9 @@ class Optimiser {
               "tets below " + goal + " degrees: " + std::to_string(bad_before) + ", then " +
                   std::to_string(bad_after) + "; edges removed: " + std::to_string(counts_.edges) +
                   ", faces removed: " + std::to_string(counts_.faces) + ", vertices moved: " +
-                  std::to_string(counts_.moved) + ", inserted: " + std::to_string(counts_.inserted) +
-                  ", slid on the surface: " + std::to_string(counts_.slid) +
-                  ", flipped there: " + std::to_string(counts_.flipped));
+                  std::to_string(counts_.moved) + ", for sizes: " + std::to_string(counts_.fitted) +
+                  ", inserted: " + std::to_string(counts_.inserted) + ", slid on the surface: " +
+                  std::to_string(counts_.slid) + ", flipped there: " + std::to_string(counts_.flipped));
     if (counts_.inserted == most_inserted_)
       ctx_.warn("optimise", "vertices were inserted up to the limit of " + std::to_string(most_inserted_) +
                                 ": the surface leaves too little room");
@@ -239,6 +251,7 @@ class Optimiser {
   TetComplex complex_;
   SizeGuard guard_;
   VertexSmoother smoother_;
+  SizeSmoother size_smoother_;
   VertexInserter inserter_;
   WallSlider slider_;
   WallFlipper flipper_;

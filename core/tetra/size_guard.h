@@ -15,10 +15,12 @@ class SizeGuard {
   /// The field has to outlive the guard.
   explicit SizeGuard(const SizingField& sizing) : sizing_(sizing) {}
 
+  /// The length of an edge over the wish at its middle.
+  double ratio(const Point& a, const Point& b) const { return (b - a).norm() / sizing_.at((a + b) / 2); }
   /// How far an edge is out of the range, as a factor; at most 1 inside.
   double misfit(const Point& a, const Point& b) const {
     constexpr double kShortest = 0.4, kLongest = 1.9;
-    const double length = (b - a).norm() / sizing_.at((a + b) / 2);
+    const double length = ratio(a, b);
     return std::max(kShortest / length, length / kLongest);
   }
   bool allows(const Point& a, const Point& b, double misfit_before = 1) const {

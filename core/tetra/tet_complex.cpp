@@ -28,6 +28,7 @@ Triangle ascending(Triangle c) {
 TetComplex::TetComplex(TetMesh mesh)
     : points_(std::move(mesh.points)),
       on_wall_(points_.size(), 0),
+      vertex_marks_(points_.size(), 0),
       tet_at_(points_.size(), kNone),
       faces_(std::move(mesh.faces)),
       face_sides_(std::move(mesh.face_sides)) {
@@ -114,6 +115,15 @@ void TetComplex::find_star(std::uint32_t vertex, std::vector<std::uint32_t>& sta
       if (std::exchange(cells_[other].mark, mark_) != mark_) star.push_back(other);
     }
   }
+}
+
+void TetComplex::find_neighbours(std::uint32_t vertex, std::span<const std::uint32_t> star,
+                                 std::vector<std::uint32_t>& neighbours) {
+  neighbours.clear();
+  vertex_marks_[vertex] = ++mark_;
+  for (const std::uint32_t t : star)
+    for (const std::uint32_t v : corners(t))
+      if (std::exchange(vertex_marks_[v], mark_) != mark_) neighbours.push_back(v);
 }
 
 std::uint32_t TetComplex::take_place() {
@@ -264,6 +274,7 @@ void TetComplex::exchange_walls(std::span<const WallExchange> exchanges) {
 std::uint32_t TetComplex::add_point(const Point& at) {
   points_.push_back(at);
   on_wall_.push_back(0);
+  vertex_marks_.push_back(0);
   tet_at_.push_back(kNone);
   return point_count() - 1;
 }
@@ -271,6 +282,7 @@ std::uint32_t TetComplex::add_point(const Point& at) {
 void TetComplex::drop_point() {
   points_.pop_back();
   on_wall_.pop_back();
+  vertex_marks_.pop_back();
   tet_at_.pop_back();
 }
 

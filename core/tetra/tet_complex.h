@@ -90,6 +90,9 @@ class TetComplex {
   bool find_ring(std::uint32_t t, std::uint32_t i, std::uint32_t j, EdgeRing& ring) const;
   /// All tets at a vertex, walls or not, into `star`.
   void find_star(std::uint32_t vertex, std::vector<std::uint32_t>& star);
+  /// The other corners of the tets at a vertex, each once.
+  void find_neighbours(std::uint32_t vertex, std::span<const std::uint32_t> star,
+                       std::vector<std::uint32_t>& neighbours);
 
   /// Puts `made` in the place of the tets `gone`: both of one label, filling the same space behind the same
   /// sides. Nothing happens, and the result is false, unless all of `made` are positive by the exact
@@ -158,7 +161,8 @@ class TetComplex {
 
   std::vector<Point> points_;
   std::vector<std::uint8_t> on_wall_;
-  std::vector<std::uint32_t> tet_at_;  ///< one tet of each vertex; kNone for points that are gone
+  std::vector<std::uint32_t> vertex_marks_;  ///< of the walk that met each last
+  std::vector<std::uint32_t> tet_at_;        ///< one tet of each vertex; kNone for points that are gone
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> free_, made_;
   std::vector<Waiting> waiting_;

@@ -151,10 +151,7 @@ Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Trac
 
 bool VertexSmoother::sizes_allow(std::uint32_t vertex, const Point& to, double most_misfit) {
   const Point& from = complex_.point(vertex);
-  others_.clear();
-  for (const std::uint32_t t : star_)
-    for (const std::uint32_t v : complex_.corners(t))
-      if (v != vertex && std::find(others_.begin(), others_.end(), v) == others_.end()) others_.push_back(v);
+  complex_.find_neighbours(vertex, star_, others_);
   const auto farthest = [&](const Point& at) {
     double misfit = 0;
     for (const std::uint32_t v : others_) misfit = std::max(misfit, guard_.misfit(at, complex_.point(v)));

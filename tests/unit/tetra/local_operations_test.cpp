@@ -11,6 +11,7 @@
 #include "tetra/edge_removal.h"
 #include "tetra/face_removal.h"
 #include "tetra/nearby_surface.h"
+#include "tetra/size_smoothing.h"
 #include "tetra/vertex_insertion.h"
 #include "tetra/vertex_smoothing.h"
 
@@ -221,6 +222,41 @@ TEST(VertexSmoother, CentresTheVertexOfACube) {
   for (int i = 0; i < 10; ++i) smoother.smooth(8, 1, 10);
   EXPECT_FALSE(smoother.smooth(8, 0.1, 10)) << "good enough";
   EXPECT_LT((complex.point(8) - Point(0.5, 0.5, 0.5)).norm(), 0.03);
+}
+
+double lowest_quality(const TetComplex& complex) {
+  double lowest = 1;
+  for (std::uint32_t t = 0; t < complex.places(); ++t) lowest = std::min(lowest, complex.quality_of(t));
+  return lowest;
+}
+
+TEST(SizeSmoother, EvensOutTheEdgesOfAVertex) {
+  const Point start(0.75, 0.65, 0.3), centre(0.5, 0.5, 0.5);
+  TetComplex complex(star_in_cube(start));
+  const SizingField wish = test::uniform_sizing(0.866);
+  const SizeGuard guard(wish);
+  SizeSmoother smoother(complex, guard);
+  for (int i = 0; i < 10; ++i) smoother.smooth(8, 0);
+  EXPECT_LT((complex.point(8) - centre).norm(), 0.7 * (start - centre).norm());
+  EXPECT_FALSE(smoother.smooth(8, 0)) << "near enough";
+}
+
+TEST(SizeSmoother, KeepsTheQualityDemanded) {
+  TetComplex complex(star_in_cube({0.5, 0.5, 0.5}));
+  // Long edges below, short ones above: the vertex is drawn up, where its tets become flat.
+  SizingField wish = test::uniform_sizing(1);
+  wish.size = {1, 1, 2};
+  wish.h_mm = {2.0F, 0.3F};
+  const SizeGuard guard(wish);
+  SizeSmoother smoother(complex, guard);
+  const double regular = lowest_quality(complex);
+  EXPECT_FALSE(smoother.smooth(8, regular));
+  const double enough = 0.6 * regular;
+  bool moved = false;
+  for (int i = 0; i < 10; ++i) moved = smoother.smooth(8, enough) || moved;
+  EXPECT_TRUE(moved);
+  EXPECT_GT(complex.point(8).z(), 0.5);
+  EXPECT_GE(lowest_quality(complex), enough);
 }
 
 TEST(VertexInserter, MayPutItsVertexInThePlaceOfAnother) {
