@@ -6,6 +6,7 @@
 
 #include "tetra/size_guard.h"
 #include "tetra/tet_complex.h"
+#include "tetra/vertex_smoothing.h"
 
 namespace voxtet::tetra {
 
@@ -20,11 +21,10 @@ class SizeSmoother {
   bool smooth(std::uint32_t vertex, double enough);
 
  private:
-  double lowest_quality(std::uint32_t vertex, const Point& at, double bound) const;
-
   TetComplex& complex_;
   const SizeGuard& guard_;
   std::vector<std::uint32_t> star_, neighbours_;
+  std::vector<StarSide> sides_;
 };
 
 }  // namespace voxtet::tetra

@@ -16,19 +16,6 @@ constexpr double kArmijo = 0.1;
 constexpr double kLeastGain = 1e-3;
 constexpr int kHalvings = 4;
 
-/// The lowest quality of the star, or anything at most `bound` once it is known not to exceed it; the side
-/// that shows so comes first, since it will again.
-double lowest_quality(const Point& apex, std::span<StarSide> sides, double bound) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    lowest = std::min(lowest, quality(apex, sides[s][0], sides[s][1], sides[s][2]));
-    if (lowest > bound) continue;
-    std::swap(sides[0], sides[s]);
-    return lowest;
-  }
-  return lowest;
-}
-
 /// One of the functions whose minimum is climbed, near a point.
 struct Slope {
   double value;
@@ -99,6 +86,23 @@ double shortest_side(const Point& apex, std::span<const StarSide> sides) {
 
 }  // namespace
 
+StarSide side_opposite(const TetComplex& complex, std::uint32_t tet, std::uint32_t vertex) {
+  const Tet& c = complex.corners(tet);
+  const auto& side = kSideCorners[complex.corner_at(tet, vertex)];
+  return {complex.point(c[side[0]]), complex.point(c[side[1]]), complex.point(c[side[2]])};
+}
+
+double lowest_quality(const Point& apex, std::span<StarSide> sides, double bound) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    lowest = std::min(lowest, quality(apex, sides[s][0], sides[s][1], sides[s][2]));
+    if (lowest > bound) continue;
+    std::swap(sides[0], sides[s]);
+    return lowest;
+  }
+  return lowest;
+}
+
 Point nearest_in_hull(std::span<const Point> points) {
   if (points.size() == 4 && holds_origin(points)) return Point::Zero();
   Point best = points[0];
@@ -167,9 +171,7 @@ bool VertexSmoother::smooth(std::uint32_t vertex, double enough, int steps, cons
   sides_.clear();
   double before = std::numeric_limits<double>::infinity();
   for (const std::uint32_t t : star_) {
-    const Tet& c = complex_.corners(t);
-    const auto& side = kSideCorners[complex_.corner_at(t, vertex)];
-    sides_.push_back({complex_.point(c[side[0]]), complex_.point(c[side[1]]), complex_.point(c[side[2]])});
+    sides_.push_back(side_opposite(complex_, t, vertex));
     if (complex_.quality_of(t) >= before) continue;
     before = complex_.quality_of(t);
     std::swap(sides_.front(), sides_.back());

@@ -16,6 +16,13 @@ namespace voxtet::tetra {
 /// A side of a star: (apex, side[0], side[1], side[2]) is one of its tets.
 using StarSide = std::array<Point, 3>;
 
+/// The side of a tet opposite to one of its vertices.
+StarSide side_opposite(const TetComplex& complex, std::uint32_t tet, std::uint32_t vertex);
+
+/// The lowest quality of the star, or anything at most `bound` once it is known not to exceed it; the side
+/// that shows so comes first, since it will again.
+double lowest_quality(const Point& apex, std::span<StarSide> sides, double bound);
+
 struct Apex {
   Point at;
   double quality = 0;  ///< the lowest of the star's tets
