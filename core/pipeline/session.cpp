@@ -15,6 +15,7 @@
 #include "sizing/measure_wall.h"
 #include "surface/extract_surface.h"
 #include "surface/smooth_surface.h"
+#include "tetra/deepen_walls.h"
 #include "tetra/fill_tets.h"
 #include "tetra/optimise_tets.h"
 
@@ -239,22 +240,29 @@ Status Session::run_sizing(RunContext& ctx) {
   return keep(size_by(recipe_.sizing, ctx), sizing_);
 }
 
+std::vector<std::size_t> Session::exact_walls() const {
+  std::vector<std::size_t> exact;
+  for (std::size_t w = 0; w < walls_.size(); ++w)
+    if (recipe_.sizing.thickness[w].layering == Layering::kExact) exact.push_back(w);
+  return exact;
+}
+
+std::vector<LayeredWall> Session::layered(const std::vector<std::size_t>& walls) const {
+  std::vector<LayeredWall> out;
+  for (const std::size_t w : walls) out.push_back({walls_[w], recipe_.sizing.thickness[w].layers});
+  return out;
+}
+
 Status Session::run_remesh(RunContext& ctx) {
   if (Status within = check_limits(*this, ctx); !within) return within;
-  std::vector<LayeredWall> exact;
-  std::vector<std::string> names;
-  for (std::size_t w = 0; w < walls_.size(); ++w)
-    if (const ThicknessSize& wish = recipe_.sizing.thickness[w]; wish.layering == Layering::kExact) {
-      exact.push_back({walls_[w], wish.layers});
-      names.push_back("sizing.thickness[" + std::to_string(w) + "]");
-    }
-  layers_ = WallLayers(*volume(), exact);
+  const std::vector<std::size_t> exact = exact_walls();
+  layers_ = WallLayers(*volume(), layered(exact));
   for (std::size_t e = 0; e < exact.size(); ++e)
     if (!layers_.has_wall(e))
       return Error{ErrorCode::kUsage,
                    "remesh",
-                   names[e] +
-                       ".wall: found no meshed label of which most lies in this wall and in none before it, "
+                   "sizing.thickness[" + std::to_string(exact[e]) +
+                       "].wall: found no meshed label of which most lies in this wall and in none before it, "
                        "expected one for its exact layers",
                    {}};
   Result<SurfaceMesh> surface = remesh_surface(*volume(), *smooth_, *sizing_, recipe_.remesh, ctx, layers_);
@@ -283,19 +291,19 @@ Status Session::run_optimise(RunContext& ctx) {
   Result<TetMesh> optimised =
       optimise_tets(*layered_tets_, reference, *sizing_, recipe_.optimise, ctx, layers_);
   if (!optimised) return optimised.error();
-  optimised_ = merge_layers(std::move(optimised).value(), layers_);
-  return std::monostate{};
+  TetMesh mesh = merge_layers(std::move(optimised).value(), layers_);
+  if (recipe_.optimise.rounds < 1) return keep(Result<TetMesh>(std::move(mesh)), optimised_);
+  return keep(deepen_walls(std::move(mesh), layered(exact_walls()), *sizing_, ctx), optimised_);
 }
 
 Status Session::run_quality(RunContext& ctx) {
-  std::vector<LayeredWall> layered;
+  std::vector<std::size_t> wished;
   for (std::size_t w = 0; w < walls_.size(); ++w)
-    if (const std::uint32_t layers = recipe_.sizing.thickness[w].layers; layers > 0)
-      layered.push_back({walls_[w], layers});
-  return keep(
-      measure_quality(*mesh(), {*volume(), *selected_volume(), *smooth_, *remeshed_, *sizing_, layered},
-                      recipe_.quality, ctx),
-      quality_);
+    if (recipe_.sizing.thickness[w].layers > 0) wished.push_back(w);
+  const std::vector<LayeredWall> walls = layered(wished);
+  return keep(measure_quality(*mesh(), {*volume(), *selected_volume(), *smooth_, *remeshed_, *sizing_, walls},
+                              recipe_.quality, ctx),
+              quality_);
 }
 
 Status Session::run_stage(Stage stage, RunContext& ctx) {

@@ -110,6 +110,9 @@ class Session {
   std::string key_of(Stage stage) const;
   std::string key_of_walls() const;
   Status run_stage(Stage stage, RunContext& ctx);
+  /// Numbers of the walls whose layers are to be exact.
+  std::vector<std::size_t> exact_walls() const;
+  std::vector<LayeredWall> layered(const std::vector<std::size_t>& walls) const;
   Status run_volume(RunContext& ctx);
   /// Measures the walls of the recipe, which takes seconds: only where those that stand are not the same.
   Status measure_walls(RunContext& ctx);

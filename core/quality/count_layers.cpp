@@ -4,7 +4,7 @@
 #include <map>
 
 #include "geometry/union_find.h"
-#include "quality/wall_mesh.h"
+#include "geometry/wall_mesh.h"
 
 namespace voxtet {
 namespace {

@@ -122,16 +122,22 @@ bool VertexInserter::commit(const Point& at) {
   return false;
 }
 
-bool VertexInserter::insert_from(const Start& start, bool walls_count, double gain) {
-  Apex apex{start.at, 0};
-  cavity_.assign(1, start.tet);
+/// The place of a new vertex that starts there, after the cavity has grown; without quality if there is none.
+Apex VertexInserter::settle(const Point& at, bool walls_count) {
+  Apex apex{at, 0};
   // From where it went first it may take another cavity, and then another place.
   for (int round = 0; round < 2; ++round) {
     dig(apex.at, walls_count || round > 0);
     apex = smooth(apex.at);
-    if (!(apex.quality > 0)) return false;
+    if (!(apex.quality > 0)) return {apex.at, 0};
   }
-  return apex.quality > gain * lowest_before() && sizes_allow(apex.at) && commit(apex.at);
+  return apex;
+}
+
+bool VertexInserter::insert_from(const Start& start, bool walls_count, double gain) {
+  cavity_.assign(1, start.tet);
+  const Apex apex = settle(start.at, walls_count);
+  return apex.quality > 0 && apex.quality > gain * lowest_before() && sizes_allow(apex.at) && commit(apex.at);
 }
 
 std::vector<VertexInserter::Start> VertexInserter::starts_at(std::uint32_t t) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "tetra/size_guard.h"
@@ -34,12 +35,20 @@ class VertexInserter {
   /// The same from one start; with `gain` 0 whatever it does to the lowest quality.
   bool insert_from(const Start& start, bool walls_count, double gain);
 
+  /// Puts a vertex on an edge whose tets, all of one label, are these, and into such tets around as it takes,
+  /// when its own tets have at least this quality, the sizes of the new edges are allowed, and allowed(v)
+  /// holds for all its neighbours v. complex.made() are then the new tets.
+  template <class Allowed>
+  bool split(std::span<const std::uint32_t> around_edge, const Point& middle, double least_quality,
+             const Allowed& allowed);
+
  private:
   /// A side of the cavity, seen from inside.
   struct Side {
     std::uint32_t tet, corner;
     double quality;  ///< of the tet it makes with the new vertex
   };
+  Apex settle(const Point& at, bool walls_count);
   void dig(const Point& at, bool walls_count);
   void absorb(std::uint32_t t, const Point& at);
   double lowest_before() const;
@@ -55,5 +64,17 @@ class VertexInserter {
   std::vector<StarSide> star_;
   std::vector<Tet> made_;
 };
+
+template <class Allowed>
+bool VertexInserter::split(std::span<const std::uint32_t> around_edge, const Point& middle,
+                           double least_quality, const Allowed& allowed) {
+  cavity_.assign(around_edge.begin(), around_edge.end());
+  const Apex apex = settle(middle, true);
+  if (!(apex.quality >= least_quality) || !sizes_allow(apex.at)) return false;
+  for (const Side& s : sides_)
+    for (const std::uint32_t k : kSideCorners[s.corner])
+      if (!allowed(complex_.corners(s.tet)[k])) return false;
+  return commit(apex.at);
+}
 
 }  // namespace voxtet::tetra

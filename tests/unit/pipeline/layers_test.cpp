@@ -188,14 +188,16 @@ TEST(Layers, AreRefusedWhereTheyCannotBe) {
   EXPECT_NE(message(recipe).find("sizing.thickness[1].wall: found no meshed label"), std::string::npos);
 }
 
-/// The walls of a mean heart, 2.5 to 11 mm thick.
+/// The walls of a mean heart, 2.5 to 11 mm thick, in voxels of 2 mm: where fewer sheets than wished have
+/// room, no fewer elements.
 TEST(Layers, AreExactNearlyAllOverAHeart) {
-  const std::string path = test::shared_data("biv_mean_1mm.nii.gz");
+  constexpr const char* kFile = "biv_mean_2mm_float32.nii.gz";
+  const std::string path = test::shared_data(kFile);
   if (path.empty()) GTEST_SKIP() << "no shared data";
   Session session;
   const Bytes bytes = read_file(path).value();
-  ASSERT_TRUE(session.load_volume({"biv_mean_1mm.nii.gz", bytes, {}}).ok());
-  Recipe recipe = exact_recipe(2);
+  ASSERT_TRUE(session.load_volume({kFile, bytes, {}}).ok());
+  Recipe recipe = exact_recipe(3);
   recipe.source = session.recipe().source;
   recipe.labels = recipe.sizing.thickness[0].wall = {1, 2};
   recipe.merge = {{1, 2}};
@@ -209,7 +211,7 @@ TEST(Layers, AreExactNearlyAllOverAHeart) {
   EXPECT_TRUE(session.quality()->topology.differences.empty());
   const LayerCount& found = session.quality()->layers.at(0);
   EXPECT_GE(found.by_edges.exact, 0.95);
-  EXPECT_GE(found.by_edges.at_least, 0.99);
+  EXPECT_EQ(found.by_edges.at_least, 1);
   EXPECT_GE(found.by_lines.exact, 0.95);
 }
 

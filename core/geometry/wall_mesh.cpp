@@ -1,4 +1,4 @@
-#include "quality/wall_mesh.h"
+#include "geometry/wall_mesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,6 @@
 namespace voxtet {
 namespace {
 
-constexpr std::uint32_t kNone = WallMesh::kUnreached;
 constexpr std::uint32_t kNearSide = 2;  ///< edges
 constexpr std::size_t kMostSteps = 1000;
 constexpr double kCosine = 0.5;  ///< of 60 degrees
@@ -22,7 +21,8 @@ WallMesh::WallMesh(const TetMesh& mesh, const WallField& field)
   find_faces();
   find_edges();
   from_inner_ = edges_through_from(Part::kInner);
-  for (const std::uint32_t edges : edges_from(Part::kSide, edges_)) near_side_.push_back(edges <= kNearSide);
+  for (const std::uint32_t edges : edges_from(points_of(Part::kSide), edges_))
+    near_side_.push_back(edges <= kNearSide);
 }
 
 void WallMesh::find_tets() {
@@ -38,7 +38,7 @@ void WallMesh::find_tets() {
 }
 
 void WallMesh::find_faces() {
-  neighbours_.assign(mesh_.tets.size(), {kNone, kNone, kNone, kNone});
+  neighbours_.assign(mesh_.tets.size(), {kUnreached, kUnreached, kUnreached, kUnreached});
   for (const TetFace& face : tet_faces(mesh_.tets, mesh_.points.size())) {
     const bool first = in_wall_[face.first], second = face.second != TetFace::kNoTet && in_wall_[face.second];
     if (first && second) {
@@ -109,17 +109,30 @@ void WallMesh::find_edges() {
     if (!std::binary_search(on_surface.begin(), on_surface.end(), edge)) inner_edges_.push_back(edge);
 }
 
-std::vector<std::uint32_t> WallMesh::edges_from(Part part, const std::vector<Edge>& edges) const {
-  std::vector<std::uint32_t> hops(mesh_.points.size(), kNone);
+std::vector<bool> WallMesh::points_of(Part part) const {
+  std::vector<bool> points(mesh_.points.size(), false);
   for (const Face& face : faces_)
     if (face.part == part)
-      for (const std::uint32_t v : face.corners) hops[v] = 0;
+      for (const std::uint32_t v : face.corners) points[v] = true;
+  return points;
+}
+
+std::vector<std::uint32_t> WallMesh::from_judged_outer() const {
+  std::vector<bool> judged = points_of(Part::kOuter);
+  for (std::size_t v = 0; v < judged.size(); ++v) judged[v] = judged[v] && !near_side_[v];
+  return edges_from(judged, inner_edges_);
+}
+
+std::vector<std::uint32_t> WallMesh::edges_from(const std::vector<bool>& points,
+                                                const std::vector<Edge>& edges) const {
+  std::vector<std::uint32_t> hops;
+  for (const bool starts : points) hops.push_back(starts ? 0 : kUnreached);
   bool changed = true;
   for (std::uint32_t hop = 0; changed; ++hop) {
     changed = false;
     for (const auto& [a, b] : edges)
       for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
-        if (hops[from] == hop && hops[to] == kNone) hops[to] = hop + 1, changed = true;
+        if (hops[from] == hop && hops[to] == kUnreached) hops[to] = hop + 1, changed = true;
   }
   return hops;
 }
@@ -139,7 +152,8 @@ std::uint32_t WallMesh::layers_met(const Face& start, std::uint32_t layers) cons
     const std::size_t exit = leave(tet, entry, at);
     if (exit == 4) return 0;
     const std::uint32_t next = neighbours_[tet][exit];
-    if (next == kNone) return ends_inside(tet, exit) ? static_cast<std::uint32_t>(std::popcount(met)) : 0;
+    if (next == kUnreached)
+      return ends_inside(tet, exit) ? static_cast<std::uint32_t>(std::popcount(met)) : 0;
     entry = static_cast<std::size_t>(std::find(neighbours_[next].begin(), neighbours_[next].end(), tet) -
                                      neighbours_[next].begin());
     tet = next;
@@ -170,7 +184,8 @@ std::size_t WallMesh::leave(std::uint32_t tet, std::size_t entry, Eigen::Vector3
 }
 
 bool WallMesh::ends_inside(std::uint32_t tet, std::size_t corner) const {
-  const auto last = std::upper_bound(surface_of_tet_.begin(), surface_of_tet_.end(), std::array{tet, kNone});
+  const auto last =
+      std::upper_bound(surface_of_tet_.begin(), surface_of_tet_.end(), std::array{tet, kUnreached});
   auto first = std::lower_bound(surface_of_tet_.begin(), surface_of_tet_.end(), std::array{tet, 0U});
   for (; first != last; ++first) {
     const Face& face = faces_[(*first)[1]];
