@@ -59,6 +59,19 @@ std::vector<Edge> tet_edges(std::span<const Tet> tets, std::size_t point_count) 
   return edges;
 }
 
+std::vector<std::uint32_t> edge_hops(std::span<const Edge> edges, const std::vector<bool>& from) {
+  std::vector<std::uint32_t> hops;
+  for (const bool starts : from) hops.push_back(starts ? 0 : kUnreached);
+  bool changed = true;
+  for (std::uint32_t hop = 0; changed; ++hop) {
+    changed = false;
+    for (const auto& [a, b] : edges)
+      for (const auto& [p, q] : {std::pair(a, b), std::pair(b, a)})
+        if (hops[p] == hop && hops[q] == kUnreached) hops[q] = hop + 1, changed = true;
+  }
+  return hops;
+}
+
 std::vector<TetFace> tet_faces(std::span<const Tet> tets, std::size_t point_count) {
   struct Entry {
     std::uint32_t middle, high, tet;

@@ -15,6 +15,12 @@ using Edge = std::array<std::uint32_t, 2>;  ///< ascending
 /// Each edge of the tetrahedra once, ascending. `point_count` bounds the corners.
 std::vector<Edge> tet_edges(std::span<const Tet> tets, std::size_t point_count);
 
+/// What edge_hops() gives points that no edges lead to. Two of them and a few more add up without overflow.
+inline constexpr std::uint32_t kUnreached = 0x3fffffffU;
+
+/// By point the fewest of the edges that lead to it from the points marked in `from`.
+std::vector<std::uint32_t> edge_hops(std::span<const Edge> edges, const std::vector<bool>& from);
+
 /// A face of a tetrahedral mesh and the tetrahedra on it.
 struct TetFace {
   Triangle corners;               ///< ascending

@@ -8,6 +8,7 @@
 namespace voxtet {
 namespace {
 
+constexpr std::uint32_t kNoTet = TetFace::kNoTet;
 constexpr std::uint32_t kNearSide = 2;  ///< edges
 constexpr std::size_t kMostSteps = 1000;
 constexpr double kCosine = 0.5;  ///< of 60 degrees
@@ -21,7 +22,7 @@ WallMesh::WallMesh(const TetMesh& mesh, const WallField& field)
   find_faces();
   find_edges();
   from_inner_ = edges_through_from(Part::kInner);
-  for (const std::uint32_t edges : edges_from(points_of(Part::kSide), edges_))
+  for (const std::uint32_t edges : edge_hops(edges_, points_of(Part::kSide)))
     near_side_.push_back(edges <= kNearSide);
 }
 
@@ -38,9 +39,9 @@ void WallMesh::find_tets() {
 }
 
 void WallMesh::find_faces() {
-  neighbours_.assign(mesh_.tets.size(), {kUnreached, kUnreached, kUnreached, kUnreached});
+  neighbours_.assign(mesh_.tets.size(), {kNoTet, kNoTet, kNoTet, kNoTet});
   for (const TetFace& face : tet_faces(mesh_.tets, mesh_.points.size())) {
-    const bool first = in_wall_[face.first], second = face.second != TetFace::kNoTet && in_wall_[face.second];
+    const bool first = in_wall_[face.first], second = face.second != kNoTet && in_wall_[face.second];
     if (first && second) {
       neighbours_[face.first][opposite(face.first, face.corners)] = face.second;
       neighbours_[face.second][opposite(face.second, face.corners)] = face.first;
@@ -106,7 +107,7 @@ void WallMesh::find_edges() {
     }
   std::sort(on_surface.begin(), on_surface.end());
   for (const Edge& edge : edges_)
-    if (!std::binary_search(on_surface.begin(), on_surface.end(), edge)) inner_edges_.push_back(edge);
+    if (!std::binary_search(on_surface.begin(), on_surface.end(), edge)) edges_through_.push_back(edge);
 }
 
 std::vector<bool> WallMesh::points_of(Part part) const {
@@ -120,21 +121,7 @@ std::vector<bool> WallMesh::points_of(Part part) const {
 std::vector<std::uint32_t> WallMesh::from_judged_outer() const {
   std::vector<bool> judged = points_of(Part::kOuter);
   for (std::size_t v = 0; v < judged.size(); ++v) judged[v] = judged[v] && !near_side_[v];
-  return edges_from(judged, inner_edges_);
-}
-
-std::vector<std::uint32_t> WallMesh::edges_from(const std::vector<bool>& points,
-                                                const std::vector<Edge>& edges) const {
-  std::vector<std::uint32_t> hops;
-  for (const bool starts : points) hops.push_back(starts ? 0 : kUnreached);
-  bool changed = true;
-  for (std::uint32_t hop = 0; changed; ++hop) {
-    changed = false;
-    for (const auto& [a, b] : edges)
-      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
-        if (hops[from] == hop && hops[to] == kUnreached) hops[to] = hop + 1, changed = true;
-  }
-  return hops;
+  return edge_hops(edges_through_, judged);
 }
 
 std::uint32_t WallMesh::layer_of(std::size_t tet, std::uint32_t layers) const {
@@ -152,8 +139,7 @@ std::uint32_t WallMesh::layers_met(const Face& start, std::uint32_t layers) cons
     const std::size_t exit = leave(tet, entry, at);
     if (exit == 4) return 0;
     const std::uint32_t next = neighbours_[tet][exit];
-    if (next == kUnreached)
-      return ends_inside(tet, exit) ? static_cast<std::uint32_t>(std::popcount(met)) : 0;
+    if (next == kNoTet) return ends_inside(tet, exit) ? static_cast<std::uint32_t>(std::popcount(met)) : 0;
     entry = static_cast<std::size_t>(std::find(neighbours_[next].begin(), neighbours_[next].end(), tet) -
                                      neighbours_[next].begin());
     tet = next;
@@ -184,8 +170,7 @@ std::size_t WallMesh::leave(std::uint32_t tet, std::size_t entry, Eigen::Vector3
 }
 
 bool WallMesh::ends_inside(std::uint32_t tet, std::size_t corner) const {
-  const auto last =
-      std::upper_bound(surface_of_tet_.begin(), surface_of_tet_.end(), std::array{tet, kUnreached});
+  const auto last = std::upper_bound(surface_of_tet_.begin(), surface_of_tet_.end(), std::array{tet, kNoTet});
   auto first = std::lower_bound(surface_of_tet_.begin(), surface_of_tet_.end(), std::array{tet, 0U});
   for (; first != last; ++first) {
     const Face& face = faces_[(*first)[1]];

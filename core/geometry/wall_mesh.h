@@ -26,23 +26,21 @@ class WallMesh {
     Eigen::Vector3d centre;
     double area;
   };
-  static constexpr std::uint32_t kUnreached = 0xffffffffU;
-
   WallMesh(const TetMesh& mesh, const WallField& field);
 
   bool holds(std::size_t tet) const { return in_wall_[tet]; }
   const std::vector<Face>& faces() const { return faces_; }
-  /// By point the fewest edges to the inner or the outer surface, none of them on the wall's surface: where a
-  /// ventricle's free wall meets the septum, the way along it is short.
+  /// By point the fewest edges to the inner or the outer surface (edge_hops), none of them on the wall's
+  /// surface: where a ventricle's free wall meets the septum, the way along it is short.
   std::vector<std::uint32_t> edges_through_from(Part part) const {
-    return edges_from(points_of(part), inner_edges_);
+    return edge_hops(edges_through_, points_of(part));
   }
   /// The same, from the inner one.
   const std::vector<std::uint32_t>& from_inner() const { return from_inner_; }
   /// The same, from those points of the outer surface that are not near a side.
   std::vector<std::uint32_t> from_judged_outer() const;
   /// Edges of the wall's tetrahedra that are none of its surface.
-  const std::vector<Edge>& edges_through() const { return inner_edges_; }
+  const std::vector<Edge>& edges_through() const { return edges_through_; }
   /// By point whether at most two edges join it to a side.
   const std::vector<bool>& near_side() const { return near_side_; }
   /// Which of so many layers of the potential a tetrahedron's centroid lies in, from 0.
@@ -59,8 +57,6 @@ class WallMesh {
   Eigen::Vector3d centre_of(std::size_t tet) const;
   Eigen::Vector3d slope_at(const Eigen::Vector3d& mm) const;
   std::vector<bool> points_of(Part part) const;
-  std::vector<std::uint32_t> edges_from(const std::vector<bool>& points,
-                                        const std::vector<Edge>& edges) const;
   std::size_t leave(std::uint32_t tet, std::size_t entry, Eigen::Vector3d& at) const;
   bool ends_inside(std::uint32_t tet, std::size_t corner) const;
 
@@ -71,7 +67,7 @@ class WallMesh {
   std::vector<std::array<std::uint32_t, 4>> neighbours_;  ///< across the face opposite to each corner
   std::vector<Face> faces_;
   std::vector<Edge> edges_;  ///< of the wall's tetrahedra
-  std::vector<Edge> inner_edges_;
+  std::vector<Edge> edges_through_;
   std::vector<std::array<std::uint32_t, 2>> surface_of_tet_;  ///< tet and face, ascending
   std::vector<std::uint32_t> from_inner_;
   std::vector<bool> near_side_;

@@ -291,9 +291,11 @@ Status Session::run_optimise(RunContext& ctx) {
   Result<TetMesh> optimised =
       optimise_tets(*layered_tets_, reference, *sizing_, recipe_.optimise, ctx, layers_);
   if (!optimised) return optimised.error();
-  TetMesh mesh = merge_layers(std::move(optimised).value(), layers_);
-  if (recipe_.optimise.rounds < 1) return keep(Result<TetMesh>(std::move(mesh)), optimised_);
-  return keep(deepen_walls(std::move(mesh), layered(exact_walls()), *sizing_, ctx), optimised_);
+  const std::vector<std::size_t> worked_on =
+      recipe_.optimise.rounds > 0 ? exact_walls() : std::vector<std::size_t>{};
+  return keep(
+      deepen_walls(merge_layers(std::move(optimised).value(), layers_), layered(worked_on), *sizing_, ctx),
+      optimised_);
 }
 
 Status Session::run_quality(RunContext& ctx) {

@@ -112,6 +112,7 @@ class Session {
   Status run_stage(Stage stage, RunContext& ctx);
   /// Numbers of the walls whose layers are to be exact.
   std::vector<std::size_t> exact_walls() const;
+  /// Walls by their numbers, with the layers that the recipe wishes.
   std::vector<LayeredWall> layered(const std::vector<std::size_t>& walls) const;
   Status run_volume(RunContext& ctx);
   /// Measures the walls of the recipe, which takes seconds: only where those that stand are not the same.

@@ -24,7 +24,7 @@ void count_edges(const TetMesh& mesh, const WallMesh& wall, LayerCount& count) {
   const std::vector<std::uint32_t>& from_inner = wall.from_inner();
   const std::vector<bool>& near_side = wall.near_side();
   const auto counts = [&](const Face& face, std::uint32_t v) {
-    return face.part == Part::kOuter && from_inner[v] != WallMesh::kUnreached && !near_side[v];
+    return face.part == Part::kOuter && from_inner[v] != kUnreached && !near_side[v];
   };
   UnionFind joined(mesh.points.size());
   for (const Face& face : wall.faces())
@@ -40,7 +40,7 @@ void count_edges(const TetMesh& mesh, const WallMesh& wall, LayerCount& count) {
     for (const std::uint32_t v : face.corners) {
       if (!counts(face, v) || from_inner[v] == count.wished) continue;
       LayerPlace& place =
-          places.try_emplace(joined.find(v), LayerPlace{0, {0, 0, 0}, WallMesh::kUnreached, 0}).first->second;
+          places.try_emplace(joined.find(v), LayerPlace{0, {0, 0, 0}, kUnreached, 0}).first->second;
       place.area_mm2 += face.area / 3;
       place.centre_mm += face.area / 3 * mesh.points[v];
       place.fewest = std::min(place.fewest, from_inner[v]);
@@ -82,11 +82,10 @@ void map_layers(const TetMesh& mesh, const WallMesh& wall, std::uint32_t layers,
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     if (!wall.holds(t) || map.layer[t] >= 0) continue;
     map.layer[t] = static_cast<float>(1 + wall.layer_of(t, layers));
-    std::uint64_t fewest = WallMesh::kUnreached;
+    std::uint32_t fewest = kUnreached;
     for (const std::uint32_t v : mesh.tets[t])
-      if (!wall.near_side()[v])
-        fewest = std::min(fewest, std::uint64_t{wall.from_inner()[v]} + from_outer[v]);
-    if (fewest < WallMesh::kUnreached) map.layers_across[t] = static_cast<float>(fewest);
+      if (!wall.near_side()[v]) fewest = std::min(fewest, wall.from_inner()[v] + from_outer[v]);
+    if (fewest < kUnreached) map.layers_across[t] = static_cast<float>(fewest);
   }
 }
 

@@ -24,8 +24,8 @@ struct FoundLayers {
 /// elsewhere than on the inner surface are not counted. Places are the parts of the outer surface, joined by
 /// its edges, whose vertices have another number by edges than wished.
 ///
-/// Wall, inner and outer surface and sides: geometry/wall_mesh.h. Outer vertices that two edges join to a side
-/// are left out.
+/// Wall, inner and outer surface and sides: geometry/wall_mesh.h. Outer vertices that two edges join to a
+/// side are left out.
 FoundLayers count_layers(const TetMesh& mesh, std::span<const LayeredWall> walls);
 
 }  // namespace voxtet

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/adjacency.h"
 #include "geometry/wall_mesh.h"
 #include "tetra/size_guard.h"
 #include "tetra/tet_complex.h"
@@ -25,33 +26,42 @@ struct Depths {
   std::vector<std::uint32_t> inner, outer;
 
   /// Of the shortest way along an edge.
-  std::uint64_t edges_along(const Edge& edge) const {
+  std::uint32_t edges_along(const Edge& edge) const {
     const auto& [a, b] = edge;
-    return 1 + std::min(std::uint64_t{inner[a]} + outer[b], std::uint64_t{inner[b]} + outer[a]);
+    return 1 + std::min(inner[a] + outer[b], inner[b] + outer[a]);
   }
 };
 
-/// The fewest of some edges that lead to each point from those at which `from` is 0.
-std::vector<std::uint32_t> hops_along(const std::vector<Edge>& edges, const std::vector<std::uint32_t>& from,
-                                      std::uint32_t most) {
-  std::vector<std::uint32_t> hops;
-  for (const std::uint32_t depth : from) hops.push_back(depth == 0 ? 0 : WallMesh::kUnreached);
-  for (std::uint32_t hop = 0; hop < most; ++hop)
-    for (const auto& [a, b] : edges)
-      for (const auto& [p, q] : {std::pair(a, b), std::pair(b, a)})
-        if (hops[p] == hop && hops[q] == WallMesh::kUnreached) hops[q] = hop + 1;
-  return hops;
+/// The edges of ways that are too short, and how deep all points are.
+struct ShortWays {
+  std::vector<Edge> edges;
+  Depths depths;
+};
+
+ShortWays find_short_ways(const TetMesh& mesh, const LayeredWall& layered) {
+  const WallMesh wall(mesh, layered.field);
+  ShortWays ways{{}, {wall.from_inner(), wall.from_judged_outer()}};
+  for (const Edge& edge : wall.edges_through())
+    if (ways.depths.edges_along(edge) < layered.layers) ways.edges.push_back(edge);
+  return ways;
+}
+
+std::vector<bool> points_at_0(const std::vector<std::uint32_t>& depths) {
+  std::vector<bool> points;
+  for (const std::uint32_t depth : depths) points.push_back(depth == 0);
+  return points;
 }
 
 /// Puts vertices on short ways through one wall. None of the new vertices comes to lie on a short way, so
 /// that all short ways there are lead along edges of short ways that there were at first.
 class Deepener {
  public:
-  Deepener(TetMesh mesh, const LayeredWall& wall, const SizeGuard& guard)
-      : layers_(wall.layers),
-        edges_(find_depths(mesh, wall)),
-        complex_(std::move(mesh)),
-        inserter_(complex_, guard) {}
+  Deepener(TetMesh mesh, ShortWays ways, std::uint32_t layers, const SizeGuard& guard)
+      : complex_(std::move(mesh)),
+        inserter_(complex_, guard),
+        edges_(std::move(ways.edges)),
+        least_(std::move(ways.depths)),
+        layers_(layers) {}
 
   /// How many edges of short ways there are.
   std::size_t size() const { return edges_.size(); }
@@ -76,16 +86,6 @@ class Deepener {
   TetMesh release() { return std::move(complex_).release(); }
 
  private:
-  /// Returns the edges of short ways.
-  std::vector<Edge> find_depths(const TetMesh& mesh, const LayeredWall& layered) {
-    const WallMesh wall(mesh, layered.field);
-    least_ = {wall.from_inner(), wall.from_judged_outer()};
-    std::vector<Edge> edges;
-    for (const Edge& edge : wall.edges_through())
-      if (least_.edges_along(edge) < layers_) edges.push_back(edge);
-    return edges;
-  }
-
   double length2(const Edge& edge) const {
     return (complex_.point(edge[0]) - complex_.point(edge[1])).squaredNorm();
   }
@@ -109,16 +109,16 @@ class Deepener {
   bool split(const Edge& edge) {
     find_tets_around(edge);
     if (around_.empty() || is_on_wall(edge)) return false;
-    std::uint64_t inner = WallMesh::kUnreached, outer = inner;
+    std::uint32_t inner = kUnreached, outer = kUnreached;
     const auto leaves_ways_long = [&](std::uint32_t neighbour) {
-      inner = std::min<std::uint64_t>(inner, least_.inner[neighbour] + 1);
-      outer = std::min<std::uint64_t>(outer, least_.outer[neighbour] + 1);
+      inner = std::min(inner, least_.inner[neighbour] + 1);
+      outer = std::min(outer, least_.outer[neighbour] + 1);
       return inner + outer >= layers_;
     };
     const Point middle = 0.5 * (complex_.point(edge[0]) + complex_.point(edge[1]));
     if (!inserter_.split(around_, middle, least_quality_, leaves_ways_long)) return false;
-    least_.inner.push_back(static_cast<std::uint32_t>(inner));
-    least_.outer.push_back(static_cast<std::uint32_t>(outer));
+    least_.inner.push_back(inner);
+    least_.outer.push_back(outer);
     return true;
   }
 
@@ -128,16 +128,17 @@ class Deepener {
       find_tets_around(edge);
       return around_.empty();
     });
-    const Depths now{hops_along(edges_, least_.inner, layers_), hops_along(edges_, least_.outer, layers_)};
+    const Depths now{edge_hops(edges_, points_at_0(least_.inner)),
+                     edge_hops(edges_, points_at_0(least_.outer))};
     std::erase_if(edges_, [&](const Edge& edge) { return now.edges_along(edge) >= layers_; });
   }
 
-  const std::uint32_t layers_;
-  const double least_quality_ = quality_of_angle(kLeastAngleDeg);
-  Depths least_;  ///< no point has less
-  std::vector<Edge> edges_;
   TetComplex complex_;
   VertexInserter inserter_;
+  std::vector<Edge> edges_;
+  Depths least_;  ///< no point has less
+  const std::uint32_t layers_;
+  const double least_quality_ = quality_of_angle(kLeastAngleDeg);
   std::vector<std::uint32_t> star_, around_;
 };
 
@@ -149,8 +150,10 @@ Result<TetMesh> deepen_walls(TetMesh mesh, std::span<const LayeredWall> walls, c
     const SizeGuard guard(sizing);
     std::size_t before = 0, after = 0, count = 0;
     for (const LayeredWall& wall : walls) {
-      Deepener deepener(std::move(mesh), wall, guard);
-      before += deepener.size();
+      ShortWays ways = find_short_ways(mesh, wall);
+      if (ways.edges.empty()) continue;
+      before += ways.edges.size();
+      Deepener deepener(std::move(mesh), std::move(ways), wall.layers, guard);
       for (int round = 0; round < kMostRounds; ++round) {
         if (ctx.cancelled()) return cancelled_error("optimise");
         const std::size_t split = deepener.split_some();

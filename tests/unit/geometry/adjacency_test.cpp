@@ -29,6 +29,19 @@ TEST(Adjacency, CountsFacesOfBrokenMeshes) {
   EXPECT_EQ(faces.front().count, 3U);
 }
 
+TEST(EdgeHops, CountsTheFewestEdges) {
+  // A ring of five with a tail, and a point apart.
+  const std::vector<Edge> edges{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {0, 4}, {2, 5}};
+  const std::vector<std::uint32_t> from_0{0, 1, 2, 2, 1, 3, kUnreached};
+  EXPECT_EQ(edge_hops(edges, {true, false, false, false, false, false, false}), from_0);
+  const std::vector<std::uint32_t> from_both{0, 1, 1, 2, 1, 0, kUnreached};
+  EXPECT_EQ(edge_hops(edges, {true, false, false, false, false, true, false}), from_both);
+}
+
+TEST(EdgeHops, OfPointsWithoutAWayAddUp) {
+  EXPECT_GT(kUnreached + kUnreached + 10, kUnreached);
+}
+
 TEST(AddLabelFaces, FindsTheFacesBetweenLabelsOutwardFromTheGreater) {
   TetMesh mesh = test::kuhn_cube(4);
   const std::size_t count = mesh.faces.size();

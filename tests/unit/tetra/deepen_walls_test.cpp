@@ -28,10 +28,10 @@ std::uint32_t fewest_across(const TetMesh& mesh) {
   const WallField field = test::slab_wall();
   const WallMesh wall(mesh, field);
   const std::vector<std::uint32_t> from_outer = wall.from_judged_outer();
-  std::uint64_t fewest = WallMesh::kUnreached;
+  std::uint32_t fewest = kUnreached;
   for (std::size_t v = 0; v < from_outer.size(); ++v)
-    fewest = std::min(fewest, std::uint64_t{wall.from_inner()[v]} + from_outer[v]);
-  return static_cast<std::uint32_t>(fewest);
+    fewest = std::min(fewest, wall.from_inner()[v] + from_outer[v]);
+  return fewest;
 }
 
 /// Labels, faces and points stay, and no angle below 25 degrees comes in.
