@@ -121,9 +121,9 @@ bool Adapter::run_adaptive() {
 
 /// Zilske, Lamecker and Zachow 2008: sizes first, the shapes after.
 bool Adapter::run_paper() {
-  editor_.set_coarsest(true);
+  set_coarsest(true);
   if (!coarsen_in_steps() || !coarsen_to(kShortest)) return false;
-  editor_.set_coarsest(false);
+  set_coarsest(false);
   if (!step(0.4)) return false;
   constexpr int kMostLevels = 12;
   for (int level = 0; level < kMostLevels; ++level) {

@@ -1,6 +1,8 @@
 #include "remesh/adapt_passes.h"
 
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "geometry/triangle_measures.h"
 #include "remesh/volume_lifts.h"
@@ -58,7 +60,7 @@ std::vector<AdaptPasses::Edge> AdaptPasses::edges() const {
         if (b > a) others.push_back(b);
     std::sort(others.begin(), others.end());
     others.erase(std::unique(others.begin(), others.end()), others.end());
-    for (const std::uint32_t b : others) out.push_back({a, b, editor_.metric_length(a, b)});
+    for (const std::uint32_t b : others) out.push_back({a, b});
   }
   return out;
 }
@@ -66,6 +68,10 @@ std::vector<AdaptPasses::Edge> AdaptPasses::edges() const {
 void AdaptPasses::fit_cells() {
   constexpr double kMuch = 1.25;
   const ComplexMesh& mesh = editor_.mesh();
+  const std::uint64_t done =
+      std::accumulate(operations_.accepted.begin(), operations_.accepted.end(), std::uint64_t{0});
+  if (cell_mm_ > 0 && done == fitted_after_) return;
+  fitted_after_ = done;
   double sum = 0;
   std::size_t count = 0;
   for (std::uint32_t t = 0; t < mesh.slot_count(); ++t)
@@ -82,10 +88,11 @@ void AdaptPasses::fit_cells() {
 }
 
 bool AdaptPasses::refine() {
-  std::vector<Edge> all = edges();
-  std::erase_if(all, [](const Edge& e) { return e.length <= kLongest; });
-  std::stable_sort(all.begin(), all.end(), [](const Edge& p, const Edge& q) { return p.length > q.length; });
-  for (const Edge& e : all)
+  std::vector<std::pair<double, Edge>> all;
+  for (const Edge& e : edges())
+    if (const double length = editor_.metric_length(e.a, e.b); length > kLongest) all.push_back({length, e});
+  std::stable_sort(all.begin(), all.end(), [](const auto& p, const auto& q) { return p.first > q.first; });
+  for (const auto& [length, e] : all)
     if (editor_.mesh().edge_degree(e.a, e.b) > 0) operations_.split(e.a, e.b);
   return !ctx_.cancelled();
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "remesh/adapt_complex.h"
@@ -31,7 +32,6 @@ class AdaptPasses {
  protected:
   struct Edge {
     std::uint32_t a, b;
-    double length;
   };
   static constexpr double kShortest = 4.0 / 5, kLongest = 4.0 / 3;  ///< Botsch and Kobbelt 2004
   static constexpr double kLongestPolished = 1.7;                   ///< where shape is at stake
@@ -43,10 +43,15 @@ class AdaptPasses {
     double length;
     std::uint32_t v;
   };
-  /// Each vertex goes to one of its neighbours nearer than `shortest`: collapse_to_one(v, neighbours,
-  /// longest), the nearest first, `longest` a bound on edges.
+  /// Each vertex goes to one of its neighbours nearer than `shortest`, if there are any:
+  /// collapse_to_one(v, neighbours, longest), the nearest first, `longest` a bound on edges.
   template <class CollapseToOne>
   bool coarsen(double shortest, CollapseToOne&& collapse_to_one);
+  /// ComplexEditor::set_coarsest.
+  void set_coarsest(bool on) {
+    editor_.set_coarsest(on);
+    nearest_.clear();
+  }
   bool refine();
   bool flip_all();
   bool relocate_all();
@@ -77,8 +82,20 @@ class AdaptPasses {
   LocalOperations operations_;
 
  private:
+  /// Of the vertices that v may go to, as the editor's changes were when they were last looked at.
+  struct Nearest {
+    double length = 0;
+    std::uint32_t at = 0;  ///< after which attempt
+  };
+  /// Whether v has no neighbour to go to that is nearer than `shortest`, as was seen before.
+  bool known_apart(std::uint32_t v, double shortest) const {
+    return nearest_[v].length >= shortest && editor_.changed_at(v) <= nearest_[v].at;
+  }
+
   const std::vector<double> volumes_;  ///< of the reference, by label
+  std::vector<Nearest> nearest_;       ///< by vertex; length 0 where it was not looked at
   double cell_mm_ = 0;
+  std::uint64_t fitted_after_ = 0;  ///< so many operations
 };
 
 template <class CollapseToOne>
@@ -86,13 +103,19 @@ bool AdaptPasses::coarsen(double shortest, CollapseToOne&& collapse_to_one) {
   const ComplexMesh& mesh = editor_.mesh();
   std::vector<Near> near;
   const double longest = std::min(kLongest, 2.2 * shortest);
+  nearest_.resize(mesh.vertex_count());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
     if (v % 4096 == 0 && ctx_.cancelled()) return false;
     if (!alive(v) || mesh.stratum(v) == Stratum::kCorner) continue;
     near.clear();
-    for (const std::uint32_t other : operations_.neighbours(v)) {
-      const double length = editor_.metric_length(v, other);
-      if (length < shortest && mesh.stratum(other) >= mesh.stratum(v)) near.push_back({length, other});
+    if (!known_apart(v, shortest)) {
+      nearest_[v] = {std::numeric_limits<double>::infinity(), editor_.attempts()};
+      for (const std::uint32_t other : operations_.neighbours(v)) {
+        if (mesh.stratum(other) < mesh.stratum(v)) continue;
+        const double length = editor_.metric_length(v, other);
+        nearest_[v].length = std::min(nearest_[v].length, length);
+        if (length < shortest) near.push_back({length, other});
+      }
     }
     std::sort(near.begin(), near.end(), [](const Near& p, const Near& q) {
       return p.length != q.length ? p.length < q.length : p.v < q.v;

@@ -65,9 +65,8 @@ class ComplexEditor {
   const ReferenceComplex& reference() const { return reference_; }
   const SampleHosts& samples() const { return samples_; }
   const Eigen::Vector3d& normal(std::uint32_t t) const { return normals_[t]; }
-  /// Wished edge length at a vertex, times the scale.
-  double size(std::uint32_t v) const { return scale_ * std::max(floor_, sizes_[v]); }
-  void set_scale(double scale) { scale_ = scale; }
+  /// Wished edge length at a vertex.
+  double size(std::uint32_t v) const { return std::max(floor_, sizes_[v]); }
   /// Every wish as large as the largest.
   void set_coarsest(bool on) { floor_ = on ? *std::max_element(sizes_.begin(), sizes_.end()) : 0; }
   /// Cosine of the sharpest fold allowed at an edge.
@@ -169,7 +168,7 @@ class ComplexEditor {
   SampleHosts samples_;
   std::optional<TriangleHash> hash_;
   const SizingField& sizing_;
-  double scale_ = 1, floor_ = 0;
+  double floor_ = 0;
   std::vector<double> sizes_;
   std::vector<std::uint32_t> hints_, changed_at_;
   std::vector<Eigen::Vector3d> normals_;

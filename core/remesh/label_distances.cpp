@@ -83,6 +83,7 @@ class Scatter {
       : grid_(grid), surface_(surface), stars_(surface), to_mm_(index_to_mm), origin_(origin_mm), out_(out) {
     nearest_.assign(out.labels.size(), kNoPoint);
     distance2_.assign(out.labels.size(), std::numeric_limits<double>::max());
+    on_one_pair_.assign(surface.points.size(), false);
   }
 
   /// The closest point of the surface on the boundary of each listed label.
@@ -95,6 +96,7 @@ class Scatter {
       steps[static_cast<std::size_t>(n)] = to_mm_ * Eigen::Vector3d(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
     for (std::uint32_t p = 0; p < surface_.points.size(); ++p) {
       collect_labels(p);
+      on_one_pair_[p] = here_.size() == 2;
       const Eigen::Vector3d index = to_index * (surface_.points[p] - origin_);
       std::array<std::size_t, 3> at{};
       for (int d = 0; d < 3; ++d)
@@ -130,8 +132,10 @@ class Scatter {
           origin_ + to_mm_ * Eigen::Vector3d(static_cast<double>(v % sx), static_cast<double>(v / sx % sy),
                                              static_cast<double>(v / (sx * sy)));
       const float nearest = is_thin(grid_, v) ? LabelDistances::kNearestThin : LabelDistances::kNearest;
+      double distance = 0;
       for (std::uint32_t e = out_.offsets[v]; e < out_.offsets[v + 1]; ++e) {
-        const double distance = to_boundary(centre, e) / unit_mm;
+        const bool known = e > out_.offsets[v] && nearest_[e] == nearest_[e - 1] && is_on_one_pair(e);
+        if (!known) distance = to_boundary(centre, e) / unit_mm;
         const float value = std::clamp(static_cast<float>(distance), nearest, LabelDistances::kFarthest);
         out_.values[e] = out_.labels[e] == grid_.labels[v] ? value : -value;
       }
@@ -144,6 +148,11 @@ class Scatter {
     for (std::uint32_t k = stars_.start[p]; k < stars_.start[p + 1]; ++k)
       for (const Label label : surface_.sides[stars_.triangles[k]])
         if (std::find(here_.begin(), here_.end(), label) == here_.end()) here_.push_back(label);
+  }
+
+  /// Whether the point nearest to the boundary of an entry's label is on that of one more label only.
+  bool is_on_one_pair(std::uint32_t entry) const {
+    return nearest_[entry] != kNoPoint && on_one_pair_[nearest_[entry]];
   }
 
   double to_boundary(const Eigen::Vector3d& centre, std::uint32_t entry) const {
@@ -170,6 +179,7 @@ class Scatter {
   LabelDistances& out_;
   std::vector<std::uint32_t> nearest_;
   std::vector<double> distance2_;
+  std::vector<bool> on_one_pair_;  ///< by point
   std::vector<Label> here_;
 };
 

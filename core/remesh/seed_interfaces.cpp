@@ -96,15 +96,21 @@ class PointBuckets {
   /// Whether a point lies closer than `separation`, or one of the same group closer than `distance`.
   bool occupied(const Eigen::Vector3d& p, std::uint32_t group, double distance, double separation) const {
     const double reach = std::max(distance, separation);
+    const auto is_near_one_in = [&](const std::array<int, 3>& s) {
+      for (std::uint32_t e = head_[bucket(s)]; e != kNone; e = items_[e].next) {
+        const double least = items_[e].group == group ? reach : separation;
+        if ((items_[e].point - p).squaredNorm() < least * least) return true;
+      }
+      return false;
+    };
+    // By far most points are, and of one in their own bucket.
+    if (is_near_one_in(slot(p))) return true;
     const std::array<int, 3> lo = slot(p - Eigen::Vector3d::Constant(reach));
     const std::array<int, 3> hi = slot(p + Eigen::Vector3d::Constant(reach));
     for (int k = lo[2]; k <= hi[2]; ++k)
       for (int j = lo[1]; j <= hi[1]; ++j)
         for (int i = lo[0]; i <= hi[0]; ++i)
-          for (std::uint32_t e = head_[bucket({i, j, k})]; e != kNone; e = items_[e].next) {
-            const double least = items_[e].group == group ? reach : separation;
-            if ((items_[e].point - p).squaredNorm() < least * least) return true;
-          }
+          if (is_near_one_in({i, j, k})) return true;
     return false;
   }
 
