@@ -1,7 +1,6 @@
 #include "remesh/adapt_passes.h"
 
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "geometry/triangle_measures.h"
@@ -49,7 +48,7 @@ AdaptRecord AdaptPasses::record() const {
   return record;
 }
 
-std::vector<AdaptPasses::Edge> AdaptPasses::edges() const {
+std::vector<Edge> AdaptPasses::edges() const {
   const ComplexMesh& mesh = editor_.mesh();
   std::vector<Edge> out;
   std::vector<std::uint32_t> others;
@@ -68,10 +67,8 @@ std::vector<AdaptPasses::Edge> AdaptPasses::edges() const {
 void AdaptPasses::fit_cells() {
   constexpr double kMuch = 1.25;
   const ComplexMesh& mesh = editor_.mesh();
-  const std::uint64_t done =
-      std::accumulate(operations_.accepted.begin(), operations_.accepted.end(), std::uint64_t{0});
-  if (cell_mm_ > 0 && done == fitted_after_) return;
-  fitted_after_ = done;
+  if (cell_mm_ > 0 && fitted_at_ == editor_.attempts()) return;
+  fitted_at_ = editor_.attempts();
   double sum = 0;
   std::size_t count = 0;
   for (std::uint32_t t = 0; t < mesh.slot_count(); ++t)
@@ -90,17 +87,18 @@ void AdaptPasses::fit_cells() {
 bool AdaptPasses::refine() {
   std::vector<std::pair<double, Edge>> all;
   for (const Edge& e : edges())
-    if (const double length = editor_.metric_length(e.a, e.b); length > kLongest) all.push_back({length, e});
+    if (const double length = editor_.metric_length(e[0], e[1]); length > kLongest)
+      all.push_back({length, e});
   std::stable_sort(all.begin(), all.end(), [](const auto& p, const auto& q) { return p.first > q.first; });
   for (const auto& [length, e] : all)
-    if (editor_.mesh().edge_degree(e.a, e.b) > 0) operations_.split(e.a, e.b);
+    if (editor_.mesh().edge_degree(e[0], e[1]) > 0) operations_.split(e[0], e[1]);
   return !ctx_.cancelled();
 }
 
 bool AdaptPasses::flip_all() {
-  for (const Edge& e : edges())
-    if (editor_.mesh().edge_degree(e.a, e.b) > 0 && operations_.valence_gain(e.a, e.b) > 0)
-      operations_.flip(e.a, e.b, Demand::kAllowed);
+  for (const auto& [a, b] : edges())
+    if (editor_.mesh().edge_degree(a, b) > 0 && operations_.valence_gain(a, b) > 0)
+      operations_.flip(a, b, Demand::kAllowed);
   return !ctx_.cancelled();
 }
 
@@ -156,8 +154,8 @@ double AdaptPasses::sharpest_fold(std::uint32_t a, std::uint32_t b,
 
 bool AdaptPasses::open_folds() {
   std::vector<std::uint32_t> around;
-  for (const Edge& e : edges())
-    if (sharpest_fold(e.a, e.b, around) > editor_.fold_limit(e.a, e.b)) open_fold(e.a, e.b, around);
+  for (const auto& [a, b] : edges())
+    if (sharpest_fold(a, b, around) > editor_.fold_limit(a, b)) open_fold(a, b, around);
   return !ctx_.cancelled();
 }
 

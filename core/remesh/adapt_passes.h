@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/adjacency.h"
 #include "remesh/adapt_complex.h"
 #include "remesh/complex_editor.h"
 #include "remesh/correspondence.h"
@@ -30,9 +31,6 @@ class AdaptPasses {
   AdaptRecord record() const;
 
  protected:
-  struct Edge {
-    std::uint32_t a, b;
-  };
   static constexpr double kShortest = 4.0 / 5, kLongest = 4.0 / 3;  ///< Botsch and Kobbelt 2004
   static constexpr double kLongestPolished = 1.7;                   ///< where shape is at stake
 
@@ -82,10 +80,10 @@ class AdaptPasses {
   LocalOperations operations_;
 
  private:
-  /// Of the vertices that v may go to, as the editor's changes were when they were last looked at.
+  /// How near the nearest vertex was that a vertex may go to, when it was last looked at.
   struct Nearest {
     double length = 0;
-    std::uint32_t at = 0;  ///< after which attempt
+    std::uint32_t at = 0;  ///< after which attempt of the editor
   };
   /// Whether v has no neighbour to go to that is nearer than `shortest`, as was seen before.
   bool known_apart(std::uint32_t v, double shortest) const {
@@ -95,7 +93,7 @@ class AdaptPasses {
   const std::vector<double> volumes_;  ///< of the reference, by label
   std::vector<Nearest> nearest_;       ///< by vertex; length 0 where it was not looked at
   double cell_mm_ = 0;
-  std::uint64_t fitted_after_ = 0;  ///< so many operations
+  std::uint32_t fitted_at_ = 0;  ///< after which attempt of the editor
 };
 
 template <class CollapseToOne>

@@ -140,10 +140,10 @@ bool FacetMender::unfold() {
   bool any = true;
   for (int pass = 0; pass < kPasses && any; ++pass) {
     any = false;
-    for (const Edge& e : edges()) {
+    for (const auto& [a, b] : edges()) {
       constexpr int kMostSteps = 6;
       for (int step = 0; step < kMostSteps; ++step) {
-        if (sharpest_fold(e.a, e.b, around) <= editor_.fold_limit(e.a, e.b) || !unfold(e.a, e.b)) break;
+        if (sharpest_fold(a, b, around) <= editor_.fold_limit(a, b) || !unfold(a, b)) break;
         any = true;
       }
     }

@@ -150,7 +150,7 @@ class Scatter {
         if (std::find(here_.begin(), here_.end(), label) == here_.end()) here_.push_back(label);
   }
 
-  /// Whether the point nearest to the boundary of an entry's label is on that of one more label only.
+  /// Whether an entry's nearest point lies between two labels only, whose boundaries are one there.
   bool is_on_one_pair(std::uint32_t entry) const {
     return nearest_[entry] != kNoPoint && on_one_pair_[nearest_[entry]];
   }
