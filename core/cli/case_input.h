@@ -1,4 +1,4 @@
-// What `mesh`, `verify` and `url` take: a volume, a case file or a link, and the options that change it.
+// What the commands that open a case take: a volume, a case file or a link, and the options that change it.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace voxtet {
 
 struct CaseOptions {
-  std::string input;                     ///< volume file, case .json, link, or "-" for none
+  std::string input;                     ///< volume file, case .json, or link
   std::vector<int> labels;               ///< --labels 1,2,5
   std::vector<std::string> merge;        ///< --merge 1,5,6; an empty text: all labels to be meshed
   std::vector<unsigned> look_up;         ///< --look-up

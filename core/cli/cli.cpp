@@ -65,7 +65,8 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
     json failed = report_json(session);
     failed["error"] = error_json(done.error());
     if (output.as_json) print_json(failed);
-    if (!report_path.empty()) write_text_file(report_path, failed.dump(1));
+    if (!report_path.empty())
+      if (Status written = write_text_file(report_path, failed.dump(1)); !written) fail(written.error());
     return fail(done.error());
   }
   if (!out.empty())
@@ -136,7 +137,6 @@ int run_check(const std::string& path, const Output& output) {
 }
 
 int run_phantom(const std::string& name, const std::vector<std::string>& set, const std::string& out) {
-  CaseOptions options;
   Result<Recipe> recipe = with_field(Recipe{}, "source.phantom.kind", name);
   for (const std::string& text : set) {
     if (!recipe) break;
@@ -300,7 +300,7 @@ int run_cli(int argc, const char* const* argv) {
   verify->callback([&] { code = run_verify(options, output); });
 
   CLI::App* check = app.add_subcommand("check", "measure a mesh file");
-  check->add_option("MESH", in, ".vtu .msh .mesh .elem")->required();
+  check->add_option("MESH", in, ".vtu .msh .mesh .elem .carp")->required();
   check->add_flag("--json", output.as_json, "print the report as JSON");
   check->callback([&] { code = run_check(in, output); });
 

@@ -70,8 +70,10 @@ WallLayers::WallLayers(const LabelVolume& volume, std::span<const LayeredWall> w
     if (w == kNowhere || walls[w].layers == 0) continue;
     const std::uint32_t each = walls[w].layers / 2, odd = walls[w].layers % 2;
     const auto surfaces = static_cast<std::uint32_t>(1 + walls[w].field.inner_shares.size());
-    if (last + layers_.size() + std::size_t{surfaces} * each + odd > std::numeric_limits<Label>::max())
+    if (last + layers_.size() + std::size_t{surfaces} * each + odd > std::numeric_limits<Label>::max()) {
+      lacks_labels_ = true;
       return;
+    }
     first_of_[label] = static_cast<std::uint32_t>(layers_.size());
     for (std::uint32_t surface = 0; surface < surfaces; ++surface)
       for (std::uint32_t step = 0; step < each; ++step)

@@ -27,10 +27,13 @@ class WallLayers {
   WallLayers() = default;  ///< no layers
 
   /// Labels of the volume belong to a wall when most of their voxels lie in it; the first such wall has them.
-  /// The fields must outlive this, and hold inner_shares. Layers for which no label is left are not made.
+  /// The fields must outlive this, and hold inner_shares. Layers for which no label is left are not made:
+  /// see lacks_labels().
   WallLayers(const LabelVolume& volume, std::span<const LayeredWall> walls);
 
   bool empty() const { return layers_.empty(); }
+  /// Whether the labels above the volume's highest, up to 65535, are too few for all layers.
+  bool lacks_labels() const { return lacks_labels_; }
   /// Whether a label has layers of this wall, by its number.
   bool has_wall(std::size_t wall) const;
   Label parent(Label label) const { return is_layer(label) ? layers_[label - first_].parent : label; }
@@ -63,6 +66,7 @@ class WallLayers {
   std::vector<Layer> layers_;            ///< by label - first_
   std::vector<std::uint32_t> first_of_;  ///< by parent: place of its first layer, or kNone
   Label first_ = 0;
+  bool lacks_labels_ = false;
 };
 
 /// A surface without the sheets between layers, all labels those of the volume.

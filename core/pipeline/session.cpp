@@ -257,6 +257,14 @@ Status Session::run_remesh(RunContext& ctx) {
   if (Status within = check_limits(*this, ctx); !within) return within;
   const std::vector<std::size_t> exact = exact_walls();
   layers_ = WallLayers(*volume(), layered(exact));
+  if (layers_.lacks_labels())
+    return Error{
+        ErrorCode::kUsage,
+        "remesh",
+        "sizing.thickness: exact layers are labels of their own, above the volume's highest: found " +
+            std::to_string(*std::max_element(volume()->labels.begin(), volume()->labels.end())) +
+            ", expected one that leaves enough of 65535 for them",
+        {}};
   for (std::size_t e = 0; e < exact.size(); ++e)
     if (!layers_.has_wall(e))
       return Error{ErrorCode::kUsage,

@@ -98,8 +98,8 @@ void visit_fields(V& v, SmoothParams& p) {
       {"iterations", "", 0, 1000,
        "Bi-Laplacian steps, and as many again for thick regions of several labels; 0 leaves the staircase."},
       p.iterations);
-  v.field({"step", "", 0, 0.5, "Step of each iteration."}, p.step);
-  v.field({"max_move_voxels", "voxel", 0, 1, "How far a vertex may move along each image axis."},
+  v.field({"step", "", 0.01, 0.49, "Step of each iteration."}, p.step);
+  v.field({"max_move_voxels", "voxel", 0.01, 1, "How far a vertex may move along each image axis."},
           p.max_move_voxels);
   v.field({"keep_volume", "", 0, 0, "Restore each label's volume after smoothing."}, p.keep_volume);
 }
@@ -208,7 +208,7 @@ void visit_fields(V& v, RemeshParams& p) {
                                  {"nothing", KeepTopology::kNothing}});
   v.field({"facet_angle_deg", "deg", 0, 30, "delaunay: lower bound on the triangles' angles."},
           p.facet_angle_deg);
-  v.field({"max_distance_voxels", "voxel", 0.02, 10, "delaunay: distance allowed from triangles to labels."},
+  v.field({"max_distance_voxels", "voxel", 0.01, 10, "delaunay: distance allowed from triangles to labels."},
           p.max_distance_voxels);
   v.choice({"schedule", "", 0, 0, "remesh: adaptive, or the paper's coarsen, refine, optimise."}, p.schedule,
            Choices<remesh::AdaptSchedule>{{"adaptive", remesh::AdaptSchedule::kAdaptive},

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kGapShare = 0.25;     ///< EditLimits::gap_share
 constexpr double kPoorCosine = 0.9;    ///< 26 degrees: planar angles below this are polished
+constexpr int kPasses = 3;             ///< to the sizing field
 constexpr double kWorstCosine = 0.93;  ///< 21.6 degrees: below this with changes around
 
 class Adapter : public HealingPasses {
@@ -61,9 +62,11 @@ bool Adapter::polish() {
 /// Triangles that no single operation has opened.
 bool Adapter::open_worst_angles() {
   const ComplexMesh& mesh = editor_.mesh();
-  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t)
+  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
+    if (cancelled_at(t)) return false;
     if (mesh.alive(t) && sharpest_cosine(mesh.corners(mesh.triangle(t))) > kWorstCosine) open_worst_angle(t);
-  return !ctx_.cancelled();
+  }
+  return true;
 }
 
 /// Whatever leaves no angle as small, once what it spoils around is healed.
@@ -110,8 +113,8 @@ bool Adapter::coarsen_in_steps() {
 
 bool Adapter::run_adaptive() {
   if (!coarsen_in_steps()) return false;
-  for (int pass = 0; pass < params_.passes; ++pass) {
-    if (!step(0.3 + 0.6 * pass / params_.passes)) return false;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    if (!step(0.3 + 0.6 * pass / kPasses)) return false;
     if (!coarsen_to(kShortest) || !refine() || !flip_all() || !relocate_all() || !open_angles(kPoorCosine) ||
         !relocate_all())
       return false;
@@ -132,8 +135,8 @@ bool Adapter::run_paper() {
     if (!quarter()) return false;
     if (operations_.accepted[0] == before) break;
   }
-  for (int pass = 0; pass < params_.passes; ++pass) {
-    if (!step(0.6 + 0.3 * pass / params_.passes)) return false;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    if (!step(0.6 + 0.3 * pass / kPasses)) return false;
     // Triangles that close the neighbours of those cut in four are small: the worst go.
     if (!coarsen_to(0.75 * kShortest) || !refine() || !flip_all() || !relocate_all() || !relocate_all())
       return false;
@@ -148,20 +151,24 @@ bool Adapter::quarter() {
   const ComplexMesh& mesh = editor_.mesh();
   constexpr double kSqrt2 =
       1.4142135623730951;  // edges of this length are too long by as much as halves too short
-  std::vector<CurveEdge> marked;
+  std::vector<Edge> marked;
   for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
     if (!mesh.alive(t)) continue;
     const auto& [a, b, c] = mesh.triangle(t);
     if (editor_.metric_length(a, b) + editor_.metric_length(b, c) + editor_.metric_length(c, a) <= 3 * kSqrt2)
       continue;
-    for (const auto& [u, w] : {CurveEdge{a, b}, CurveEdge{b, c}, CurveEdge{c, a}})
+    for (const auto& [u, w] : {Edge{a, b}, Edge{b, c}, Edge{c, a}})
       marked.push_back({std::min(u, w), std::max(u, w)});
   }
   std::sort(marked.begin(), marked.end());
   marked.erase(std::unique(marked.begin(), marked.end()), marked.end());
   const auto old_count = static_cast<std::uint32_t>(mesh.vertex_count());
-  for (const auto& [a, b] : marked) operations_.split(a, b);
-  for (std::uint32_t v = old_count; v < mesh.vertex_count(); ++v)
+  for (std::size_t i = 0; i < marked.size(); ++i) {
+    if (cancelled_at(i)) return false;
+    operations_.split(marked[i][0], marked[i][1]);
+  }
+  for (std::uint32_t v = old_count; v < mesh.vertex_count(); ++v) {
+    if (cancelled_at(v)) return false;
     for (const std::uint32_t other : std::vector<std::uint32_t>(operations_.neighbours(v))) {
       if (other >= old_count || mesh.is_curve(v, other)) continue;
       std::uint32_t opposite_new = 0;
@@ -170,7 +177,8 @@ bool Adapter::quarter() {
           opposite_new += third_corner(mesh.triangle(t), v, other) >= old_count ? 1 : 0;
       if (opposite_new == 2) operations_.flip(v, other, Demand::kAllowed);
     }
-  return !ctx_.cancelled();
+  }
+  return true;
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "types/result.h"
 #include "types/run_context.h"
@@ -26,20 +24,13 @@ struct AdaptParams {
   double min_dihedral_deg = 25;  ///< nor angles between facets at junctions of labels; inside a surface the
                                  ///< larger of this and 60 holds
   double shape_weight = 0.7;     ///< relocation: 0 sizes alone, 1 shapes alone
-  int passes = 3;
   bool verify = false;  ///< after every operation, look from scratch for intersections around it (slow)
 };
 
-/// What was done and what was refused, for the report and the tests.
+/// What was done, for the report and the tests.
 struct AdaptRecord {
   std::array<std::uint64_t, 4> accepted{};  ///< splits, collapses, flips, relocations
-  struct Refusal {
-    std::string reason;  ///< "link", "length", "angle", "curve", "normal", "envelope", "reverse",
-                         ///< "intersection", "dihedral", "gap", "ball"; an attempt counts for its first
-    std::uint64_t count = 0;
-  };
-  std::vector<Refusal> refused;
-  std::uint64_t violations = 0;  ///< found by `verify`; expected 0
+  std::uint64_t violations = 0;             ///< found by `verify`; expected 0
 };
 
 /// Adapts `reference` (closed for every label, manifold for every label, free of self-intersections) to

@@ -41,13 +41,6 @@ AdaptPasses::AdaptPasses(const ComplexMesh& mesh, const ComplexMesh& reference,
   limits.verify = params.verify;
 }
 
-AdaptRecord AdaptPasses::record() const {
-  AdaptRecord record{operations_.accepted, {}, editor_.violations()};
-  for (std::size_t i = 1; i < kReasonNames.size(); ++i)
-    record.refused.push_back({kReasonNames[i], editor_.refusals(static_cast<Reason>(i))});
-  return record;
-}
-
 std::vector<Edge> AdaptPasses::edges() const {
   const ComplexMesh& mesh = editor_.mesh();
   std::vector<Edge> out;
@@ -90,21 +83,28 @@ bool AdaptPasses::refine() {
     if (const double length = editor_.metric_length(e[0], e[1]); length > kLongest)
       all.push_back({length, e});
   std::stable_sort(all.begin(), all.end(), [](const auto& p, const auto& q) { return p.first > q.first; });
-  for (const auto& [length, e] : all)
-    if (editor_.mesh().edge_degree(e[0], e[1]) > 0) operations_.split(e[0], e[1]);
-  return !ctx_.cancelled();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (cancelled_at(i)) return false;
+    const auto& [a, b] = all[i].second;
+    if (editor_.mesh().edge_degree(a, b) > 0) operations_.split(a, b);
+  }
+  return true;
 }
 
 bool AdaptPasses::flip_all() {
-  for (const auto& [a, b] : edges())
+  const std::vector<Edge> all = edges();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (cancelled_at(i)) return false;
+    const auto& [a, b] = all[i];
     if (editor_.mesh().edge_degree(a, b) > 0 && operations_.valence_gain(a, b) > 0)
       operations_.flip(a, b, Demand::kAllowed);
-  return !ctx_.cancelled();
+  }
+  return true;
 }
 
 bool AdaptPasses::relocate_all() {
   for (std::uint32_t v = 0; v < editor_.mesh().vertex_count(); ++v) {
-    if (v % 4096 == 0 && ctx_.cancelled()) return false;
+    if (cancelled_at(v)) return false;
     if (alive(v)) operations_.relocate(v);
   }
   return true;
@@ -112,9 +112,11 @@ bool AdaptPasses::relocate_all() {
 
 bool AdaptPasses::open_angles(double limit_cosine) {
   const ComplexMesh& mesh = editor_.mesh();
-  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t)
+  for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
+    if (cancelled_at(t)) return false;
     if (mesh.alive(t) && sharpest_cosine(mesh.corners(mesh.triangle(t))) > limit_cosine) open_angle(t);
-  return !ctx_.cancelled();
+  }
+  return true;
 }
 
 bool AdaptPasses::open_angle(std::uint32_t t) {
@@ -154,9 +156,13 @@ double AdaptPasses::sharpest_fold(std::uint32_t a, std::uint32_t b,
 
 bool AdaptPasses::open_folds() {
   std::vector<std::uint32_t> around;
-  for (const auto& [a, b] : edges())
+  const std::vector<Edge> all = edges();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (cancelled_at(i)) return false;
+    const auto& [a, b] = all[i];
     if (sharpest_fold(a, b, around) > editor_.fold_limit(a, b)) open_fold(a, b, around);
-  return !ctx_.cancelled();
+  }
+  return true;
 }
 
 bool AdaptPasses::open_fold(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& around) {

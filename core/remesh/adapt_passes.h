@@ -11,6 +11,7 @@
 #include "remesh/complex_editor.h"
 #include "remesh/correspondence.h"
 #include "remesh/local_operations.h"
+#include "remesh/stage.h"
 #include "types/run_context.h"
 #include "types/sizing_field.h"
 
@@ -28,7 +29,7 @@ class AdaptPasses {
               const SizingField& sizing, const AdaptParams& params, RunContext& ctx);
 
   SurfaceMesh surface() const { return editor_.mesh().to_surface(); }
-  AdaptRecord record() const;
+  AdaptRecord record() const { return {operations_.accepted, editor_.violations()}; }
 
  protected:
   static constexpr double kShortest = 4.0 / 5, kLongest = 4.0 / 3;  ///< Botsch and Kobbelt 2004
@@ -70,9 +71,11 @@ class AdaptPasses {
 
   bool alive(std::uint32_t v) const { return !editor_.mesh().star(v).empty(); }
   bool step(double share) {
-    ctx_.progress("remesh", share);
+    ctx_.progress(kRemeshStage, share);
     return !ctx_.cancelled();
   }
+  /// Whether the run is cancelled, asked every few thousand items of a pass.
+  bool cancelled_at(std::size_t item) const { return item % 4096 == 0 && ctx_.cancelled(); }
 
   const AdaptParams& params_;
   RunContext& ctx_;
@@ -103,7 +106,7 @@ bool AdaptPasses::coarsen(double shortest, CollapseToOne&& collapse_to_one) {
   const double longest = std::min(kLongest, 2.2 * shortest);
   nearest_.resize(mesh.vertex_count());
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    if (v % 4096 == 0 && ctx_.cancelled()) return false;
+    if (cancelled_at(v)) return false;
     if (!alive(v) || mesh.stratum(v) == Stratum::kCorner) continue;
     near.clear();
     if (!known_apart(v, shortest)) {

@@ -45,8 +45,6 @@ enum class Reason : std::uint8_t {
   kGap,
   kBall,
 };
-inline constexpr std::array<const char*, 12> kReasonNames = {
-    "",         "link",    "length",       "angle",    "curve", "normal",
-    "envelope", "reverse", "intersection", "dihedral", "gap",   "ball"};
+inline constexpr std::size_t kReasonCount = 12;
 
 }  // namespace voxtet::remesh

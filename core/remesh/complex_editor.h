@@ -173,7 +173,7 @@ class ComplexEditor {
   std::vector<std::uint32_t> hints_, changed_at_;
   std::vector<Eigen::Vector3d> normals_;
   std::vector<EmptyBalls> balls_;  ///< by slot, before any other vertex is known
-  std::array<std::uint64_t, kReasonNames.size()> refusals_{};
+  std::array<std::uint64_t, kReasonCount> refusals_{};
   std::uint64_t violations_ = 0;
   /// Of triangles as they are, by slot, on the lattice of that spacing; distance2 < 0 where not known.
   mutable std::vector<Breach> breaches_;

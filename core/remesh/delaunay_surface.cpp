@@ -20,6 +20,7 @@
 #include "remesh/relabel_cells.h"
 #include "remesh/relax_surface.h"
 #include "remesh/seed_interfaces.h"
+#include "remesh/stage.h"
 #include "remesh/suspect_voxels.h"
 
 namespace voxtet::remesh {
@@ -115,16 +116,19 @@ struct Nearest {
   std::int64_t differences;
 };
 
-/// The volumes that labels and their layers are to have: a layer keeps its part of its parent's.
+/// The volumes that labels and their layers are to have: a layer, and what of its parent lies outside of the
+/// wall, keeps its part of the parent's.
 std::vector<double> with_layers_mm3(std::vector<double> volumes, const SurfaceMesh& surface,
                                     const WallLayers& layers) {
   const std::vector<double> now = enclosed_volumes_mm3(surface);
   std::vector<double> parents(volumes.size(), 0);
   for (std::size_t l = 1; l < now.size(); ++l) parents[layers.parent(static_cast<Label>(l))] += now[l];
+  const std::vector<double> whole = volumes;
   volumes.resize(std::max(volumes.size(), now.size()), 0);
   for (std::size_t l = 1; l < now.size(); ++l) {
     const Label parent = layers.parent(static_cast<Label>(l));
-    if (parent != l && parents[parent] > 0) volumes[l] = now[l] * volumes[parent] / parents[parent];
+    const bool is_part = parent != l || now[l] != parents[l];
+    if (is_part && parents[parent] > 0) volumes[l] = now[l] * whole[parent] / parents[parent];
   }
   return volumes;
 }
@@ -138,7 +142,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   const VoxelPieces pieces = find_pieces(field);
   const std::vector<double> volumes = enclosed_volumes_mm3(reference);
   const Seeds seeds = seed_interfaces(field, reference, sizing);
-  if (ctx.cancelled()) return cancelled_error("remesh");
+  if (ctx.cancelled()) return cancelled_error(kRemeshStage);
   DelaunayRefiner refiner(field, sizing,
                           {params.facet_angle_deg, params.max_distance_voxels * voxel, 1 / kEdgePerRadius});
   refiner.insert(seeds.points, kSeedSeparation * voxel);
@@ -150,7 +154,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   bool was_sound = false;
   for (;;) {
     if (!refiner.refine(ctx, std::max(seeds.predicted_vertices, static_cast<double>(refiner.vertex_count()))))
-      return cancelled_error("remesh");
+      return cancelled_error(kRemeshStage);
     CellComplex cells = refiner.cells();
     std::vector<InterfaceFacet> flawed;
     drop_fragments(cells, field, pieces, &flawed);
@@ -162,7 +166,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     drop_fragments(cells, field, pieces);
     mend_parents(cells, field);
     SurfaceMesh surface = extract_interface(cells);
-    if (ctx.cancelled()) return cancelled_error("remesh");
+    if (ctx.cancelled()) return cancelled_error(kRemeshStage);
     const SurfaceMesh merged = merge_layers(surface, field.layers());
     std::optional<std::vector<Label>> broken;
     std::vector<bool> suspects;  // empty: none, or all
@@ -206,7 +210,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
     relax_surface(surface, sizing);
     fit_surface(surface, field, reference, with_layers_mm3(volumes, surface, field.layers()));
-    if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error("remesh");
+    if (untangle(surface, unmoved, ctx).cancelled) return cancelled_error(kRemeshStage);
     return surface;
   }
 }

@@ -35,7 +35,7 @@ bool FacetMender::come_nearer() {
     const std::uint32_t now = editor_.attempts();
     any = false;
     for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
-      if (t % 4096 == 0 && ctx_.cancelled()) return false;
+      if (cancelled_at(t)) return false;
       if (!mesh.alive(t)) continue;
       const Triangle& corners = mesh.triangle(t);
       if (pass > 0 && std::none_of(corners.begin(), corners.end(),
@@ -140,14 +140,16 @@ bool FacetMender::unfold() {
   bool any = true;
   for (int pass = 0; pass < kPasses && any; ++pass) {
     any = false;
-    for (const auto& [a, b] : edges()) {
+    const std::vector<Edge> all = edges();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (cancelled_at(i)) return false;
+      const auto& [a, b] = all[i];
       constexpr int kMostSteps = 6;
       for (int step = 0; step < kMostSteps; ++step) {
         if (sharpest_fold(a, b, around) <= editor_.fold_limit(a, b) || !unfold(a, b)) break;
         any = true;
       }
     }
-    if (ctx_.cancelled()) return false;
   }
   return true;
 }

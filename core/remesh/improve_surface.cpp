@@ -109,7 +109,7 @@ bool Improver::relocate_touched() {
   for (int round = 0; round < kRounds; ++round) {
     lift_towards_volumes();
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-      if (v % 4096 == 0 && ctx_.cancelled()) return false;
+      if (cancelled_at(v)) return false;
       if (touched[v] && alive(v)) operations_.relocate(v);
     }
   }

@@ -14,7 +14,7 @@ namespace voxtet::remesh {
 /// junction curves and around what changed relocated, facets brought nearer. Each operation is one of
 /// adapt_complex's transactions, so topology is kept and nothing intersects; one that leaves planar angles
 /// below params.min_angle_deg is followed by others that open them, or taken back. Where the surface breaks a
-/// limit already it does not become worse. params.schedule and params.passes do not matter.
+/// limit already it does not become worse. params.schedule does not matter.
 ///
 /// Deterministic. Errors: kCancelled, kOutOfMemory.
 Result<SurfaceMesh> improve_surface(const SurfaceMesh& surface, const SurfaceMesh& reference,

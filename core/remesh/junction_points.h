@@ -2,17 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstdint>
 #include <vector>
 
+#include "geometry/adjacency.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 
 namespace voxtet::remesh {
-
-/// The ends of an edge, the lower first.
-using Edge = std::array<std::uint32_t, 2>;
 
 /// Edges of three and more triangles, sorted.
 std::vector<Edge> junction_edges(const SurfaceMesh& surface);

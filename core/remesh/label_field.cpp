@@ -268,7 +268,8 @@ bool LabelField::corner_differences(const Eigen::Vector3d& mm, Label a, Label b,
 }
 
 Eigen::Vector3d LabelField::gradient(const Eigen::Vector3d& mm, Label a, Label b) const {
-  if (share_parent(a, b)) return layers_.lead_gradient(mm, a, b);
+  if (share_parent(a, b))
+    return both_layers(a, b) ? layers_.lead_gradient(mm, a, b) : Eigen::Vector3d::Zero();
   a = layers_.parent(a), b = layers_.parent(b);
   std::array<double, 3> t{};
   std::array<double, 8> difference{};
@@ -278,6 +279,7 @@ Eigen::Vector3d LabelField::gradient(const Eigen::Vector3d& mm, Label a, Label b
 
 std::optional<double> LabelField::distance(const Eigen::Vector3d& mm, Label a, Label b) const {
   if (share_parent(a, b)) {
+    if (!both_layers(a, b)) return std::nullopt;
     const double slope = layers_.lead_gradient(mm, a, b).norm();
     return slope > 0 ? std::optional<double>(layers_.lead(mm, a, b) / slope) : std::nullopt;
   }

@@ -94,8 +94,9 @@ class LabelField {
   /// crossing() of labels of the volume.
   Eigen::Vector3d parent_crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b,
                                   Label label_b, Label& other) const;
-  /// Whether two labels are layers of one label.
+  /// Whether two labels are layers of one label, or one of them is what is left of it outside of the wall.
   bool share_parent(Label a, Label b) const { return layers_.parent(a) == layers_.parent(b); }
+  bool both_layers(Label a, Label b) const { return layers_.is_layer(a) && layers_.is_layer(b); }
 
   void build_cells(const LabelDistances& distances);
   /// The code of a cell in which more than one label can win.

@@ -42,8 +42,6 @@ class ReferenceComplex {
         for (const std::uint32_t v : triangles_[t])
           if (v != r) visit(v);
   }
-  /// The two neighbours along the curve of a vertex on one.
-  const std::array<std::uint32_t, 2>& along_curve(std::uint32_t r) const { return curve_[r]; }
 
   /// A near point on the sheets of `pair`, found by walking downhill from vertex `hint`, which must have a
   /// triangle of the pair; `hint` becomes the vertex reached. It stays on the sheet where it starts, so it

@@ -8,6 +8,7 @@
 
 #include "geometry/delaunay_triangulation.h"
 #include "geometry/level_stacks.h"
+#include "remesh/stage.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -221,7 +222,7 @@ bool DelaunayRefiner::refine(RunContext& ctx, double predicted_vertices) {
     if (!facet) return true;
     if (round % kPollEvery == 0) {
       if (ctx.cancelled()) return false;
-      ctx.progress("remesh", std::min(0.95, 0.1 + 0.8 * m.next_vertex / (1 + predicted_vertices)));
+      ctx.progress(kRemeshStage, std::min(0.95, 0.1 + 0.8 * m.next_vertex / (1 + predicted_vertices)));
     }
     if (facet->cell->info().serial != facet->serial) continue;
     const Cell other = facet->cell->neighbor(facet->facet);

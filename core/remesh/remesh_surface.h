@@ -45,7 +45,8 @@ struct RemeshParams {
 /// With `layers` the sheets between them are interfaces too (delaunay alone; a warning tells when the other
 /// method had to be taken, without sheets): merge_layers() takes them out.
 ///
-/// Errors: kBadInput for malformed values; kUsage for layers with method remesh; kCancelled; kOutOfMemory.
+/// Errors: kBadInput for malformed values; kUsage for layers with method remesh; kCancelled; kOutOfMemory;
+/// kInternal where the triangulation fails.
 Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& label_surface,
                                    const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
                                    const WallLayers& layers = {});

@@ -54,7 +54,7 @@ enum class Layering {
 };
 
 /// Size by the thickness t of a wall. `layers` > 0: t / layers. By size alone, of a shell's area 99 % has
-/// exactly two layers where two are wished, 94 % exactly three or four, and most of it two where one is
+/// exactly two layers where two are wished, 93 or 94 % exactly three or four, and most of it two where one is
 /// wished (core/README.md). Else linear, from edge_thin_mm where t <= thin_mm to edge_thick_mm where
 /// t >= thick_mm; with both of these 0 they are the first and the last percentile of t.
 struct ThicknessSize {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "sizing/stage.h"
+
 namespace voxtet {
 namespace {
 
@@ -22,7 +24,7 @@ class Checker {
     refuse(message.str());
   }
   void refuse(const std::string& message) {
-    if (!error_) error_ = Error{ErrorCode::kUsage, "sizing", message, {}};
+    if (!error_) error_ = Error{ErrorCode::kUsage, kSizingStage, message, {}};
   }
   void positive(const std::string& field, double value) {
     require(std::isfinite(value) && value > 0, field, value, "a finite length > 0 mm");

@@ -9,6 +9,7 @@
 #include "geometry/surface_curvature.h"
 #include "geometry/surface_measures.h"
 #include "sizing/limit_gradation.h"
+#include "sizing/stage.h"
 
 namespace voxtet {
 namespace {
@@ -140,7 +141,8 @@ Result<MeshForecast> MeshForecaster::forecast(const SizingField& sizing, const R
   std::vector<float> edge_mm = sizing.h_mm;
   for (std::size_t at = 0; at < edge_mm.size(); ++at)
     if (weights[at] > 0) edge_mm[at] = std::min(edge_mm[at], std::sqrt(weights[at] / demand[at]));
-  if (!limit_gradation(sizing.size, volume_.linear(), kRise, edge_mm, ctx)) return cancelled_error("sizing");
+  if (!limit_gradation(sizing.size, volume_.linear(), kRise, edge_mm, ctx))
+    return cancelled_error(kSizingStage);
   out.tets = kTetsPerVolume * tets_per_volume(volume_, sizing, edge_mm);
   out.points = kPointsPerTet * out.tets + kPointsPerTriangle * out.triangles;
   return out;

@@ -156,7 +156,10 @@ class Optimiser {
     const std::vector<std::uint32_t> vertices = vertices_of(bad_tets(goal), true);
     slider_.approach(vertices);
     unless_walls_meet([&] {
-      for (const std::uint32_t v : vertices) counts_.slid += slider_.slide(v, goal);
+      for (const std::uint32_t v : vertices) {
+        if (cancelled()) return;
+        counts_.slid += slider_.slide(v, goal);
+      }
     });
     counts_.flipped += flipper_.flip(tets_of(bad_tets(goal)));
   }

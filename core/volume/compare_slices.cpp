@@ -64,7 +64,7 @@ void compare_slices(const LabelVolume& before, const LabelVolume& after, const R
   std::string topology, grown, split;
   for (std::size_t label = 1; label < mm3.size(); ++label) {
     if (mm3[label] <= 0) continue;
-    const std::string name = std::to_string(label);
+    const std::string name = "label " + std::to_string(label);
     const double share = change[label] / mm3[label] - 1;
     largest = std::max(largest, std::abs(share));
     if (std::abs(share) > kVolumeChange) add(grown, name + " by " + shown(100 * share, "%+.2f") + " %");
@@ -76,10 +76,9 @@ void compare_slices(const LabelVolume& before, const LabelVolume& after, const R
   }
   ctx.note("volume", "thick slices interpolated: " + grid_of(before) + " to " + grid_of(after) +
                          "; label volumes kept within " + shown(100 * largest, "%.2f") + " %");
-  if (!topology.empty())
-    ctx.note("volume", "components and Euler number of labels after interpolation: " + topology);
-  if (!grown.empty()) ctx.warn("volume", "interpolation changed the volume of label " + grown);
-  if (!split.empty()) ctx.warn("volume", "interpolation split label " + split + " into more components");
+  if (!topology.empty()) ctx.note("volume", "components and Euler number after interpolation: " + topology);
+  if (!grown.empty()) ctx.warn("volume", "interpolation changed the volume of " + grown);
+  if (!split.empty()) ctx.warn("volume", "interpolation split " + split + " into more components");
 }
 
 }  // namespace voxtet::slices

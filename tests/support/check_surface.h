@@ -24,7 +24,6 @@ struct LabelTopology {
   long euler() const {
     return static_cast<long>(points) - static_cast<long>(edges) + static_cast<long>(triangles);
   }
-  bool closed_manifold() const { return bad_edges == 0 && pinched_points == 0; }
 };
 
 class DisjointSets {

@@ -63,7 +63,8 @@ bool names_label(const Session& session, Label label) {
     const std::vector<std::string>& notes = session.record(static_cast<Stage>(i)).notes;
     messages.insert(messages.end(), notes.begin(), notes.end());
   }
-  const std::regex name("\\blabels?\\b[^.;]*\\b" + std::to_string(label) + "\\b");
+  // "label 3", or one of "labels 1, 3 and 4"; other numbers of a message name nobody.
+  const std::regex name("\\blabels? (\\d+(, | and ))*" + std::to_string(label) + "\\b");
   return std::any_of(messages.begin(), messages.end(),
                      [&](const std::string& text) { return std::regex_search(text, name); });
 }

@@ -23,8 +23,10 @@ class Findings {
   void add_error(const std::string& name, const Error& error) {
     add(name, {}, {to_string(error.code) + ": " + error.message});
   }
-  /// Writes the file (no name: none), prints the failures. Exit code of the program.
-  int finish(const std::string& json_file) const {
+  /// Writes the file (no name: none), prints the failures. Exit code of the program. No row is a failure:
+  /// nothing was measured.
+  int finish(const std::string& json_file) {
+    if (rows_.empty()) failures_.push_back("no case has such a name");
     if (!json_file.empty())
       std::ofstream(json_file) << nlohmann::json{{"rows", rows_}, {"failures", failures_}}.dump(1) << '\n';
     std::printf("\n%zu failures\n", failures_.size());

@@ -6,6 +6,8 @@
 
 namespace voxtet::sweep {
 
+inline constexpr const char* kNotThere = "the volume is not there: set VOXTET_DATA";
+
 /// The affine is rounded to single precision, as NIfTI stores it.
 inline Status load_labels(const LabelVolume& volume, Session& session) {
   const Result<Bytes> file = write_nifti(volume, false);

@@ -21,9 +21,17 @@ SUFFIXES = (".nii", ".nii.gz", ".nrrd", ".mha", ".mhd")
 def add_options(parser):
     parser.add_argument("--engine", default="native", help="native, wasm, or the path of a command line")
     parser.add_argument("--method", help="remesh.method of the recipe")
-    parser.add_argument("--check", type=pathlib.Path, default=CHECK, help="check_mesh.py; default: $VOXTET_CHECK_MESH, or ../tools beside the data")
     parser.add_argument("--timeout", type=float, default=1800, help="seconds a command may take")
     parser.add_argument("--json", help="write all figures to this file")
+
+
+def add_check(parser):
+    parser.add_argument("--check", type=pathlib.Path, default=CHECK, help="check_mesh.py; default: $VOXTET_CHECK_MESH, or ../tools beside the data")
+
+
+def method(options):
+    """Arguments of the command line for the method that was asked for."""
+    return ["--set", f"remesh.method={options.method}"] if options.method else []
 
 
 def engine(options):
@@ -65,9 +73,8 @@ def read_labels(path):
 def mesh(volume, mesh_file, edge_mm, options, arguments=()):
     """Meshes a volume by the command line. `report` is its JSON, {} without one; `failures` what went wrong."""
     report_file = pathlib.Path(str(mesh_file) + ".json")
-    method = ["--set", f"remesh.method={options.method}"] if options.method else []
     done = run([*engine(options), "mesh", volume, "--edge-mm", f"{edge_mm:.6g}", "-o", mesh_file,
-                "--report", report_file, *method, *arguments], options.timeout)
+                "--report", report_file, *method(options), *arguments], options.timeout)
     done["report"] = json.loads(report_file.read_text()) if report_file.exists() else {}
     lines = [line for line in done["err"].splitlines() if line.strip()]
     done["failures"] = [] if done["code"] == 0 else [f"exit code {done['code']}: {lines[-1][:300] if lines else ''}"]
@@ -89,7 +96,8 @@ def check(mesh_file, volume, options, labels=None):
 
 
 def finish(rows, failures, options, title):
-    """Prints what failed, writes the JSON file, gives the exit code."""
+    """Prints what failed, writes the JSON file, gives the exit code. No row is a failure: nothing was measured."""
+    failures = failures if rows or failures else ["no case has such a name"]
     if options.json:
         pathlib.Path(options.json).write_text(json.dumps({"title": title, "rows": rows, "failures": failures}, indent=1) + "\n")
     print(f"\n{len(failures)} failures" + "".join("\n- " + text for text in failures))

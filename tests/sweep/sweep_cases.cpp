@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
       const std::string name = name_of(c, method), path = test::shared_data(c.file);
       if (name.find(only) == std::string::npos) continue;
       if (path.empty()) {
-        findings.add(name, {}, {"the volume is not there: set VOXTET_DATA"});
+        findings.add(name, {}, {kNotThere});
         continue;
       }
       Session session;

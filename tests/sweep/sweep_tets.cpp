@@ -110,14 +110,14 @@ void print_row(const std::string& name, const TetFigures& f) {
 }
 
 /// Distance to the label surface and log2(edge / wish) of one of the session's meshes.
-void print_fidelity(const char* what, const TetMesh& mesh, const Session& session, nlohmann::json& row) {
+Status print_fidelity(const char* what, const TetMesh& mesh, const Session& session, nlohmann::json& row) {
   RunContext ctx;
   const Result<QualityReport> report =
       measure_quality(mesh,
                       {*session.volume(), *session.selected_volume(), *session.smooth(), *session.remeshed(),
                        *session.sizing()},
                       {}, ctx);
-  if (!report) return;
+  if (!report) return report.error();
   double volume_error = 0;
   for (const LabelFidelity& label : report->labels)
     volume_error = std::max(volume_error, std::abs(label.volume_error_percent));
@@ -134,6 +134,7 @@ void print_fidelity(const char* what, const TetMesh& mesh, const Session& sessio
                            {"max_voxels", report->mesh_to_surface.max_mm / voxel},
                            {"volume_error_percent", volume_error},
                            {"passed", report->passed()}};
+  return std::monostate{};
 }
 
 Status set_fields(const std::vector<std::string>& fields, Session& session) {
@@ -170,9 +171,8 @@ int main(int argc, char** argv) {
       const std::string name = name_of(c, method), path = test::shared_data(c.file);
       if (name.find(only) == std::string::npos) continue;
       Session session;
-      Status ready =
-          path.empty() ? Error{ErrorCode::kBadInput, "sweep", "the volume is not there: set VOXTET_DATA", {}}
-                       : open_case(c, path, method, session);
+      Status ready = path.empty() ? Error{ErrorCode::kBadInput, "sweep", kNotThere, {}}
+                                  : open_case(c, path, method, session);
       if (ready) ready = set_fields(fields, session);
       const Result<TetFigures> figures = ready ? measure(session) : ready.error();
       if (!figures) {
@@ -182,12 +182,14 @@ int main(int argc, char** argv) {
       print_row(name, *figures);
       nlohmann::json row = figures_json(*figures);
       row["digest"] = digest_of(*session.mesh());
-      if (fidelity) {
-        print_fidelity("before", *session.filled(), session, row);
-        print_fidelity("after", *session.mesh(), session, row);
-      }
+      std::vector<std::string> failures = judge(c, *figures);
+      if (fidelity)
+        for (const auto& [what, mesh] :
+             {std::pair{"before", session.filled()}, std::pair{"after", session.mesh()}})
+          if (const Status measured = print_fidelity(what, *mesh, session, row); !measured)
+            failures.push_back(std::string(what) + ": " + measured.error().message);
       std::fflush(stdout);
-      findings.add(name, row, judge(c, *figures));
+      findings.add(name, row, failures);
     }
   return findings.finish(line.json_file);
 }

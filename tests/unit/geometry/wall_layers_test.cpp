@@ -82,6 +82,18 @@ TEST(WallLayers, AreNoneForLabelsOutsideOfTheWall) {
   EXPECT_EQ(layers.at(3, {6, 100, 1}), 3) << "nothing is known there";
 }
 
+TEST(WallLayers, NeedLabelsAboveTheVolumes) {
+  const WallField field = flat_wall(false);
+  const std::vector<LayeredWall> walls{{field, 3}};
+  LabelVolume high = volume();
+  high.labels[134] = 65532;
+  EXPECT_FALSE(WallLayers(high, walls).lacks_labels());
+  high.labels[134] = 65533;
+  const WallLayers layers(high, walls);
+  EXPECT_TRUE(layers.lacks_labels());
+  EXPECT_TRUE(layers.empty());
+}
+
 TEST(WallLayers, GoAgainFromSurfacesAndTets) {
   const WallField field = flat_wall(false);
   const std::vector<LayeredWall> walls{{field, 2}};

@@ -129,6 +129,27 @@ TEST(Layers, PassThroughTheInterfacesOfAWallOfTwoLabels) {
   EXPECT_GE(found.exact, 0.9);
 }
 
+TEST(Layers, LeaveAloneWhatOfAMergedLabelLiesOutsideOfTheWall) {
+  const test::Body body{[](const Eigen::Vector3d& p) -> Label {
+                          if (p.norm() < 20) return p.norm() < 14 ? 2 : 1;
+                          return (p - Eigen::Vector3d(24, 0, 0)).norm() < 9 ? 5 : 0;
+                        },
+                        {},
+                        34};
+  const LabelVolume volume = test::sample(body, Eigen::Vector3d::Ones(), {0, 0, 0});
+  Recipe recipe = exact_recipe(2);
+  recipe.labels = {1, 5};
+  recipe.merge = {{1, 5}};
+  Session session;
+  const Status done = mesh_volume(volume, recipe, session);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  test::check_tets(*session.mesh());
+  EXPECT_TRUE(session.quality()->passed());
+  EXPECT_TRUE(session.quality()->topology.differences.empty());
+  EXPECT_NEAR(session.quality()->labels.at(0).volume_error_percent, 0, 0.5);
+  EXPECT_GE(session.quality()->layers.at(0).by_edges.exact, 0.9);
+}
+
 TEST(Layers, KeepLabelsThatTouchThemselvesWhereNoLayerDoes) {
   Recipe recipe = exact_recipe(3);
   recipe.source.phantom.emplace().spacing_mm.setConstant(2.5);
