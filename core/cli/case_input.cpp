@@ -1,6 +1,7 @@
 #include "cli/case_input.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,7 @@ Result<std::pair<std::string, std::string>> split_pair(const std::string& option
 Result<double> to_number(const std::string& option, const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0')
+  if (text.empty() || *end != '\0' || !std::isfinite(value))
     return usage_error("cli", option + ": found '" + text + "', expected a number");
   return value;
 }
@@ -118,6 +119,8 @@ Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
     if (!group) return group.error();
     json["merge"].push_back(std::move(group).value());
   }
+  if (!std::isfinite(options.edge_mm))
+    return usage_error("cli", "--edge-mm: found " + std::to_string(options.edge_mm) + ", expected a number");
   if (options.edge_mm != 0) json["sizing"]["edge_mm"] = options.edge_mm;
   const Result<nlohmann::json> edges = to_edges("--edge-label", options.edge_labels);
   if (!edges) return edges.error();

@@ -34,8 +34,20 @@ struct Output {
   PatientSpace space() const { return lps_or_ras == "lps" ? PatientSpace::kLps : PatientSpace::kRas; }
 };
 
+/// Names that are not UTF-8, as files may have, lose the bytes that JSON cannot hold.
+std::string text_of(const json& value) {
+  return value.dump(1, ' ', false, json::error_handler_t::replace);
+}
+
 void print_json(const json& value) {
-  std::printf("%s\n", value.dump(1).c_str());
+  std::printf("%s\n", text_of(value).c_str());
+}
+
+/// Prints why a run ended; nothing but the time limit cancels one.
+int fail_run(Error error, const Output& output) {
+  if (error.code == ErrorCode::kCancelled)
+    error.message = "given up after the " + json(output.time_limit_s).dump() + " s of --time-limit";
+  return fail(error);
 }
 
 bool is_nifti_name(const std::string& path) {
@@ -57,6 +69,9 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
              const Output& output) {
   if (!out.empty())
     if (Result<MeshFormat> format = mesh_format_of(out); !format) return fail(format.error());
+  for (const std::string& path : {out, report_path})
+    if (!path.empty())
+      if (Status there = check_place(path); !there) return fail(there.error());
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
@@ -66,8 +81,8 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
     failed["error"] = error_json(done.error());
     if (output.as_json) print_json(failed);
     if (!report_path.empty())
-      if (Status written = write_text_file(report_path, failed.dump(1)); !written) fail(written.error());
-    return fail(done.error());
+      if (Status written = write_text_file(report_path, text_of(failed)); !written) fail(written.error());
+    return fail_run(done.error(), output);
   }
   if (!out.empty())
     if (const int code = export_mesh(*session.mesh(), session.volume()->infos,
@@ -76,7 +91,8 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
       return code;
   const json report = report_json(session);
   if (!report_path.empty())
-    if (Status written = write_text_file(report_path, report.dump(1)); !written) return fail(written.error());
+    if (Status written = write_text_file(report_path, text_of(report)); !written)
+      return fail(written.error());
   if (output.as_json)
     print_json(report);
   else
@@ -91,10 +107,11 @@ int run_field(const CaseOptions& options, const std::string& name, const std::st
   const bool vti = out.ends_with(".vti");
   if (!vti && !is_nifti_name(out))
     return fail({ErrorCode::kUsage, "cli", out + ": a field is written as .nii, .nii.gz or .vti", {}});
+  if (Status there = check_place(out); !there) return fail(there.error());
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
-  if (Status done = session.run(Stage::kSizing, ctx); !done) return fail(done.error());
+  if (Status done = session.run(Stage::kSizing, ctx); !done) return fail_run(done.error(), output);
   const Result<ScalarVolume> field = field_volume(session, name);
   if (!field) return fail(field.error());
   const Result<Bytes> bytes = vti ? write_vti(*field, name) : write_nifti(*field, out.ends_with(".gz"));
@@ -107,9 +124,9 @@ int run_forecast(const CaseOptions& options, double elements, const Output& outp
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
-  if (Status done = session.run(Stage::kSizing, ctx); !done) return fail(done.error());
+  if (Status done = session.run(Stage::kSizing, ctx); !done) return fail_run(done.error(), output);
   const Result<json> forecast = forecast_json(session, elements, ctx);
-  if (!forecast) return fail(forecast.error());
+  if (!forecast) return fail_run(forecast.error(), output);
   if (output.as_json)
     print_json(*forecast);
   else
@@ -214,7 +231,7 @@ int run_verify(const CaseOptions& options, const Output& output) {
   Result<Expected> expected = expected_of(session.recipe(), options.input);
   if (!expected) return fail(expected.error());
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
-  if (Status done = session.run(Stage::kOptimise, ctx); !done) return fail(done.error());
+  if (Status done = session.run(Stage::kOptimise, ctx); !done) return fail_run(done.error(), output);
   const std::string digest = digest_of(*session.mesh());
   const bool same = digest == expected->digest;
   const std::string other =
@@ -255,8 +272,10 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
   command.add_option("--size-image", options.size_images, "NIfTI image of edge lengths, mm");
   command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");
   command.add_flag("--json", output.as_json, "print the report as JSON");
-  command.add_option("--time-limit", output.time_limit_s, "give up after so many seconds");
-  command.add_option("--threads", output.threads, "threads to use; the result is the same for any number");
+  command.add_option("--time-limit", output.time_limit_s, "give up after so many seconds")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--threads", output.threads, "threads to use; the result is the same for any number")
+      ->check(CLI::PositiveNumber);
 }
 
 }  // namespace

@@ -21,8 +21,12 @@ struct TargetFile {
 };
 
 /// Writes every file to a new temporary one beside its target, then renames; on failure none of them remains.
-/// Errors: kBadInput naming the path and the system's reason.
+/// Links are followed; devices and pipes are written into. Errors: kBadInput naming the path and the system's
+/// reason.
 Status place_files(const std::vector<TargetFile>& files);
+
+/// Whether a file could be placed there: for those whose bytes take long to come by. The same errors.
+Status check_place(const std::string& path);
 
 /// The same for one text.
 Status write_text_file(const std::string& path, const std::string& text);

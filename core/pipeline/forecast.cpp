@@ -19,18 +19,23 @@ constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
 /// will.
 constexpr double kHopeless = 1.5, kSafe = 0.75;
 
-bool expects_refinement(const RemeshParams& params, const SurfaceMesh& surface) {
-  if (params.method != RemeshMethod::kDelaunay) return false;
-  if (params.keep_topology != KeepTopology::kAll) return true;
+/// How the adapted surface is expected to be made.
+enum class Way { kRefined, kRemeshed, kGivesWay };
+
+Way expected_way(const RemeshParams& params, const SurfaceMesh& surface) {
+  if (params.method != RemeshMethod::kDelaunay) return Way::kRemeshed;
+  if (params.keep_topology != KeepTopology::kAll) return Way::kRefined;
   const TopologyLedger ledger = label_topology(surface);
-  return std::none_of(ledger.labels.begin(), ledger.labels.end(),
-                      [](const LabelTopology& label) { return label.handles > kManyHandles; });
+  return std::any_of(ledger.labels.begin(), ledger.labels.end(),
+                     [](const LabelTopology& label) { return label.handles > kManyHandles; })
+             ? Way::kGivesWay
+             : Way::kRefined;
 }
 
 /// What is known of a case before it is meshed.
 struct Load {
   double voxels, label_triangles;  ///< millions
-  bool refined;
+  Way way;
   double peak_mb;  ///< of the stages that have run
 };
 
@@ -44,10 +49,10 @@ struct Cost {
 };
 
 // Measured natively, one thread, on the hearts biv_mean_1mm, biv_ed_scar and biv_es, aorta, ct_heart and
-// mickey.nrrd.
-constexpr Cost kRefineMb{6, 27, 205, 20}, kRemeshMb{8, 27, 305, 0}, kOptimiseMb{5, 11, 85, 250},
-    kQualityMb{6, 12, 260, 150};
-constexpr Cost kRefineSeconds{0.2, 0.15, 5, 5.5}, kRemeshSeconds{0.2, 0.15, 17, 5.5};
+// mickey.nrrd; where refinement gives way, on skull.nrrd. By Way.
+constexpr std::array<Cost, 3> kSurfaceMb{{{6, 27, 205, 20}, {11, 7, 472, 0}, {11, 30, 472, 50}}};
+constexpr Cost kOptimiseMb{5, 11, 85, 250}, kQualityMb{6, 12, 260, 150};
+constexpr std::array<Cost, 3> kSeconds{{{0.2, 0.15, 5, 5.5}, {0.2, 0.15, 17, 5.5}, {0.2, 0.15, 60, 5.5}}};
 #ifdef __EMSCRIPTEN__
 constexpr double kSlower = 1.6;
 #else
@@ -55,18 +60,18 @@ constexpr double kSlower = 1;
 #endif
 
 double peak_mb(const Load& load, const MeshForecast& mesh) {
-  return std::max({load.peak_mb, (load.refined ? kRefineMb : kRemeshMb).of(load, mesh),
+  return std::max({load.peak_mb, kSurfaceMb[static_cast<std::size_t>(load.way)].of(load, mesh),
                    kOptimiseMb.of(load, mesh), kQualityMb.of(load, mesh)});
 }
 
 double seconds(const Load& load, const MeshForecast& mesh) {
-  return kSlower * (load.refined ? kRefineSeconds : kRemeshSeconds).of(load, mesh);
+  return kSlower * kSeconds[static_cast<std::size_t>(load.way)].of(load, mesh);
 }
 
 Load load_of(const Session& session) {
   Load load{1e-6 * static_cast<double>(session.volume()->voxel_count()),
             1e-6 * static_cast<double>(session.smooth()->triangles.size()),
-            expects_refinement(session.recipe().remesh, *session.smooth()), 0};
+            expected_way(session.recipe().remesh, *session.smooth()), 0};
   for (const Stage stage : {Stage::kVolume, Stage::kSurface, Stage::kSmooth, Stage::kSizing})
     load.peak_mb = std::max(load.peak_mb, session.record(stage).peak_mb);
   return load;
@@ -78,7 +83,7 @@ class CaseForecaster {
   explicit CaseForecaster(const Session& session)
       : load_(load_of(session)),
         mesh_(*session.volume(), *session.smooth(),
-              {session.recipe().remesh.max_distance_voxels, load_.refined}) {}
+              {session.recipe().remesh.max_distance_voxels, load_.way == Way::kRefined}) {}
 
   Result<Forecast> forecast(const SizingField& sizing, const RunContext& ctx) const {
     const Result<MeshForecast> mesh = mesh_.forecast(sizing, ctx);

@@ -9,9 +9,8 @@ void reset_peak_memory();
 /// Peak resident memory in MB since reset_peak_memory (Linux); size of the linear memory (wasm); 0 elsewhere.
 double peak_memory_mb();
 
-/// MB that the process can address at most: 4295 in wasm, 0 (no bound worth a word) with 64 bits.
-constexpr double memory_space_mb() {
-  return sizeof(void*) == 4 ? 4294.967296 : 0;
-}
+/// MB that can be had at most: 4295, which can be addressed, in wasm; the machine's memory (Linux); 0, for no
+/// bound that is known, elsewhere.
+double memory_space_mb();
 
 }  // namespace voxtet

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <new>
 #include <stdexcept>
 
@@ -18,6 +19,7 @@
 #include "tetra/deepen_walls.h"
 #include "tetra/fill_tets.h"
 #include "tetra/optimise_tets.h"
+#include "volume/select_labels.h"
 
 namespace voxtet {
 namespace {
@@ -208,6 +210,14 @@ bool Session::may_size() const {
   return smooth_ && walls_key_ == key_of_walls();
 }
 
+Status Session::run_surface(RunContext& ctx) {
+  const std::size_t labels = count_labels(*volume()).size();
+  if (recipe_.surface.method == ExtractMethod::kMarchingCubes && labels > 1)
+    return usage_error("surface", "surface.method: found marching_cubes for " + std::to_string(labels) +
+                                      " labels, expected auto or marching_tets, or all labels merged to one");
+  return keep(extract_surface(*volume(), recipe_.surface, ctx), surface_);
+}
+
 Status Session::measure_walls(RunContext& ctx) {
   const std::string key = key_of_walls();
   if (key == walls_key_) return std::monostate{};
@@ -306,20 +316,35 @@ Status Session::run_optimise(RunContext& ctx) {
       optimised_);
 }
 
+void Session::warn_about_layers(std::size_t wall, const LayerCount& found, RunContext& ctx) const {
+  constexpr double kNearlyAll = 0.95;
+  if (recipe_.sizing.thickness[wall].layering != Layering::kExact || found.by_edges.exact >= kNearlyAll)
+    return;
+  char share[16];
+  std::snprintf(share, sizeof share, "%.0f %%", 100 * found.by_edges.exact);
+  ctx.warn("quality", "sizing.thickness[" + std::to_string(wall) + "].layers: exactly " +
+                          std::to_string(found.wished) + " on " + share +
+                          " of the wall's area, by edges: the others have no room there");
+}
+
 Status Session::run_quality(RunContext& ctx) {
   std::vector<std::size_t> wished;
   for (std::size_t w = 0; w < walls_.size(); ++w)
     if (recipe_.sizing.thickness[w].layers > 0) wished.push_back(w);
   const std::vector<LayeredWall> walls = layered(wished);
-  return keep(measure_quality(*mesh(), {*volume(), *selected_volume(), *smooth_, *remeshed_, *sizing_, walls},
-                              recipe_.quality, ctx),
-              quality_);
+  Status measured =
+      keep(measure_quality(*mesh(), {*volume(), *selected_volume(), *smooth_, *remeshed_, *sizing_, walls},
+                           recipe_.quality, ctx),
+           quality_);
+  if (measured)
+    for (std::size_t w = 0; w < wished.size(); ++w) warn_about_layers(wished[w], quality_->layers[w], ctx);
+  return measured;
 }
 
 Status Session::run_stage(Stage stage, RunContext& ctx) {
   switch (stage) {
     case Stage::kVolume: return run_volume(ctx);
-    case Stage::kSurface: return keep(extract_surface(*volume(), recipe_.surface, ctx), surface_);
+    case Stage::kSurface: return run_surface(ctx);
     case Stage::kSmooth: return keep(smooth_surface(*surface_, *volume(), recipe_.smooth, ctx), smooth_);
     case Stage::kSizing: return run_sizing(ctx);
     case Stage::kRemesh: return run_remesh(ctx);

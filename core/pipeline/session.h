@@ -117,10 +117,13 @@ class Session {
   Status run_volume(RunContext& ctx);
   /// Measures the walls of the recipe, which takes seconds: only where those that stand are not the same.
   Status measure_walls(RunContext& ctx);
+  Status run_surface(RunContext& ctx);
   Status run_sizing(RunContext& ctx);
   Status run_remesh(RunContext& ctx);
   Status run_tetra(RunContext& ctx);
   Status run_optimise(RunContext& ctx);
+  /// Where fewer than nearly all of a wall has the exact layers that were wished.
+  void warn_about_layers(std::size_t wall, const LayerCount& found, RunContext& ctx) const;
   Status run_quality(RunContext& ctx);
   void forget(Stage stage);
 

@@ -3,7 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
+#include <set>
 
 #include "geometry/compare_topology.h"
 #include "geometry/label_topology.h"
@@ -26,10 +28,13 @@
 namespace voxtet::remesh {
 namespace {
 
+using Eigen::Vector3d;
+
 /// Measured on hearts, aorta and spheres: the median edge of a relaxed surface is 1.32 times the largest
 /// radius allowed for the surface Delaunay balls.
 constexpr double kEdgePerRadius = 1.32;
 constexpr double kSeedSeparation = 0.25;   ///< between first points, in units of the smallest spacing
+constexpr double kLeastSeedSpacing = 1;    ///< of seeds that are not halved once more
 constexpr double kPassedOverDepth = 0.06;  ///< of a cell's centroid in another label, in the same units
 
 /// How a surface is refined where it does not follow the reference; lengths in units of the smallest spacing.
@@ -110,6 +115,29 @@ std::vector<Label> labels_of(const std::vector<TopologyDifference>& differences)
   return labels;
 }
 
+/// By pair of labels, ascending, the area of a surface in squared wished edge lengths.
+std::map<Sides, double> areas_between(const SurfaceMesh& surface, const SizingField& sizing) {
+  std::map<Sides, double> areas;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    const Vector3d &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
+    const double h = sizing.at((p + q + r) / 3);
+    areas[surface.sides[t]] += 0.5 * triangle_cross(p, q, r).norm() / (h * h);
+  }
+  return areas;
+}
+
+/// Pairs of labels that have more than seeds enough in common, and yet no triangle: among so few points all
+/// circumcentres may lie outside of a wall that is thin beside its edges.
+std::vector<Sides> not_taken(const std::map<Sides, double>& areas, const SurfaceMesh& surface) {
+  const std::set<Sides> taken(surface.sides.begin(), surface.sides.end());
+  std::vector<Sides> out;
+  for (const auto& [sides, area] : areas)
+    if (area > kSeedsOfInterface * kSeedSpacing * kSeedSpacing && taken.count(sides) == 0)
+      out.push_back(sides);
+  return out;
+}
+
 /// The surface that came nearest to a topology.
 struct Nearest {
   SurfaceMesh surface;
@@ -149,6 +177,8 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   MissedPlaces places(reference, field);
   const SuspectVoxels suspect_voxels(reference, field);
   const std::vector<Edge> junctions = junction_edges(reference);
+  const std::map<Sides, double> areas = areas_between(reference, sizing);
+  double seed_spacing = kSeedSpacing;
   std::optional<Nearest> nearest;
   auto repair = kRepairs.begin();
   bool was_sound = false;
@@ -168,6 +198,12 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     SurfaceMesh surface = extract_interface(cells);
     if (ctx.cancelled()) return cancelled_error(kRemeshStage);
     const SurfaceMesh merged = merge_layers(surface, field.layers());
+    if (seed_spacing > kLeastSeedSpacing)
+      if (const std::vector<Sides> lacking = not_taken(areas, merged); !lacking.empty()) {
+        seed_spacing /= 2;
+        refiner.insert(seed_between(field, sizing, seed_spacing, lacking), kSeedSeparation * voxel);
+        continue;
+      }
     std::optional<std::vector<Label>> broken;
     std::vector<bool> suspects;  // empty: none, or all
     const auto compare = [&] {

@@ -67,6 +67,11 @@ class LabelField {
                (static_cast<std::size_t>(voxel[1]) +
                 static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(voxel[2]));
   }
+  /// From a voxel to the next one along an axis.
+  std::size_t step(std::size_t axis) const {
+    const auto nx = static_cast<std::size_t>(size_[0]), ny = static_cast<std::size_t>(size_[1]);
+    return axis == 0 ? 1 : axis == 1 ? nx : nx * ny;
+  }
   /// Offset of the voxel of the padded grid whose centre is nearest to a point (mm).
   std::size_t nearest_voxel(const Eigen::Vector3d& mm) const;
   /// Label at each voxel centre of the padded grid, by offset.

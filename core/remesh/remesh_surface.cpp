@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <bitset>
 #include <cmath>
 #include <cstdio>
 #include <new>
@@ -56,7 +58,7 @@ Status check_volume(const LabelVolume& volume) {
   return std::monostate{};
 }
 
-Status check_label_surface(const SurfaceMesh& surface) {
+Status check_label_surface(const SurfaceMesh& surface, const LabelVolume& volume) {
   if (surface.triangles.empty() || surface.sides.size() != surface.triangles.size())
     return bad_input("label_surface has " + std::to_string(surface.triangles.size()) + " triangles and " +
                      std::to_string(surface.sides.size()) + " sides; expected as many of each, at least 1");
@@ -66,6 +68,17 @@ Status check_label_surface(const SurfaceMesh& surface) {
         return bad_input("triangle " + std::to_string(t) + " of label_surface names point " +
                          std::to_string(p) + " of " + std::to_string(surface.points.size()) +
                          "; expected one that is there and finite");
+  std::array<std::bitset<65536>, 2> labels;
+  for (const Label label : volume.labels) labels[0].set(label);
+  for (const Sides& sides : surface.sides)
+    for (const Label label : sides) labels[1].set(label);
+  labels[0] ^= labels[1];
+  for (std::size_t label = 1; label < labels[0].size(); ++label)
+    if (labels[0][label])
+      return bad_input(
+          "label " + std::to_string(label) + " is on " +
+          (labels[1][label] ? "label_surface and not in the volume" : "no triangle of label_surface") +
+          "; expected the surface of all labels of the volume");
   return std::monostate{};
 }
 
@@ -229,7 +242,7 @@ Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh&
                                    const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
                                    const WallLayers& layers) {
   if (Status status = check_volume(volume); !status) return status.error();
-  if (Status status = check_label_surface(reference); !status) return status.error();
+  if (Status status = check_label_surface(reference, volume); !status) return status.error();
   if (Status status = check_parameters(sizing, params); !status) return status.error();
   if (!layers.empty() && params.method != RemeshMethod::kDelaunay)
     return Error{ErrorCode::kUsage,

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
+#include <utility>
 
 #include "geometry/label_components.h"
 #include "remesh/junction_points.h"
@@ -12,8 +14,7 @@
 namespace voxtet::remesh {
 namespace {
 
-constexpr std::size_t kEnough = 8;  ///< seeds wanted per pair of components
-constexpr int kShrinkRounds = 6;    ///< how often the spacing shrinks to get them
+constexpr int kShrinkRounds = 6;  ///< how often the spacing shrinks to get them
 constexpr double kShrink = 0.6;
 constexpr double kSeparation = 0.5;         ///< of all points, in wished edge lengths
 constexpr double kSeparationVoxels = 0.25;  ///< the least it may shrink to
@@ -31,9 +32,6 @@ std::vector<Crossing> find_crossings(const LabelField& field) {
   std::vector<std::uint32_t> sizes;
   const std::vector<std::uint32_t> ids = label_components(field.size(), field.centre_labels(), sizes);
   const std::array<int, 3>& size = field.size();
-  const std::array<std::size_t, 3> step{
-      1, static_cast<std::size_t>(size[0]),
-      static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1])};
   std::vector<Crossing> out;
   std::size_t v = 0;
   for (int k = 0; k < size[2]; ++k)
@@ -41,8 +39,8 @@ std::vector<Crossing> find_crossings(const LabelField& field) {
       for (int i = 0; i < size[0]; ++i, ++v) {
         const std::array<bool, 3> inside{i + 1 < size[0], j + 1 < size[1], k + 1 < size[2]};
         for (std::uint32_t axis = 0; axis < 3; ++axis) {
-          if (!inside[axis] || ids[v] == ids[v + step[axis]]) continue;
-          const std::uint64_t a = ids[v], b = ids[v + step[axis]];
+          if (!inside[axis] || ids[v] == ids[v + field.step(axis)]) continue;
+          const std::uint64_t a = ids[v], b = ids[v + field.step(axis)];
           out.push_back({(std::min(a, b) << 32) | std::max(a, b), static_cast<std::uint32_t>(v), axis});
         }
       }
@@ -139,66 +137,114 @@ class PointBuckets {
   std::vector<Item> items_;
 };
 
+/// Collects seeds, each as far from those before it as it has to be.
+class Seeder {
+ public:
+  Seeder(const LabelField& field, const SizingField& sizing, double spacing)
+      : field_(field),
+        sizing_(sizing),
+        spacing_(spacing),
+        least_separation_(kSeparationVoxels * field.smallest_spacing_mm()),
+        buckets_(field, spacing * *std::max_element(sizing.h_mm.begin(), sizing.h_mm.end())) {}
+
+  void add_junctions(const std::vector<Eigen::Vector3d>& points) {
+    for (const Eigen::Vector3d& p : points)
+      if (!buckets_.occupied(p, group_, 0, std::max(kSeparation * sizing_.at(p), least_separation_))) add(p);
+  }
+
+  void add_interfaces(std::vector<Crossing> crossings) {
+    const std::array<double, 3> face_mm2 = face_areas();
+    for (std::size_t begin = 0, end = 0; begin < crossings.size(); begin = end) {
+      while (end < crossings.size() && crossings[end].pair == crossings[begin].pair) ++end;
+      ++group_;
+      add_interface(std::span(crossings).subspan(begin, end - begin), face_mm2);
+    }
+  }
+
+  Seeds seeds;
+
+ private:
+  void add(const Eigen::Vector3d& p) {
+    buckets_.add(p, group_);
+    seeds.points.push_back(p);
+  }
+
+  /// Of a voxel's faces across each axis, mm2.
+  std::array<double, 3> face_areas() const {
+    std::array<double, 3> areas{};
+    for (int d = 0; d < 3; ++d) {
+      const Eigen::Vector3d origin = field_.to_mm(Eigen::Vector3d::Zero());
+      const Eigen::Vector3d u = field_.to_mm(Eigen::Vector3d::Unit((d + 1) % 3)) - origin;
+      const Eigen::Vector3d w = field_.to_mm(Eigen::Vector3d::Unit((d + 2) % 3)) - origin;
+      areas[static_cast<std::size_t>(d)] = u.cross(w).norm();
+    }
+    return areas;
+  }
+
+  void add_interface(std::span<Crossing> crossings, const std::array<double, 3>& face_mm2) {
+    shuffler_.shuffle(crossings.begin(), crossings.end());
+    std::size_t found = 0;
+    double shrink = 1;
+    const auto is_enough = [&](int round) { return round > 0 && found >= kSeedsOfInterface; };
+    for (int round = 0; round <= kShrinkRounds && !is_enough(round); ++round, shrink *= kShrink)
+      for (const Crossing& crossing : crossings) {
+        if (is_enough(round)) break;
+        const Eigen::Vector3d index = index_of(crossing.voxel);
+        const Eigen::Vector3d step = Eigen::Vector3d::Unit(crossing.axis);
+        const Eigen::Vector3d middle = field_.to_mm(index + 0.5 * step);
+        const double h = sizing_.at(middle);
+        if (round == 0) seeds.predicted_vertices += kVerticesPerArea * face_mm2[crossing.axis] / (h * h);
+        const double distance = spacing_ * h * shrink;
+        const double separation = std::max(kSeparation * h * (found ? 1 : shrink), least_separation_);
+        if (buckets_.occupied(middle, group_, distance, 0)) continue;
+        const Eigen::Vector3d a = field_.to_mm(index), b = field_.to_mm(index + step);
+        const Label label_a = field_.at(a), label_b = field_.at(b);
+        if (label_a == label_b) continue;
+        Label behind = kBackground;
+        const Eigen::Vector3d p = field_.crossing(a, label_a, b, label_b, behind);
+        if (buckets_.occupied(p, group_, distance, separation)) continue;
+        add(p);
+        ++found;
+      }
+  }
+
+  Eigen::Vector3d index_of(std::size_t voxel) const {
+    const std::size_t row = field_.step(1), slice = field_.step(2);
+    return {static_cast<double>(voxel % row), static_cast<double>(voxel % slice / row),
+            static_cast<double>(voxel / slice)};
+  }
+
+  const LabelField& field_;
+  const SizingField& sizing_;
+  double spacing_, least_separation_;
+  PointBuckets buckets_;
+  Shuffler shuffler_;
+  std::uint32_t group_ = 0;  ///< 0: junctions; then one for each pair of components
+};
+
 }  // namespace
 
 Seeds seed_interfaces(const LabelField& field, const SurfaceMesh& reference, const SizingField& sizing) {
-  Seeds out;
-  std::vector<Crossing> crossings = find_crossings(field);
-  const std::array<int, 3>& size = field.size();
-  const auto index_of = [&](std::size_t v) {
-    const std::size_t sx = static_cast<std::size_t>(size[0]), sy = static_cast<std::size_t>(size[1]);
-    return Eigen::Vector3d(static_cast<double>(v % sx), static_cast<double>(v / sx % sy),
-                           static_cast<double>(v / (sx * sy)));
-  };
-  std::array<double, 3> facet_mm2{};  // area of a voxel's face across each axis
-  for (int d = 0; d < 3; ++d) {
-    const Eigen::Vector3d u =
-        field.to_mm(Eigen::Vector3d::Unit((d + 1) % 3)) - field.to_mm(Eigen::Vector3d::Zero());
-    const Eigen::Vector3d w =
-        field.to_mm(Eigen::Vector3d::Unit((d + 2) % 3)) - field.to_mm(Eigen::Vector3d::Zero());
-    facet_mm2[static_cast<std::size_t>(d)] = u.cross(w).norm();
-  }
-  const double largest = *std::max_element(sizing.h_mm.begin(), sizing.h_mm.end());
-  PointBuckets buckets(field, kSeedSpacing * largest);
-  const double least_separation = kSeparationVoxels * field.smallest_spacing_mm();
-  std::uint32_t group = 0;
-  for (const Eigen::Vector3d& p : junction_points(reference, sizing)) {
-    if (buckets.occupied(p, group, 0, std::max(kSeparation * sizing.at(p), least_separation))) continue;
-    buckets.add(p, group);
-    out.points.push_back(p);
-  }
+  Seeder seeder(field, sizing, kSeedSpacing);
+  seeder.add_junctions(junction_points(reference, sizing));
+  seeder.add_interfaces(find_crossings(field));
+  return seeder.seeds;
+}
 
-  Shuffler shuffler;
-  ++group;
-  for (std::size_t begin = 0; begin < crossings.size(); ++group) {
-    std::size_t end = begin;
-    while (end < crossings.size() && crossings[end].pair == crossings[begin].pair) ++end;
-    shuffler.shuffle(crossings.begin() + static_cast<std::ptrdiff_t>(begin),
-                     crossings.begin() + static_cast<std::ptrdiff_t>(end));
-    std::size_t found = 0;
-    double shrink = 1;
-    for (int round = 0; round <= kShrinkRounds && (round == 0 || found < kEnough); ++round, shrink *= kShrink)
-      for (std::size_t c = begin; c < end && (round == 0 || found < kEnough); ++c) {
-        const Eigen::Vector3d index = index_of(crossings[c].voxel);
-        const Eigen::Vector3d step = Eigen::Vector3d::Unit(crossings[c].axis);
-        const double h = sizing.at(field.to_mm(index + 0.5 * step));
-        if (round == 0) out.predicted_vertices += kVerticesPerArea * facet_mm2[crossings[c].axis] / (h * h);
-        const double distance = kSeedSpacing * h * shrink;
-        const double separation = std::max(kSeparation * h * (found ? 1 : shrink), least_separation);
-        if (buckets.occupied(field.to_mm(index + 0.5 * step), group, distance, 0)) continue;
-        const Eigen::Vector3d a = field.to_mm(index), b = field.to_mm(index + step);
-        const Label label_a = field.at(a), label_b = field.at(b);
-        if (label_a == label_b) continue;
-        Label behind = kBackground;
-        const Eigen::Vector3d p = field.crossing(a, label_a, b, label_b, behind);
-        if (buckets.occupied(p, group, distance, separation)) continue;
-        buckets.add(p, group);
-        out.points.push_back(p);
-        ++found;
-      }
-    begin = end;
-  }
-  return out;
+std::vector<Eigen::Vector3d> seed_between(const LabelField& field, const SizingField& sizing, double spacing,
+                                          const std::vector<Sides>& between) {
+  std::vector<Crossing> crossings = find_crossings(field);
+  std::erase_if(crossings, [&](const Crossing& crossing) {
+    const auto label_at = [&](std::size_t voxel) {
+      return field.layers().parent(field.centre_labels()[voxel]);
+    };
+    Sides sides{label_at(crossing.voxel), label_at(crossing.voxel + field.step(crossing.axis))};
+    if (sides[0] < sides[1]) std::swap(sides[0], sides[1]);
+    return !std::binary_search(between.begin(), between.end(), sides);
+  });
+  Seeder seeder(field, sizing, spacing);
+  seeder.add_interfaces(std::move(crossings));
+  return seeder.seeds.points;
 }
 
 }  // namespace voxtet::remesh

@@ -16,8 +16,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTrianglesPerArea = 2.15;  ///< in squared edges
-constexpr double kTetsPerVolume = 9.45;     ///< in cubed edges
+constexpr double kTrianglesPerArea = 2.15;     ///< in squared edges
+constexpr double kTetsPerVolume = 9.96;        ///< in cubed edges
+constexpr double kTetsLostPerTriangle = 0.3;   ///< there is none beyond it that would share its edges
+constexpr double kLeastTetsPerTriangle = 0.5;  ///< where a body is as thin as an edge
 constexpr double kRise = 0.7;  ///< of edge lengths from a surface that is finer than wished, per mm
 constexpr double kPointsPerTet = 0.17, kPointsPerTriangle = 0.25;
 
@@ -143,7 +145,9 @@ Result<MeshForecast> MeshForecaster::forecast(const SizingField& sizing, const R
     if (weights[at] > 0) edge_mm[at] = std::min(edge_mm[at], std::sqrt(weights[at] / demand[at]));
   if (!limit_gradation(sizing.size, volume_.linear(), kRise, edge_mm, ctx))
     return cancelled_error(kSizingStage);
-  out.tets = kTetsPerVolume * tets_per_volume(volume_, sizing, edge_mm);
+  out.tets = std::max(
+      kTetsPerVolume * tets_per_volume(volume_, sizing, edge_mm) - kTetsLostPerTriangle * out.triangles,
+      kLeastTetsPerTriangle * out.triangles);
   out.points = kPointsPerTet * out.tets + kPointsPerTriangle * out.triangles;
   return out;
 }

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#ifndef __EMSCRIPTEN__
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -193,6 +199,72 @@ TEST_F(CliTest, RefusesFieldsAndSideFilesThatAreNotThere) {
   EXPECT_EQ(run({"mesh", at("case.json"), "--mask-edge", "1=2"}), kExitUsage);
   EXPECT_EQ(run({"mesh", at("case.json"), "--size-image", at("case.json")}), kExitBadInput);
   EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(CliTest, RefusesBeforeMeshingWhatCannotBeWritten) {
+  write("case.json", kSphere);
+  for (const char* option : {"-o", "--report"}) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run({"mesh", at("case.json"), option, at("none/mesh.vtu")}), kExitBadInput);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("none/mesh.vtu: cannot be created"), std::string::npos) << said;
+    EXPECT_EQ(said.find("remesh"), std::string::npos) << said;
+  }
+  EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(CliTest, WritesBehindLinks) {
+  write("case.json", kSphere);
+  write("old.json", "old");
+  fs::create_symlink("old.json", at("link.json"));
+  ASSERT_EQ(run({"mesh", at("case.json"), "--report", at("link.json")}), kExitOk);
+  EXPECT_TRUE(fs::is_symlink(at("link.json")));
+  EXPECT_TRUE(read_json("old.json").contains("digest"));
+  EXPECT_EQ(files(), 3U);
+}
+
+#ifndef __EMSCRIPTEN__
+TEST_F(CliTest, WritesIntoPipesAndLeavesThemThere) {
+  write("case.json", kSphere);
+  ASSERT_EQ(mkfifo(at("pipe").c_str(), 0600), 0);
+  const int reader = open(at("pipe").c_str(), O_RDWR | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  ASSERT_EQ(run({"mesh", at("case.json"), "-o", at("sphere.vtu"), "--report", at("pipe")}), kExitOk);
+  char text[2] = {};
+  EXPECT_EQ(read(reader, text, 1), 1);
+  EXPECT_STREQ(text, "{");
+  close(reader);
+  EXPECT_TRUE(fs::is_fifo(at("pipe")));
+}
+#endif
+
+TEST_F(CliTest, SaysWhichTimeLimitIsOver) {
+  write("case.json", kSphere);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({"mesh", at("case.json"), "--time-limit", "1e-6"}), kExitLimits);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("given up after the 1e-06 s of --time-limit"),
+            std::string::npos);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--time-limit", "-1"}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--threads", "0"}), kExitUsage);
+}
+
+TEST_F(CliTest, RefusesWhatNoMachineCanMesh) {
+  write(
+      "case.json",
+      R"({"source":{"phantom":{"kind":"sphere","radius_mm":200,"spacing_mm":[10,10,10]}},"sizing":{"edge_mm":0.01}})");
+  EXPECT_EQ(run({"mesh", at("case.json")}), kExitLimits);
+}
+
+TEST_F(CliTest, RefusesMarchingCubesForSeveralLabels) {
+  ASSERT_EQ(run({"phantom", "nested_boxes", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
+                 at("boxes.nii.gz")}),
+            kExitOk);
+  const std::vector<std::string> command{
+      "mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--set", "surface.method=marching_cubes"};
+  EXPECT_EQ(run(command), kExitUsage);
+  std::vector<std::string> merged = command;
+  merged.push_back("--merge");
+  EXPECT_EQ(run(merged), kExitOk);
 }
 
 TEST_F(CliTest, ForecastsAndRefusesBeyondALimit) {

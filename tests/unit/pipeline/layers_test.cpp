@@ -129,6 +129,28 @@ TEST(Layers, PassThroughTheInterfacesOfAWallOfTwoLabels) {
   EXPECT_GE(found.exact, 0.9);
 }
 
+/// A bowl, whose wall is one interface with background, inside and out: coarse first points on it may leave
+/// no circumcentre in the wall.
+TEST(Layers, AreAsCoarseAsWishedInAnOpenBowl) {
+  for (const double thickness : {3.0, 6.0}) {
+    SCOPED_TRACE(thickness);
+    const test::Body body{[=](const Eigen::Vector3d& p) -> Label {
+                            if (p.z() > 7 || p.norm() > 15 + thickness) return 0;
+                            return p.norm() < 15 ? 2 : 1;
+                          },
+                          {},
+                          25};
+    const LabelVolume volume = test::sample(body, Eigen::Vector3d::Ones(), {0, 0, 0});
+    Session session;
+    const Status done = mesh_volume(volume, exact_recipe(1), session);
+    ASSERT_TRUE(done.ok()) << done.error().message;
+    test::check_tets(*session.mesh());
+    EXPECT_TRUE(session.quality()->passed());
+    EXPECT_GE(session.quality()->layers.at(0).by_edges.exact, 0.95);
+    EXPECT_LT(session.mesh()->tets.size(), 3000U);
+  }
+}
+
 TEST(Layers, LeaveAloneWhatOfAMergedLabelLiesOutsideOfTheWall) {
   const test::Body body{[](const Eigen::Vector3d& p) -> Label {
                           if (p.norm() < 20) return p.norm() < 14 ? 2 : 1;

@@ -326,6 +326,9 @@ TEST(RemeshSurface, RefusesMalformedInputInWords) {
   reference = whole;
   reference.points[0][2] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(code(good, sizing, {}), ErrorCode::kBadInput);
+  reference = whole;
+  reference.sides.assign(whole.sides.size(), {7, 0});
+  EXPECT_EQ(code(good, sizing, {}), ErrorCode::kBadInput);
   reference = {};
   EXPECT_EQ(code(good, sizing, {}), ErrorCode::kBadInput);
 }
