@@ -183,7 +183,6 @@ def main():
     if not runs.DATA.is_dir():
         print(f"no volumes in {runs.DATA}: set VOXTET_DATA")
         return 77
-    os.environ["GLIBC_TUNABLES"] = "glibc.malloc.hugetlb=1"  # for all meshers, as voxtet's command line has it
     old = json.loads(RESULTS.read_text())["cases"] if RESULTS.exists() else []
     known = {(c["volume"], c["merged"]): c for c in old}
     for merged in (True, False):
