@@ -211,10 +211,11 @@ bool Session::may_size() const {
 }
 
 Status Session::run_surface(RunContext& ctx) {
-  const std::size_t labels = count_labels(*volume()).size();
-  if (recipe_.surface.method == ExtractMethod::kMarchingCubes && labels > 1)
-    return usage_error("surface", "surface.method: found marching_cubes for " + std::to_string(labels) +
-                                      " labels, expected auto or marching_tets, or all labels merged to one");
+  if (recipe_.surface.method == ExtractMethod::kMarchingCubes)
+    if (const std::size_t labels = count_labels(*volume()).size(); labels > 1)
+      return usage_error("surface",
+                         "surface.method: found marching_cubes for " + std::to_string(labels) +
+                             " labels, expected auto or marching_tets, or all labels merged to one");
   return keep(extract_surface(*volume(), recipe_.surface, ctx), surface_);
 }
 

@@ -3,9 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <map>
+#include <iterator>
 #include <optional>
-#include <set>
 
 #include "geometry/compare_topology.h"
 #include "geometry/label_topology.h"
@@ -115,26 +114,39 @@ std::vector<Label> labels_of(const std::vector<TopologyDifference>& differences)
   return labels;
 }
 
-/// By pair of labels, ascending, the area of a surface in squared wished edge lengths.
-std::map<Sides, double> areas_between(const SurfaceMesh& surface, const SizingField& sizing) {
-  std::map<Sides, double> areas;
+/// The pairs of labels that a surface parts, ascending.
+std::vector<Sides> pairs_of(const SurfaceMesh& surface) {
+  std::vector<Sides> pairs;
+  std::unique_copy(surface.sides.begin(), surface.sides.end(), std::back_inserter(pairs));
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+/// The area between two labels in squared wished edge lengths.
+double area_between(const SurfaceMesh& surface, const Sides& sides, const SizingField& sizing) {
+  double area = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    if (surface.sides[t] != sides) continue;
     const auto& [a, b, c] = surface.triangles[t];
     const Vector3d &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
     const double h = sizing.at((p + q + r) / 3);
-    areas[surface.sides[t]] += 0.5 * triangle_cross(p, q, r).norm() / (h * h);
+    area += 0.5 * triangle_cross(p, q, r).norm() / (h * h);
   }
-  return areas;
+  return area;
 }
 
-/// Pairs of labels that have more than seeds enough in common, and yet no triangle: among so few points all
-/// circumcentres may lie outside of a wall that is thin beside its edges.
-std::vector<Sides> not_taken(const std::map<Sides, double>& areas, const SurfaceMesh& surface) {
-  const std::set<Sides> taken(surface.sides.begin(), surface.sides.end());
+/// Of these pairs of labels those that have room for more than seeds enough between them in the reference,
+/// and no triangle in the surface: among so few points all circumcentres may lie outside of a wall that is
+/// thin beside its edges.
+std::vector<Sides> not_taken(const std::vector<Sides>& pairs, const SurfaceMesh& reference,
+                             const SizingField& sizing, const SurfaceMesh& surface) {
+  const std::vector<Sides> taken = pairs_of(surface);
   std::vector<Sides> out;
-  for (const auto& [sides, area] : areas)
-    if (area > kSeedsOfInterface * kSeedSpacing * kSeedSpacing && taken.count(sides) == 0)
-      out.push_back(sides);
+  std::set_difference(pairs.begin(), pairs.end(), taken.begin(), taken.end(), std::back_inserter(out));
+  std::erase_if(out, [&](const Sides& sides) {
+    return area_between(reference, sides, sizing) <= kSeedsOfInterface * kSeedSpacing * kSeedSpacing;
+  });
   return out;
 }
 
@@ -177,7 +189,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   MissedPlaces places(reference, field);
   const SuspectVoxels suspect_voxels(reference, field);
   const std::vector<Edge> junctions = junction_edges(reference);
-  const std::map<Sides, double> areas = areas_between(reference, sizing);
+  const std::vector<Sides> pairs = pairs_of(reference);
   double seed_spacing = kSeedSpacing;
   std::optional<Nearest> nearest;
   auto repair = kRepairs.begin();
@@ -199,7 +211,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     if (ctx.cancelled()) return cancelled_error(kRemeshStage);
     const SurfaceMesh merged = merge_layers(surface, field.layers());
     if (seed_spacing > kLeastSeedSpacing)
-      if (const std::vector<Sides> lacking = not_taken(areas, merged); !lacking.empty()) {
+      if (const std::vector<Sides> lacking = not_taken(pairs, reference, sizing, merged); !lacking.empty()) {
         seed_spacing /= 2;
         refiner.insert(seed_between(field, sizing, seed_spacing, lacking), kSeedSeparation * voxel);
         continue;
