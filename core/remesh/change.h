@@ -45,6 +45,6 @@ enum class Reason : std::uint8_t {
   kGap,
   kBall,
 };
-inline constexpr std::size_t kReasonCount = 12;
+inline constexpr std::size_t kReasonCount = static_cast<std::size_t>(Reason::kBall) + 1;
 
 }  // namespace voxtet::remesh

@@ -33,6 +33,14 @@ Status mesh_volume(const LabelVolume& volume, Recipe recipe, Session& session) {
   return session.run(Stage::kQuality, ctx);
 }
 
+/// Meshes, and expects sound tetrahedra that pass every check.
+void mesh_soundly(const LabelVolume& volume, const Recipe& recipe, Session& session) {
+  const Status done = mesh_volume(volume, recipe, session);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  test::check_tets(*session.mesh());
+  EXPECT_TRUE(session.quality()->passed());
+}
+
 double smallest_dihedral(const Session& session) {
   return session.quality()->metrics.at(0).min;
 }
@@ -90,10 +98,7 @@ TEST(Layers, MeetWithoutAJumpWhereWallsMeet) {
     Recipe recipe = exact_recipe(layers);
     recipe.sizing.thickness[0].inner = {2, 3};
     Session session;
-    const Status done = mesh_volume(volume, recipe, session);
-    ASSERT_TRUE(done.ok()) << done.error().message;
-    test::check_tets(*session.mesh());
-    EXPECT_TRUE(session.quality()->passed());
+    ASSERT_NO_FATAL_FAILURE(mesh_soundly(volume, recipe, session));
     const LayerShares& found = session.quality()->layers.at(0).by_edges;
     EXPECT_EQ(found.at_least, 1);
     EXPECT_GE(found.exact, 0.97);
@@ -103,10 +108,7 @@ TEST(Layers, MeetWithoutAJumpWhereWallsMeet) {
 TEST(Layers, EndAtTheRimOfASlab) {
   const LabelVolume volume = test::sample(test::slab(6), Eigen::Vector3d::Ones(), {0, 0, 0});
   Session session;
-  const Status done = mesh_volume(volume, exact_recipe(2), session);
-  ASSERT_TRUE(done.ok()) << done.error().message;
-  test::check_tets(*session.mesh());
-  EXPECT_TRUE(session.quality()->passed());
+  ASSERT_NO_FATAL_FAILURE(mesh_soundly(volume, exact_recipe(2), session));
   EXPECT_EQ(session.quality()->layers.at(0).by_edges.exact, 1);
 }
 
@@ -119,10 +121,7 @@ TEST(Layers, PassThroughTheInterfacesOfAWallOfTwoLabels) {
   Recipe recipe = exact_recipe(2);
   recipe.labels = recipe.sizing.thickness[0].wall = {1, 5};
   Session session;
-  const Status done = mesh_volume(volume, recipe, session);
-  ASSERT_TRUE(done.ok()) << done.error().message;
-  test::check_tets(*session.mesh());
-  EXPECT_TRUE(session.quality()->passed());
+  ASSERT_NO_FATAL_FAILURE(mesh_soundly(volume, recipe, session));
   EXPECT_TRUE(session.quality()->topology.differences.empty());
   const LayerShares& found = session.quality()->layers.at(0).by_edges;
   EXPECT_EQ(found.at_least, 1);
@@ -142,10 +141,7 @@ TEST(Layers, AreAsCoarseAsWishedInAnOpenBowl) {
                           25};
     const LabelVolume volume = test::sample(body, Eigen::Vector3d::Ones(), {0, 0, 0});
     Session session;
-    const Status done = mesh_volume(volume, exact_recipe(1), session);
-    ASSERT_TRUE(done.ok()) << done.error().message;
-    test::check_tets(*session.mesh());
-    EXPECT_TRUE(session.quality()->passed());
+    ASSERT_NO_FATAL_FAILURE(mesh_soundly(volume, exact_recipe(1), session));
     EXPECT_GE(session.quality()->layers.at(0).by_edges.exact, 0.95);
     EXPECT_LT(session.mesh()->tets.size(), 3000U);
   }
@@ -163,10 +159,7 @@ TEST(Layers, LeaveAloneWhatOfAMergedLabelLiesOutsideOfTheWall) {
   recipe.labels = {1, 5};
   recipe.merge = {{1, 5}};
   Session session;
-  const Status done = mesh_volume(volume, recipe, session);
-  ASSERT_TRUE(done.ok()) << done.error().message;
-  test::check_tets(*session.mesh());
-  EXPECT_TRUE(session.quality()->passed());
+  ASSERT_NO_FATAL_FAILURE(mesh_soundly(volume, recipe, session));
   EXPECT_TRUE(session.quality()->topology.differences.empty());
   EXPECT_NEAR(session.quality()->labels.at(0).volume_error_percent, 0, 0.5);
   EXPECT_GE(session.quality()->layers.at(0).by_edges.exact, 0.9);
