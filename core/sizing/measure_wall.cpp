@@ -115,12 +115,28 @@ struct Measured {
   }
 };
 
+/// What the lines to one inner space say, by node of its graph.
+struct Lines {
+  std::vector<std::size_t> voxel;  ///< of the grid
+  std::vector<float> length_mm;    ///< +infinity where no line reaches both surfaces
+  std::vector<float> potential;
+};
+
+Lines follow_lines(const WallGrid& grid, std::uint8_t inner, const std::vector<std::uint8_t>& within,
+                   int threads) {
+  wall::WallGraph graph = wall::wall_graph(grid, inner, within);
+  Lines lines;
+  lines.potential = wall::wall_potential(grid, graph, threads);
+  wall::WallLengths lengths = wall::wall_lengths(grid, graph, lines.potential, threads);
+  lines.length_mm = std::move(lengths.to_inner);
+  for (std::size_t n = 0; n < lines.length_mm.size(); ++n) lines.length_mm[n] += lengths.to_outer[n];
+  lines.voxel = std::move(graph.voxel);
+  return lines;
+}
+
 Measured measure(const WallGrid& grid, std::size_t inner_count, bool shares, RunContext& ctx) {
-  Measured out;
-  if (shares) out.shares.assign(inner_count, std::vector<float>(grid.kind.size(), 0));
-  out.thickness_mm.assign(grid.kind.size(), kFar);
-  out.potential.assign(grid.kind.size(), 0);
-  std::vector<float> chosen(grid.kind.size(), kFar);  // length of the line that gives the potential
+  // All lines before any of what is as large as the grid, as the graphs need the most memory.
+  std::vector<Lines> spaces;
   std::vector<std::uint8_t> within;
   const std::size_t deepest = reach(
       grid, [](std::uint8_t) { return true; }, grid.kind.size(), within);
@@ -129,18 +145,25 @@ Measured measure(const WallGrid& grid, std::size_t inner_count, bool shares, Run
     // Lines that begin further away than any voxel is from the inner space nearest to it are those of others.
     reach(
         grid, [&](std::uint8_t kind) { return kind == inner; }, deepest + deepest / 2, within);
-    const wall::WallGraph graph = wall::wall_graph(grid, inner, within);
-    const std::vector<float> potential = wall::wall_potential(grid, graph, ctx.threads);
-    const wall::WallLengths lengths = wall::wall_lengths(grid, graph, potential, ctx.threads);
-    for (std::size_t n = 0; n < graph.voxel.size(); ++n) {
-      const float length = lengths.to_inner[n] + lengths.to_outer[n];
-      const std::size_t at = graph.voxel[n];
-      if (shares) out.shares[space][at] = 1 - potential[n];
+    spaces.push_back(follow_lines(grid, inner, within, ctx.threads));
+  }
+  within = {};
+  Measured out;
+  out.thickness_mm.assign(grid.kind.size(), kFar);
+  out.potential.assign(grid.kind.size(), 0);
+  if (shares) out.shares.assign(inner_count, std::vector<float>(grid.kind.size(), 0));
+  std::vector<float> chosen(grid.kind.size(), kFar);  // length of the line that gives the potential
+  for (std::size_t space = 0; space < spaces.size(); ++space) {
+    const Lines& lines = spaces[space];
+    for (std::size_t n = 0; n < lines.voxel.size(); ++n) {
+      const float length = lines.length_mm[n];
+      const std::size_t at = lines.voxel[n];
+      if (shares) out.shares[space][at] = 1 - lines.potential[n];
       if (!(length < kFar)) continue;
       out.thickness_mm[at] = std::min(out.thickness_mm[at], length);
       if (!(length * kLonger < chosen[at])) continue;
       chosen[at] = length;
-      out.potential[at] = potential[n];
+      out.potential[at] = lines.potential[n];
     }
   }
   std::replace(out.thickness_mm.begin(), out.thickness_mm.end(), kFar, 0.F);

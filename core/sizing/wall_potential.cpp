@@ -158,37 +158,44 @@ std::vector<float> start_values(const WallGrid& grid, const WallGraph& graph, in
   return start;
 }
 
+/// The neighbours of the nodes [first, last), which are one colour. Those in one direction are of the other
+/// colour and in the order of the grid too, so that one walk along it finds them all.
+void link_nodes(const WallGrid& grid, std::size_t first, std::size_t last, WallGraph& graph) {
+  const std::size_t others = first == 0 ? last : 0, end = first == 0 ? graph.voxel.size() : first;
+  std::array<std::size_t, 6> walk;
+  walk.fill(others);
+  for (std::size_t n = first; n < last; ++n)
+    for (std::size_t d = 0; d < 6; ++d) {
+      const std::size_t other = across(graph, graph.voxel[n], d);
+      const std::uint8_t kind = grid.kind[other];
+      std::uint32_t& to = graph.nodes[n].neighbour[d];
+      to = kind == graph.inner_kind ? kInnerEnd : kind == kSide || kind == kWall ? kSideEnd : kOuterEnd;
+      if (kind != kWall) continue;
+      while (walk[d] < end && graph.voxel[walk[d]] < other) ++walk[d];
+      if (walk[d] < end && graph.voxel[walk[d]] == other) to = static_cast<std::uint32_t>(walk[d]);
+    }
+}
+
 }  // namespace
 
 WallGraph wall_graph(const WallGrid& grid, std::uint8_t inner_kind,
                      const std::vector<std::uint8_t>& in_reach) {
-  constexpr std::uint32_t kNone = kSideEnd;
   WallGraph graph;
   graph.inner_kind = inner_kind;
   graph.stride = grid.strides();
   for (std::size_t d = 0; d < 3; ++d) graph.step_mm[d] = grid.spacing_mm()[static_cast<int>(d)];
-  std::vector<std::uint32_t> number(grid.kind.size(), kNone);
   for (const int parity : {0, 1}) {
     for (int k = 0; k < grid.size[2]; ++k)
       for (int j = 0; j < grid.size[1]; ++j)
         for (int i = (j + k + parity) % 2; i < grid.size[0]; i += 2) {
           const std::size_t at = grid.offset(i, j, k);
-          if (grid.kind[at] != kWall || (!in_reach.empty() && !in_reach[at])) continue;
-          number[at] = static_cast<std::uint32_t>(graph.voxel.size());
-          graph.voxel.push_back(at);
+          if (grid.kind[at] == kWall && (in_reach.empty() || in_reach[at])) graph.voxel.push_back(at);
         }
     if (parity == 0) graph.even = graph.voxel.size();
   }
   graph.nodes.resize(graph.voxel.size());
-  for (std::size_t n = 0; n < graph.nodes.size(); ++n)
-    for (std::size_t d = 0; d < 6; ++d) {
-      const std::size_t other = across(graph, graph.voxel[n], d);
-      const std::uint8_t kind = grid.kind[other];
-      graph.nodes[n].neighbour[d] = kind == kWall        ? number[other]
-                                    : kind == inner_kind ? kInnerEnd
-                                    : kind == kSide      ? kSideEnd
-                                                         : kOuterEnd;
-    }
+  link_nodes(grid, 0, graph.even, graph);
+  link_nodes(grid, graph.even, graph.voxel.size(), graph);
   return graph;
 }
 
