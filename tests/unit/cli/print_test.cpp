@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <functional>
 #include <memory>
 #include <string>
+#include <thread>
 
 namespace voxtet {
 namespace {
@@ -29,6 +33,23 @@ TEST(PrintStages, PutsNotesBelowTheirStageInOneColumn) {
             "           as asked\n"
             "total       1.75 s\n");
 }
+
+#ifndef __EMSCRIPTEN__  // whose standard error cannot be captured
+TEST(PrintingContext, TimesAStageWhosePartsBeginAtZeroAsOne) {
+  testing::internal::CaptureStderr();
+  const RunContext ctx = printing_context(0, 1);
+  ctx.progress("sizing", 0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));
+  ctx.progress("sizing", 0);
+  ctx.progress("sizing", 1);
+  ctx.progress("sizing", 1);
+  const std::string text = testing::internal::GetCapturedStderr();
+  double seconds = 0;
+  EXPECT_EQ(std::sscanf(text.substr(text.rfind("sizing")).c_str(), "sizing %lf s", &seconds), 1) << text;
+  EXPECT_GE(seconds, 0.05);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+}
+#endif
 
 }  // namespace
 }  // namespace voxtet
