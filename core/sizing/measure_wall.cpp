@@ -124,7 +124,7 @@ struct Lines {
 
 Lines follow_lines(const WallGrid& grid, std::uint8_t inner, const std::vector<std::uint8_t>& within,
                    int threads) {
-  wall::WallGraph graph = wall::wall_graph(grid, inner, within);
+  wall::WallGraph graph = wall::wall_graph(grid, inner, threads, within);
   Lines lines;
   lines.potential = wall::wall_potential(grid, graph, threads);
   wall::WallLengths lengths = wall::wall_lengths(grid, graph, lines.potential, threads);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/distance_transform.h"
 #include "geometry/parallel.h"
@@ -101,20 +102,37 @@ std::vector<std::uint32_t> uphill_order(const WallGraph& graph, const std::vecto
 class Transport {
  public:
   Transport(const WallGrid& grid, const WallGraph& graph, const std::vector<Slope>& slopes,
-            std::vector<std::uint32_t> order)
+            std::vector<std::uint32_t> order, int threads)
       : order_(std::move(order)),
         tolerance_(kLengthTolerance * static_cast<float>(grid.spacing_mm().minCoeff())) {
     std::vector<std::uint32_t> place(graph.nodes.size(), kNothing);
     for (std::uint32_t i = 0; i < order_.size(); ++i) place[order_[i]] = i;
+    const auto is_beyond = [](std::uint32_t to) { return to == kInnerEnd || to == kOuterEnd; };
+    // What lies beyond the nodes of each part comes after that of the parts before.
+    constexpr std::size_t kParts = 16;
+    std::array<std::size_t, kParts + 1> beyond{};
+    const auto for_nodes = [&](auto&& visit) {
+      parallel_for(threads, kParts, [&](std::size_t first, std::size_t last) {
+        for (std::size_t part = first; part < last; ++part)
+          for (std::size_t n = place.size() * part / kParts; n < place.size() * (part + 1) / kParts; ++n)
+            if (place[n] != kNothing) visit(part, n);
+      });
+    };
+    for_nodes([&](std::size_t part, std::size_t n) {
+      const auto& to = graph.nodes[n].neighbour;
+      beyond[part + 1] += static_cast<std::size_t>(std::count_if(to.begin(), to.end(), is_beyond));
+    });
+    std::partial_sum(beyond.begin(), beyond.end(), beyond.begin());
     links_.resize(order_.size());
-    for (std::size_t n = 0; n < place.size(); ++n) {
-      if (place[n] == kNothing) continue;
+    beyond_.resize(beyond.back());
+    for_nodes([&](std::size_t part, std::size_t n) {
       const auto number_of = [&](std::size_t direction) {
         const std::uint32_t to = graph.nodes[n].neighbour[direction];
         if (to < kInnerEnd) return place[to];
-        if (to != kInnerEnd && to != kOuterEnd) return kNothing;
-        beyond_.push_back({-grid.distance_mm[across(graph, graph.voxel[n], direction)], to == kInnerEnd});
-        return static_cast<std::uint32_t>(order_.size() + beyond_.size() - 1);
+        if (!is_beyond(to)) return kNothing;
+        const std::size_t number = beyond[part]++;
+        beyond_[number] = {-grid.distance_mm[across(graph, graph.voxel[n], direction)], to == kInnerEnd};
+        return static_cast<std::uint32_t>(order_.size() + number);
       };
       Link& link = links_[place[n]];
       for (std::size_t d = 0; d < 3; ++d) {
@@ -123,7 +141,7 @@ class Transport {
         link.below[d] = number_of(down);
         link.above[d] = number_of(down ^ 1U);
       }
-    }
+    });
   }
 
   /// A length from one of the surfaces for each node of the graph.
@@ -226,7 +244,7 @@ class Transport {
 WallLengths wall_lengths(const WallGrid& grid, const WallGraph& graph, const std::vector<float>& potential,
                          int threads) {
   const std::vector<Slope> slopes = slopes_of(grid, graph, potential, threads);
-  const Transport transport(grid, graph, slopes, uphill_order(graph, potential, slopes));
+  const Transport transport(grid, graph, slopes, uphill_order(graph, potential, slopes), threads);
   WallLengths out;
   parallel_for(threads, 2, [&](std::size_t first, std::size_t last) {
     for (std::size_t which = first; which < last; ++which)

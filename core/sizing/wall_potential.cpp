@@ -134,7 +134,7 @@ WallGrid every_other(const WallGrid& grid) {
 /// Values to start from: the means of what the grid of every other voxel has around each node.
 std::vector<float> start_values(const WallGrid& grid, const WallGraph& graph, int threads) {
   const WallGrid coarse = every_other(grid);
-  const WallGraph coarse_graph = wall_graph(coarse, graph.inner_kind);
+  const WallGraph coarse_graph = wall_graph(coarse, graph.inner_kind, threads);
   const std::vector<float> solved = wall_potential(coarse, coarse_graph, threads);
   std::vector<float> value(coarse.kind.size());
   for (std::size_t at = 0; at < value.size(); ++at)
@@ -158,12 +158,17 @@ std::vector<float> start_values(const WallGrid& grid, const WallGraph& graph, in
   return start;
 }
 
-/// The neighbours of the nodes [first, last), which are one colour. Those in one direction are of the other
-/// colour and in the order of the grid too, so that one walk along it finds them all.
-void link_nodes(const WallGrid& grid, std::size_t first, std::size_t last, WallGraph& graph) {
-  const std::size_t others = first == 0 ? last : 0, end = first == 0 ? graph.voxel.size() : first;
-  std::array<std::size_t, 6> walk;
-  walk.fill(others);
+/// The neighbours of the nodes [first, last), which are of one colour. Those in one direction are among
+/// [other_first, other_last), the other colour, and in the order of the grid too, so that one walk along it
+/// finds them all.
+void link_nodes(const WallGrid& grid, std::size_t first, std::size_t last, std::size_t other_first,
+                std::size_t other_last, WallGraph& graph) {
+  if (first == last) return;
+  const auto begin = graph.voxel.begin(), end = begin + static_cast<std::ptrdiff_t>(other_last);
+  std::array<std::vector<std::size_t>::const_iterator, 6> walk;
+  for (std::size_t d = 0; d < 6; ++d)
+    walk[d] = std::lower_bound(begin + static_cast<std::ptrdiff_t>(other_first), end,
+                               across(graph, graph.voxel[first], d));
   for (std::size_t n = first; n < last; ++n)
     for (std::size_t d = 0; d < 6; ++d) {
       const std::size_t other = across(graph, graph.voxel[n], d);
@@ -171,14 +176,14 @@ void link_nodes(const WallGrid& grid, std::size_t first, std::size_t last, WallG
       std::uint32_t& to = graph.nodes[n].neighbour[d];
       to = kind == graph.inner_kind ? kInnerEnd : kind == kSide || kind == kWall ? kSideEnd : kOuterEnd;
       if (kind != kWall) continue;
-      while (walk[d] < end && graph.voxel[walk[d]] < other) ++walk[d];
-      if (walk[d] < end && graph.voxel[walk[d]] == other) to = static_cast<std::uint32_t>(walk[d]);
+      while (walk[d] != end && *walk[d] < other) ++walk[d];
+      if (walk[d] != end && *walk[d] == other) to = static_cast<std::uint32_t>(walk[d] - begin);
     }
 }
 
 }  // namespace
 
-WallGraph wall_graph(const WallGrid& grid, std::uint8_t inner_kind,
+WallGraph wall_graph(const WallGrid& grid, std::uint8_t inner_kind, int threads,
                      const std::vector<std::uint8_t>& in_reach) {
   WallGraph graph;
   graph.inner_kind = inner_kind;
@@ -194,8 +199,12 @@ WallGraph wall_graph(const WallGrid& grid, std::uint8_t inner_kind,
     if (parity == 0) graph.even = graph.voxel.size();
   }
   graph.nodes.resize(graph.voxel.size());
-  link_nodes(grid, 0, graph.even, graph);
-  link_nodes(grid, graph.even, graph.voxel.size(), graph);
+  const std::size_t even = graph.even, all = graph.voxel.size();
+  parallel_for(threads, even,
+               [&](std::size_t first, std::size_t last) { link_nodes(grid, first, last, even, all, graph); });
+  parallel_for(threads, all - even, [&](std::size_t first, std::size_t last) {
+    link_nodes(grid, even + first, even + last, 0, even, graph);
+  });
   return graph;
 }
 

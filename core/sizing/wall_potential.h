@@ -25,7 +25,7 @@ struct WallGraph {
 
 /// The voxels of the wall that `in_reach` marks (one entry a voxel; empty: all); those that are not in reach
 /// count as kSide.
-WallGraph wall_graph(const WallGrid& grid, std::uint8_t inner_kind,
+WallGraph wall_graph(const WallGrid& grid, std::uint8_t inner_kind, int threads,
                      const std::vector<std::uint8_t>& in_reach = {});
 
 /// The voxel across a face.
