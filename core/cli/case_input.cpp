@@ -119,9 +119,9 @@ Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
     if (!group) return group.error();
     json["merge"].push_back(std::move(group).value());
   }
-  if (!std::isfinite(options.edge_mm))
-    return usage_error("cli", "--edge-mm: found " + std::to_string(options.edge_mm) + ", expected a number");
-  if (options.edge_mm != 0) json["sizing"]["edge_mm"] = options.edge_mm;
+  if (options.edge_mm && !std::isfinite(*options.edge_mm))
+    return usage_error("cli", "--edge-mm: found " + std::to_string(*options.edge_mm) + ", expected a number");
+  if (options.edge_mm) json["sizing"]["edge_mm"] = *options.edge_mm;
   const Result<nlohmann::json> edges = to_edges("--edge-label", options.edge_labels);
   if (!edges) return edges.error();
   for (const nlohmann::json& edge : *edges) {

@@ -1,6 +1,7 @@
 // What the commands that open a case take: a volume, a case file or a link, and the options that change it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ struct CaseOptions {
   std::vector<int> labels;               ///< --labels 1,2,5
   std::vector<std::string> merge;        ///< --merge 1,5,6; an empty text: all labels to be meshed
   std::vector<unsigned> look_up;         ///< --look-up
-  double edge_mm = 0;                    ///< --edge-mm; 0: as in the recipe
+  std::optional<double> edge_mm;         ///< --edge-mm; as in the recipe where not given
   std::vector<std::string> edge_labels;  ///< --edge-label 5=0.8
   std::vector<std::string> masks;        ///< --mask
   std::vector<std::string> mask_edges;   ///< --mask-edge 1=0.8, of every --mask

@@ -96,6 +96,7 @@ TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
                            "a.fraction_2.dat", "a.fraction_3.dat"})
     EXPECT_TRUE(fs::exists(at(name))) << name;
   EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--look-up", "9"}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--edge-mm", "0"}), kExitUsage);
 }
 
 TEST_F(CliTest, MergesAllLabelsOrGroups) {
