@@ -73,8 +73,8 @@ RunContext printing_context(double time_limit_s, int threads) {
   const bool terminal = on_terminal();
   ctx.on_progress = [running, terminal](const std::string& stage, double fraction) {
     if (fraction <= 0) {
-      // A stage whose parts each begin at 0 is still one stage.
-      if (running->stage != stage) *running = {stage, Clock::now()};
+      if (running->stage == stage) return;  // a stage whose parts each begin at 0 is still one stage
+      *running = {stage, Clock::now()};
       if (terminal) std::fprintf(stderr, "%-8s ...", stage.c_str());
     } else if (fraction >= 1 && running->stage == stage) {
       const double seconds = std::chrono::duration<double>(Clock::now() - running->start).count();
