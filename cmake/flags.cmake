@@ -16,10 +16,16 @@ if(VOXTET_SANITIZE)
 endif()
 
 if(EMSCRIPTEN)
-  # With 3.1.6 -fwasm-exceptions together with -pthread loses every exception: this module has one thread. SIMD is what
-  # the compiler makes of loops: a quarter off smoothing and sizing, 7 % off the whole, the same bytes.
+  # SIMD is what the compiler makes of loops: a quarter off smoothing and sizing, 7 % off the whole, the same bytes.
   add_compile_options(-fwasm-exceptions -msimd128)
   add_link_options(-fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=64MB)
+  if(VOXTET_THREADS)
+    add_compile_options(-pthread "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${CMAKE_SOURCE_DIR}/wasm/landing_pad.h>")
+    # A thread that waits for others cannot make more of them: as many as the machine runs are made at the start (under
+    # node; the browser's module has its own number), and asking for more fails (STRICT=2) instead of waiting for ever.
+    add_link_options(-pthread -Wno-pthreads-mem-growth -sPTHREAD_POOL_SIZE_STRICT=2
+      "-sPTHREAD_POOL_SIZE=Math.min(require('os').cpus().length,8)-1")
+  endif()
 endif()
 
 add_library(voxtet_warnings INTERFACE)

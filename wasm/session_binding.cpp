@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "geometry/parallel.h"
 #include "io/read_volume.h"
 #include "io/write_mesh.h"
 #include "lookup/look_up_labels.h"
@@ -91,7 +92,7 @@ class SessionBinding {
   std::string load_volume(const std::string& name, const val& bytes, const val& siblings) {
     const HeldFile file(name, bytes, siblings);
     if (Status loaded = session_.load_volume(file.volume_file()); !loaded) return reply(loaded.error());
-    RunContext ctx;
+    RunContext ctx = context();
     if (Status ran = session_.run(Stage::kVolume, ctx); !ran) return reply(ran.error());
     return reply(volume_json(session_));
   }
@@ -113,7 +114,7 @@ class SessionBinding {
   std::string run(const std::string& stage_name, const val& on_progress) {
     Result<Stage> last = stage_of(stage_name);
     if (!last) return reply(last.error());
-    RunContext ctx;
+    RunContext ctx = context();
     if (!on_progress.isUndefined() && !on_progress.isNull())
       ctx.on_progress = [&](const std::string& stage, double fraction) { on_progress(stage, fraction); };
     if (Status done = session_.run(*last, ctx); !done) return reply(done.error());
@@ -125,7 +126,7 @@ class SessionBinding {
   /// What meshing will take; with `elements` > 0 also the edge lengths that give so many tetrahedra, as
   /// "fitting". Where only sizes have changed, a mesh of the earlier ones stays: they may come back.
   std::string forecast(double elements) {
-    RunContext ctx;
+    RunContext ctx = context();
     if (!session_.may_size())
       if (Status done = session_.run(Stage::kSizing, ctx); !done) return reply(done.error());
     const Result<json> found = forecast_json(session_, elements, ctx);
@@ -188,6 +189,12 @@ class SessionBinding {
   }
 
  private:
+  static RunContext context() {
+    RunContext ctx;
+    ctx.threads = hardware_threads();
+    return ctx;
+  }
+
   std::string load_mask(const VolumeFile& file) {
     if (Status loaded = session_.load_mask(file); !loaded) return reply(loaded.error());
     const auto& [mask, digest] = session_.masks().at(file.name);

@@ -178,10 +178,14 @@ int run_phantom(const std::string& name, const std::vector<std::string>& set, co
 
 int run_convert(const std::string& in, const std::string& out, const Output& output) {
   if (mesh_format_of(in).ok()) {
-    Result<TetMesh> mesh = read_tet_mesh_file(in);
+    MeshArrays arrays;
+    Result<TetMesh> mesh = read_tet_mesh_file(in, &arrays);
     if (!mesh) return fail(mesh.error());
+    for (const std::string& name : arrays.left_out)
+      std::fprintf(stderr, "warning: %s: left out the array %s, expected a finite number for each cell\n",
+                   in.c_str(), name.c_str());
     add_label_faces(*mesh);
-    return export_mesh(*mesh, {}, {}, out, output);
+    return export_mesh(*mesh, {}, std::move(arrays.cell_data), out, output);
   }
   Result<LabelVolume> volume = read_volume_file(in);
   if (!volume) return fail(volume.error());

@@ -21,9 +21,9 @@ bool contains_early(std::string_view text, std::string_view word) {
 
 }  // namespace
 
-Result<TetMesh> read_tet_mesh(const VolumeFile& file) {
+Result<TetMesh> read_tet_mesh(const VolumeFile& file, MeshArrays* arrays) {
   const std::string_view text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
-  if (contains_early(text, "<VTKFile")) return read_vtu(file);
+  if (contains_early(text, "<VTKFile")) return read_vtu(file, arrays);
   if (text.substr(0, 11) == "$MeshFormat") return read_msh(file);
   if (contains_early(text, "MeshVersionFormatted")) return read_medit(file);
   if (const Result<MeshFormat> format = mesh_format_of(file.name);
@@ -35,15 +35,15 @@ Result<TetMesh> read_tet_mesh(const VolumeFile& file) {
                {}};
 }
 
-Result<TetMesh> read_tet_mesh_file(const std::string& path) {
+Result<TetMesh> read_tet_mesh_file(const std::string& path, MeshArrays* arrays) {
   const std::string ending = lower_case(mesh_ending_of(path));
   const std::string name = ending == ".carp" ? path.substr(0, path.size() - ending.size()) + ".elem" : path;
   const Result<Bytes> bytes = read_file(name);
   if (!bytes.ok()) return bytes.error();
   const std::size_t folder = name.find_last_of("/\\") + 1;
-  return read_tet_mesh({name, *bytes, [&](const std::string& sibling) {
-                          return read_file(name.substr(0, folder) + sibling);
-                        }});
+  return read_tet_mesh(
+      {name, *bytes, [&](const std::string& sibling) { return read_file(name.substr(0, folder) + sibling); }},
+      arrays);
 }
 
 }  // namespace voxtet

@@ -2,12 +2,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "io/read_volume.h"
+#include "types/cell_data.h"
 #include "types/result.h"
 #include "types/tet_mesh.h"
 
 namespace voxtet {
+
+/// What a file says of its tetrahedra beside their labels.
+struct MeshArrays {
+  std::vector<CellData> cell_data;  ///< as many values as the mesh has tetrahedra
+  std::vector<std::string>
+      left_out;  ///< names of arrays that are not a finite number each, or not in every piece
+};
 
 /// Reads VTU (as written by voxtet and by VTK: raw appended, base64 or ascii, uncompressed or zlib), Gmsh
 /// MSH 4.1 and 2.2 (ASCII and binary), MEDIT .mesh (ASCII) and openCARP (.elem with .pts beside it). Only
@@ -17,10 +26,11 @@ namespace voxtet {
 /// orientation stay as in the file (MSH: ascending tags), so that a checker sees what is there: inverted
 /// tetrahedra and unused points are kept. `faces` are left empty. The format is found from the content
 /// (openCARP: the name; what is missing comes from `file.sibling`). Strict: cut files, indices out of range
-/// and numbers that are not finite are errors; memory is allocated only for what the bytes can hold. Errors:
-/// kBadInput naming file, line or field.
-Result<TetMesh> read_tet_mesh(const VolumeFile& file);
+/// and numbers that are not finite are errors; memory is allocated only for what the bytes can hold.
+/// `arrays`, where given, takes the other cell arrays of VTU; what stands beside the files of other formats
+/// is not read. Errors: kBadInput naming file, line or field.
+Result<TetMesh> read_tet_mesh(const VolumeFile& file, MeshArrays* arrays = nullptr);
 /// `path` may also be a.carp: a.elem with a.pts.
-Result<TetMesh> read_tet_mesh_file(const std::string& path);
+Result<TetMesh> read_tet_mesh_file(const std::string& path, MeshArrays* arrays = nullptr);
 
 }  // namespace voxtet

@@ -1,5 +1,7 @@
 #include "io/read_vtu.h"
 
+#include <algorithm>
+
 #include "io/header_text.h"
 #include "io/mesh_cursor.h"
 #include "io/vtu_arrays.h"
@@ -19,7 +21,21 @@ class PieceReader {
     if (!count_of(piece.cells, cells)) return refuse("Piece NumberOfCells is " + in_quotes(piece.cells));
     const std::size_t first_point = mesh.points.size();
     if (Status status = read_points(piece, points); !status.ok()) return status;
-    return read_cells(piece, cells, first_point);
+    const std::size_t first_tet = mesh.tets.size();
+    if (Status status = read_cells(piece, cells, first_point); !status.ok()) return status;
+    read_cell_data(piece, first_tet);
+    return std::monostate{};
+  }
+
+  /// The cell arrays that every piece has; the names of those that are no CellData.
+  MeshArrays arrays() {
+    MeshArrays out;
+    for (CellData& data : cell_data_)
+      if (data.values.size() == mesh.tets.size() && is_cell_data_name(data.name) && all_finite(data.values))
+        out.cell_data.push_back(std::move(data));
+      else
+        out.left_out.push_back(data.name);
+    return out;
   }
 
   TetMesh mesh;
@@ -78,8 +94,11 @@ class PieceReader {
     if (!connectivity.ok()) return connectivity.error();
     const auto labels = integers(piece, "CellData", "label", count);
     if (!labels.ok()) return labels.error();
+    tet_cells_.clear();
+    cell_count_ = count;
     for (std::size_t c = 0; c < count; ++c) {
       if ((*types)[c] != kVtkTetra) continue;
+      tet_cells_.push_back(c);
       const auto begin = static_cast<std::size_t>(c == 0 ? 0 : (*offsets)[c - 1]);
       if ((*offsets)[c] - static_cast<std::int64_t>(begin) != 4)
         return refuse("cell " + std::to_string(c) + " is a tetrahedron, but has not 4 points");
@@ -106,7 +125,25 @@ class PieceReader {
     return std::monostate{};
   }
 
+  /// An array that is missing, or cannot be read, in one piece has too few values in the end.
+  void read_cell_data(const VtuPiece& piece, std::size_t first_tet) {
+    for (const VtuArray& array : piece.arrays) {
+      if (array.section != "CellData" || array.name == "label") continue;
+      auto data = std::find_if(cell_data_.begin(), cell_data_.end(),
+                               [&](const CellData& known) { return known.name == array.name; });
+      if (data == cell_data_.end()) data = cell_data_.insert(data, {std::string(array.name), {}});
+      std::vector<float>& values = data->values;
+      if (values.size() != first_tet || !(array.components.empty() || array.components == "1")) continue;
+      const Result<std::vector<double>> all = arrays_.reals(array, cell_count_);
+      if (!all.ok()) continue;
+      for (const std::size_t cell : tet_cells_) values.push_back(static_cast<float>((*all)[cell]));
+    }
+  }
+
   VtuArrays arrays_;
+  std::vector<CellData> cell_data_;
+  std::vector<std::size_t> tet_cells_;  ///< those of the last piece
+  std::uint64_t cell_count_ = 0;        ///< of the last piece
 };
 
 /// Whether a field-data array `space` holds the letters L, P, S. Other people's arrays of that name are none
@@ -123,17 +160,18 @@ bool says_lps(const VtuDocument& document) {
   return false;
 }
 
-Result<TetMesh> read_document(const VtuDocument& document) {
+Result<TetMesh> read_document(const VtuDocument& document, MeshArrays* arrays) {
   if (Status status = VtuArrays(document).check(); !status.ok()) return status.error();
   PieceReader reader(document);
   for (const VtuPiece& piece : document.pieces)
     if (Status status = reader.read(piece); !status.ok()) return status.error();
+  if (arrays) *arrays = reader.arrays();
   return std::move(reader.mesh);
 }
 
 }  // namespace
 
-Result<TetMesh> read_vtu(const VolumeFile& file) {
+Result<TetMesh> read_vtu(const VolumeFile& file, MeshArrays* arrays) {
   const std::string_view text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
   const auto named = [&](Error error) {
     error.message = file.name + ": " + error.message;
@@ -141,7 +179,7 @@ Result<TetMesh> read_vtu(const VolumeFile& file) {
   };
   const Result<VtuDocument> document = parse_vtu_xml(text);
   if (!document.ok()) return named(document.error());
-  Result<TetMesh> mesh = read_document(*document);
+  Result<TetMesh> mesh = read_document(*document, arrays);
   if (!mesh.ok()) return named(mesh.error());
   MeshCursor end(file.bytes, file.name, "read_vtu");
   return finish_mesh(end, std::move(mesh).value(), says_lps(*document));

@@ -7,7 +7,7 @@ namespace voxtet {
 
 /// Linear tetrahedra of all pieces; the label is the cell array `label` (any numeric type, whole numbers).
 /// Little-endian, ascii, base64 or raw, inline or appended, uncompressed or zlib. A field-data array `space`
-/// that says "LPS" is obeyed.
-Result<TetMesh> read_vtu(const VolumeFile& file);
+/// that says "LPS" is obeyed. `arrays` as in read_tet_mesh.
+Result<TetMesh> read_vtu(const VolumeFile& file, MeshArrays* arrays);
 
 }  // namespace voxtet

@@ -106,14 +106,12 @@ std::optional<Error> check_mesh(const TetMesh& mesh) {
 
 std::optional<Error> check_cell_data(const std::vector<CellData>& cell_data, std::size_t tets) {
   for (const CellData& data : cell_data) {
-    const bool word = !data.name.empty() && std::all_of(data.name.begin(), data.name.end(), [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    });
-    if (!word) return broken("cell data \"" + data.name + "\": expected a name of letters, digits and _");
+    if (!is_cell_data_name(data.name))
+      return broken("cell data \"" + data.name + "\": expected a name of letters, digits and _");
     if (data.values.size() != tets)
       return broken("cell data " + data.name + ": " + std::to_string(data.values.size()) + " values for " +
                     std::to_string(tets) + " tetrahedra");
-    if (!std::all_of(data.values.begin(), data.values.end(), [](float v) { return std::isfinite(v); }))
+    if (!all_finite(data.values))
       return broken("cell data " + data.name + " hold a value that is not finite");
   }
   return {};

@@ -224,6 +224,13 @@ Status look_up_tets(const TetMesh& mesh, const LabelVolume& volume, const LookUp
 
 }  // namespace
 
+Status check_look_up(const LabelVolume& volume, const LookUpParams& params) {
+  if (params.labels.empty()) return std::monostate{};
+  const Result<std::vector<LookedUpLabel>> asked = asked_labels(volume, params);
+  if (!asked) return asked.error();
+  return std::monostate{};
+}
+
 Result<LabelLookUp> look_up_labels(const TetMesh& mesh, const LabelVolume& volume, const LookUpParams& params,
                                    RunContext& ctx) {
   LabelLookUp found;

@@ -33,6 +33,9 @@ struct LookUpParams {
 Result<LabelLookUp> look_up_labels(const TetMesh& mesh, const LabelVolume& volume, const LookUpParams& params,
                                    RunContext& ctx);
 
+/// What look_up_labels refuses before it needs a mesh.
+Status check_look_up(const LabelVolume& volume, const LookUpParams& params);
+
 /// `centroid_label`, `majority_label`, and `fraction_5` for label 5; none where nothing was looked up.
 std::vector<CellData> cell_data_of(const LabelLookUp& found);
 

@@ -177,10 +177,10 @@ Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, Run
     factor = guess > low && guess < high ? guess : std::sqrt(low * high);
   }
   const std::string what =
-      low > kMostFactor / 2 ? "even 64 times the edge lengths are beyond the limits"
+      low > kMostFactor / 2 ? "even 64 times the edge lengths give more"
       : high < 2 * kLeastFactor
-          ? "even a 64th of the edge lengths does not come near the limits"
-          : "near " + shown(factor) + " times the edge lengths the forecast leaps over the limits";
+          ? "even a 64th of the edge lengths gives less"
+          : "near " + shown(factor) + " times the edge lengths the forecast leaps over it";
   return usage_error("forecast",
                      what + ": the labels themselves, layers, images, edge_min_mm or edge_max_mm decide");
 }

@@ -79,6 +79,8 @@ Status Session::run_volume(RunContext& ctx) {
 }
 
 Status Session::run_surface(RunContext& ctx) {
+  // Before a mesh is made for it.
+  if (Status can_look_up = check_look_up(*source_, recipe_.lookup); !can_look_up) return can_look_up;
   if (recipe_.surface.method == ExtractMethod::kMarchingCubes)
     if (const std::size_t labels = count_labels(*volume()).size(); labels > 1)
       return usage_error("surface",
@@ -187,12 +189,17 @@ Status Session::run_optimise(RunContext& ctx) {
 
 void Session::warn_about_layers(std::size_t wall, const LayerCount& found, RunContext& ctx) const {
   constexpr double kNearlyAll = 0.95;
+  const std::string name = "sizing.thickness[" + std::to_string(wall) + "].layers: ";
+  const std::vector<double>& areas = found.by_edges.area_mm2;
+  if (std::all_of(areas.begin(), areas.end(), [](double area) { return area == 0; })) {
+    ctx.warn("quality", name + "not counted, as no label of the wall has an outer surface in the mesh");
+    return;
+  }
   if (recipe_.sizing.thickness[wall].layering != Layering::kExact || found.by_edges.exact >= kNearlyAll)
     return;
   char share[16];
   std::snprintf(share, sizeof share, "%.0f %%", 100 * found.by_edges.exact);
-  ctx.warn("quality", "sizing.thickness[" + std::to_string(wall) + "].layers: exactly " +
-                          std::to_string(found.wished) + " on " + share +
+  ctx.warn("quality", name + "exactly " + std::to_string(found.wished) + " on " + share +
                           " of the wall's area, by edges: the others have no room there");
 }
 

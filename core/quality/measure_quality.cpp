@@ -1,8 +1,12 @@
 #include "quality/measure_quality.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 #include "geometry/adjacency.h"
 #include "geometry/compare_topology.h"
@@ -110,18 +114,6 @@ void measure_tets_into(const TetMesh& mesh, const SizingField* sizing, int threa
   });
 }
 
-std::vector<MetricSummary> tet_metrics(const TetMesh& mesh, int bins, int threads) {
-  TetMeasures m;
-  std::vector<float> all_angles;
-  measure_tets_into(mesh, nullptr, threads, m, &all_angles);
-  return {summarise({"min_dihedral_deg", "deg", "tets", 0, 75, Worst::kLowest}, m.min_dihedral_deg, bins),
-          summarise({"max_dihedral_deg", "deg", "tets", 60, 180, Worst::kHighest}, m.max_dihedral_deg, bins),
-          summarise({"dihedral_deg", "deg", "tets", 0, 180, Worst::kNone}, all_angles, bins),
-          summarise({"radius_ratio", "1", "tets", 0, 1, Worst::kLowest}, m.radius_ratio, bins),
-          summarise({"mean_ratio", "1", "tets", 0, 1, Worst::kLowest}, m.mean_ratio, bins),
-          summarise({"aspect_ratio", "1", "tets", 1, 6, Worst::kHighest}, m.aspect_ratio, bins)};
-}
-
 /// Upper end of a histogram of lengths: the largest value, rounded up to two digits.
 double nice_upper(const std::vector<float>& values) {
   const double largest = values.empty() ? 1 : *std::max_element(values.begin(), values.end());
@@ -149,18 +141,21 @@ std::vector<MetricSummary> edge_metrics(const TetMesh& mesh, const SizingField* 
   return out;
 }
 
-struct TriangleValues {
-  std::vector<float> aspect, min_angle;
-};
-
-TriangleValues measure_triangles(const SurfaceMesh& surface) {
-  TriangleValues out;
-  for (const auto& [a, b, c] : surface.triangles) {
-    const TriangleShape shape = measure_triangle({surface.points[a], surface.points[b], surface.points[c]});
-    out.aspect.push_back(static_cast<float>(shape.aspect_ratio));
-    out.min_angle.push_back(static_cast<float>(shape.min_angle_deg));
+/// Of the triangles before and after they were adapted.
+std::vector<MetricSummary> triangle_metrics(const SurfaceMesh& before, const SurfaceMesh& after, int bins) {
+  std::vector<float> aspect_before, aspect_after, angles_after;
+  for (const auto& [a, b, c] : before.triangles)
+    aspect_before.push_back(static_cast<float>(
+        measure_triangle({before.points[a], before.points[b], before.points[c]}).aspect_ratio));
+  for (const auto& [a, b, c] : after.triangles) {
+    const TriangleShape shape = measure_triangle({after.points[a], after.points[b], after.points[c]});
+    aspect_after.push_back(static_cast<float>(shape.aspect_ratio));
+    angles_after.push_back(static_cast<float>(shape.min_angle_deg));
   }
-  return out;
+  return {
+      summarise({"triangle_aspect_before", "1", "triangles", 1, 6, Worst::kHighest}, aspect_before, bins),
+      summarise({"triangle_aspect_after", "1", "triangles", 1, 6, Worst::kHighest}, aspect_after, bins),
+      summarise({"triangle_min_angle_deg", "deg", "triangles", 0, 60, Worst::kLowest}, angles_after, bins)};
 }
 
 bool has_places(const TetMesh& mesh) {
@@ -168,19 +163,40 @@ bool has_places(const TetMesh& mesh) {
                      [](const Eigen::Vector3d& p) { return p.allFinite(); });
 }
 
-/// The part of the report that needs the mesh alone, its ledger included.
+using Tasks = std::vector<std::function<void()>>;
+
+/// The part of the report that needs the mesh alone, its ledger included. `others` are run along with it,
+/// unless a point has no place.
 QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& faces,
-                             const SizingField* sizing, int bins, int threads) {
+                             const SizingField* sizing, int bins, int threads, Tasks others = {}) {
   QualityReport report;
-  report.topology.after = label_topology(label_boundary(mesh, faces));
+  TopologyLedger& ledger = report.topology.after;
+  const auto find_ledger = [&] { ledger = label_topology(label_boundary(mesh, faces)); };
   if (!has_places(mesh)) {
-    report.checklist =
-        check_mesh_alone(mesh, faces, report.topology.after, std::numeric_limits<double>::quiet_NaN());
+    find_ledger();
+    report.checklist = check_mesh_alone(mesh, faces, ledger, std::numeric_limits<double>::quiet_NaN());
     return report;
   }
-  report.metrics = tet_metrics(mesh, bins, threads);
-  for (MetricSummary& m : edge_metrics(mesh, sizing, bins)) report.metrics.push_back(std::move(m));
-  report.checklist = check_mesh_alone(mesh, faces, report.topology.after, report.metrics.front().min);
+  TetMeasures m;
+  std::vector<float> all_angles;
+  measure_tets_into(mesh, nullptr, threads, m, &all_angles);
+  const std::array<std::pair<MetricInfo, const std::vector<float>*>, 6> of_tets{
+      {{{"min_dihedral_deg", "deg", "tets", 0, 75, Worst::kLowest}, &m.min_dihedral_deg},
+       {{"max_dihedral_deg", "deg", "tets", 60, 180, Worst::kHighest}, &m.max_dihedral_deg},
+       {{"dihedral_deg", "deg", "tets", 0, 180, Worst::kNone}, &all_angles},
+       {{"radius_ratio", "1", "tets", 0, 1, Worst::kLowest}, &m.radius_ratio},
+       {{"mean_ratio", "1", "tets", 0, 1, Worst::kLowest}, &m.mean_ratio},
+       {{"aspect_ratio", "1", "tets", 1, 6, Worst::kHighest}, &m.aspect_ratio}}};
+  report.metrics.resize(of_tets.size());
+  std::vector<MetricSummary> of_edges;
+  Tasks tasks = std::move(others);
+  tasks.emplace_back([&] { of_edges = edge_metrics(mesh, sizing, bins); });
+  tasks.emplace_back(find_ledger);
+  for (std::size_t i = 0; i < of_tets.size(); ++i)
+    tasks.emplace_back([&, i] { report.metrics[i] = summarise(of_tets[i].first, *of_tets[i].second, bins); });
+  run_tasks(threads, tasks);
+  std::move(of_edges.begin(), of_edges.end(), std::back_inserter(report.metrics));
+  report.checklist = check_mesh_alone(mesh, faces, ledger, report.metrics.front().min);
   return report;
 }
 
@@ -206,28 +222,28 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
   const int bins = params.histogram_bins;
   const std::vector<TetFace> faces = tet_faces(mesh.tets, mesh.points.size());
-  QualityReport report = report_of_mesh(mesh, faces, &reference.sizing, bins, ctx.threads);
+  std::vector<MetricSummary> of_triangles;
+  std::vector<LabelFidelity> labels;
+  TopologyLedger before;
+  FoundLayers layers;
+  QualityReport report = report_of_mesh(
+      mesh, faces, &reference.sizing, bins, ctx.threads,
+      {[&] { labels = measure_labels(mesh, reference.labels, reference.sizing); },
+       [&] { layers = count_layers(mesh, reference.walls); },
+       [&] { before = label_topology(reference.label_surface); },
+       [&] { of_triangles = triangle_metrics(reference.label_surface, reference.adapted, bins); }});
   if (!has_places(mesh)) return report;
-  ctx.progress("quality", 0.3);
-  if (ctx.cancelled()) return cancelled_error("quality");
-
-  const TriangleValues before = measure_triangles(reference.label_surface),
-                       after = measure_triangles(reference.adapted);
-  report.metrics.push_back(
-      summarise({"triangle_aspect_before", "1", "triangles", 1, 6, Worst::kHighest}, before.aspect, bins));
-  report.metrics.push_back(
-      summarise({"triangle_aspect_after", "1", "triangles", 1, 6, Worst::kHighest}, after.aspect, bins));
-  report.metrics.push_back(summarise({"triangle_min_angle_deg", "deg", "triangles", 0, 60, Worst::kLowest},
-                                     after.min_angle, bins));
-
-  report.labels = measure_labels(mesh, reference.labels, reference.sizing);
+  std::move(of_triangles.begin(), of_triangles.end(), std::back_inserter(report.metrics));
+  report.labels = std::move(labels);
+  report.layers = std::move(layers.counts);
+  report.layer_map = std::move(layers.map);
   TopologyComparison& topology = report.topology;
-  topology.before = label_topology(reference.label_surface);
+  topology.before = std::move(before);
   topology.differences = compare_topology(topology.before, topology.after);
   for (ChecklistItem& item :
        check_against_labels(mesh, faces, reference.volume, report.labels, topology.differences))
     report.checklist.push_back(std::move(item));
-  ctx.progress("quality", 0.6);
+  ctx.progress("quality", 0.5);
   if (ctx.cancelled()) return cancelled_error("quality");
 
   const double voxel = reference.volume.smallest_spacing_mm();
@@ -238,9 +254,6 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   if (!distances) return distances.error();
   report.mesh_to_surface = distances->forth;
   report.surface_to_mesh = distances->back;
-  FoundLayers layers = count_layers(mesh, reference.walls);
-  report.layers = std::move(layers.counts);
-  report.layer_map = std::move(layers.map);
   return report;
 }
 

@@ -71,9 +71,9 @@ struct Piece {
 /// Distances one way. Two of them may run at once: neither changes what the other reads.
 class DirectedDistance {
  public:
-  /// `ctx` is asked now and then whether to stop, unless it is null; `cancelled` tells both ways.
+  /// `ctx` is asked now and then whether to stop; `cancelled` tells both ways.
   DirectedDistance(const Boundaries& from, Boundaries& to, const DistanceParams& params,
-                   const RunContext* ctx, std::atomic<bool>& cancelled)
+                   const RunContext& ctx, std::atomic<bool>& cancelled)
       : from_(from), to_(to), params_(params), ctx_(ctx), cancelled_(cancelled) {}
 
   /// Meaningless once cancelled.
@@ -90,7 +90,7 @@ class DirectedDistance {
 
  private:
   Sample closest(const Eigen::Vector3d& point, const ClosestPointTree& to) {
-    if (++queries_ % kPollEvery == 0 && ctx_ != nullptr && ctx_->cancelled()) cancelled_ = true;
+    if (++queries_ % kPollEvery == 0 && ctx_.cancelled()) cancelled_ = true;
     const ClosestPointTree::Hit hit = to.closest(point, hint_);
     hint_ = hit.triangle;
     largest_ = std::max(largest_, hit.distance_mm);
@@ -245,7 +245,7 @@ class DirectedDistance {
   const Boundaries& from_;
   Boundaries& to_;
   const DistanceParams& params_;
-  const RunContext* ctx_;
+  const RunContext& ctx_;
   std::atomic<bool>& cancelled_;
   std::vector<std::pair<float, float>> found_;  ///< distance, weight
   std::vector<Piece> open_;                     ///< heap, largest bound first
@@ -259,20 +259,14 @@ class DirectedDistance {
 Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleSet& b,
                                            const DistanceParams& params, RunContext& ctx) {
   if (a.triangles.empty() || b.triangles.empty()) return SurfaceDistances{};
-  const auto both = [&ctx](const auto& body) {
-    parallel_for(ctx.threads, 2, [&](std::size_t first, std::size_t last) {
-      for (std::size_t way = first; way < last; ++way) body(way);
-    });
-  };
   std::array<std::optional<Boundaries>, 2> boundaries;
-  both([&](std::size_t way) { boundaries[way].emplace(way == 0 ? a : b); });
+  run_tasks(ctx.threads, {[&] { boundaries[0].emplace(a); }, [&] { boundaries[1].emplace(b); }});
   std::atomic<bool> cancelled = false;
   std::array<DistanceSummary, 2> found;
-  both([&](std::size_t way) {
-    // Only the stage's own thread, which takes the first way, may ask.
-    const RunContext* asked = way == 0 || ctx.threads < 2 ? &ctx : nullptr;
-    found[way] = DirectedDistance(*boundaries[way], *boundaries[1 - way], params, asked, cancelled).measure();
-  });
+  const auto measure = [&](std::size_t way) {
+    found[way] = DirectedDistance(*boundaries[way], *boundaries[1 - way], params, ctx, cancelled).measure();
+  };
+  run_tasks(ctx.threads, {[&] { measure(0); }, [&] { measure(1); }});
   if (cancelled) return cancelled_error("quality");
   return SurfaceDistances{found[0], found[1]};
 }

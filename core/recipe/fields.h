@@ -223,10 +223,12 @@ void visit_fields(V& v, FillParams& p) {
   v.choice({"backend", "", 0, 0, "Which mesher fills the surface."}, p.backend,
            Choices<TetBackend>{{"tetgen", TetBackend::kTetgen}, {"delaunay", TetBackend::kDelaunay}});
   v.field({"radius_edge", "", 1.2, 10, "Bound on circumradius over shortest edge."}, p.radius_edge);
-  v.field({"min_dihedral_deg", "deg", 0, 18, "Smallest dihedral angle that refinement aims at; 0: none."},
-          p.min_dihedral_deg);
-  v.field({"max_dihedral_deg", "deg", 130, 180, "Largest dihedral angle that optimisation aims at."},
-          p.max_dihedral_deg);
+  v.field(
+      {"min_dihedral_deg", "deg", 0, 18, "tetgen: smallest dihedral angle that refinement aims at; 0: none."},
+      p.min_dihedral_deg);
+  v.field(
+      {"max_dihedral_deg", "deg", 130, 180, "tetgen: largest dihedral angle that its optimisation aims at."},
+      p.max_dihedral_deg);
 }
 
 template <class V>

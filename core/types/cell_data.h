@@ -1,7 +1,10 @@
 // Values that go with the elements of a mesh into files.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace voxtet {
@@ -11,5 +14,15 @@ struct CellData {
   std::string name;
   std::vector<float> values;
 };
+
+inline bool is_cell_data_name(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+inline bool all_finite(const std::vector<float>& values) {
+  return std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
+}
 
 }  // namespace voxtet

@@ -9,6 +9,9 @@
 
 namespace voxtet {
 
+/// Whether this thread is one that a stage has made (geometry/parallel.h): those never call back.
+inline thread_local bool is_helper_thread = false;
+
 /// Passed by reference into every stage. All callbacks are optional and are called on the stage's own thread.
 struct RunContext {
   std::function<void(const std::string& stage, double fraction)> on_progress;  ///< fraction in [0, 1]
@@ -20,9 +23,9 @@ struct RunContext {
   int threads = 1;  ///< that a stage may use (geometry/parallel.h); never changes what it returns
 
   void progress(const std::string& stage, double fraction) const {
-    if (on_progress) on_progress(stage, fraction);
+    if (on_progress && !is_helper_thread) on_progress(stage, fraction);
   }
-  bool cancelled() const { return on_cancelled && on_cancelled(); }
+  bool cancelled() const { return on_cancelled && !is_helper_thread && on_cancelled(); }
   void warn(const std::string& stage, const std::string& message) const {
     if (on_warning) on_warning(stage, message);
   }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "geometry/parallel.h"
 #include "io/files.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
@@ -40,6 +41,7 @@ TEST_P(Example, GivesThePromisedMesh) {
   Session session;
   ASSERT_TRUE(session.set_recipe(*recipe).ok());
   RunContext ctx;
+  ctx.threads = hardware_threads();  // the build of WebAssembly without threads has one
   const Status done = session.run(Stage::kQuality, ctx);
   ASSERT_TRUE(done.ok()) << done.error().message;
   test::check_tets(*session.mesh());

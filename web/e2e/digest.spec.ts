@@ -19,6 +19,30 @@ for (const name of readdirSync(join(root, 'examples')).filter((entry) =>
   });
 }
 
+for (const isolated of [true, false])
+  test(`${isolated ? 'an isolated page has threads' : 'a page that may not share memory has one thread'}`, async ({
+    page,
+  }) => {
+    if (!isolated)
+      await page.route(/\/(index\.html)?$/, async (route) => {
+        const response = await route.fetch();
+        const headers = response.headers();
+        delete headers['cross-origin-opener-policy'];
+        delete headers['cross-origin-embedder-policy'];
+        await route.fulfill({ response, headers });
+      });
+    const modules = new Set<string>();
+    page.on('request', (request) => {
+      if (request.url().endsWith('.wasm')) modules.add(new URL(request.url()).pathname);
+    });
+    const folder = join(root, 'examples/biventricle-scar');
+    const { engine, digest, tets } = readJson(join(folder, 'expected.json'));
+    await openAndRun(page, { ...readJson(join(folder, 'case.json')), expected: { engine, digest, tets } });
+    await expect(page.getByTestId('verdict')).toContainText('Reproduced');
+    expect(await page.evaluate(() => crossOriginIsolated)).toBe(isolated);
+    expect([...modules]).toEqual([`/engine/${isolated ? 'threads/' : ''}voxtet_engine.wasm`]);
+  });
+
 test('a real heart with a scar gives the digest that the command line gives under node', async ({ page }) => {
   const path = realVolume('biv_ed_scar_1mm.nii.gz');
   test.skip(path === null, 'The folder of real volumes is not on this machine (set VOXTET_DATA).');

@@ -96,6 +96,13 @@ TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
                            "a.fraction_2.dat", "a.fraction_3.dat"})
     EXPECT_TRUE(fs::exists(at(name))) << name;
   EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--look-up", "9"}), kExitUsage);
+  // What was looked up goes with the mesh into another format.
+  ASSERT_EQ(
+      run({"mesh", at("boxes.nii.gz"), "--merge", "--edge-mm", "3", "--look-up", "3,2", "-o", at("b.vtu")}),
+      kExitOk);
+  ASSERT_EQ(run({"convert", at("b.vtu"), at("b.carp")}), kExitOk);
+  for (const char* name : {"centroid_label.dat", "majority_label.dat", "fraction_2.dat", "fraction_3.dat"})
+    EXPECT_EQ(*read_file(at(std::string("b.") + name)), *read_file(at(std::string("a.") + name))) << name;
 }
 
 TEST_F(CliTest, MergesAllLabelsOrGroups) {

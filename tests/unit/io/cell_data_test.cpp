@@ -37,6 +37,51 @@ TEST(CellData, StandsBesideTheMeshThatIsReadBackWithoutIt) {
   }
 }
 
+TEST(CellData, OfVtuIsReadBack) {
+  const TetMesh mesh = test::kuhn_cube(3);
+  const auto files = write_tet_mesh(mesh, MeshFormat::kVtu, with_data(mesh));
+  ASSERT_TRUE(files.ok()) << files.error().message;
+  MeshArrays arrays;
+  ASSERT_TRUE(read_tet_mesh({"cube.vtu", files->front().bytes, {}}, &arrays).ok());
+  EXPECT_TRUE(arrays.left_out.empty());
+  const std::vector<CellData> wanted = test::cube_cell_data(mesh);
+  ASSERT_EQ(arrays.cell_data.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    EXPECT_EQ(arrays.cell_data[i].name, wanted[i].name);
+    EXPECT_EQ(arrays.cell_data[i].values, wanted[i].values);
+  }
+}
+
+TEST(CellData, OfVtuIsThatOfTetrahedraInEveryPiece) {
+  const auto array = [](const std::string& name, const std::string& values, const std::string& more = "") {
+    return "<DataArray type=\"Float64\" Name=\"" + name + "\" format=\"ascii\"" + more + ">" + values +
+           "</DataArray>";
+  };
+  // A triangle ahead of the tetrahedron: its values are not taken.
+  const auto piece = [&](const std::string& arrays) {
+    return "<Piece NumberOfPoints=\"4\" NumberOfCells=\"2\"><Points>" +
+           array("p", "0 0 0 1 0 0 0 1 0 0 0 1", " NumberOfComponents=\"3\"") + "</Points><Cells>" +
+           array("connectivity", "0 1 2 0 1 2 3") + array("offsets", "3 7") + array("types", "5 10") +
+           "</Cells><CellData>" + array("label", "0 7") + arrays + "</CellData></Piece>";
+  };
+  const std::string vectors = array("fibre", "1 0 0 0 1 0", " NumberOfComponents=\"3\"");
+  const std::string text =
+      "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\"><UnstructuredGrid>" +
+      piece(array("a", "1 2") + array("once", "1 2") + array("two words", "1 2") + array("large", "1 1e300") +
+            vectors) +
+      piece(array("a", "3 4") + array("two words", "1 2") + array("large", "1 2") + vectors +
+            array("late", "1 2")) +
+      "</UnstructuredGrid></VTKFile>";
+  MeshArrays arrays;
+  const Result<TetMesh> mesh = read_tet_mesh({"two.vtu", Bytes(text.begin(), text.end()), {}}, &arrays);
+  ASSERT_TRUE(mesh.ok()) << mesh.error().message;
+  ASSERT_EQ(mesh->tets.size(), 2U);
+  ASSERT_EQ(arrays.cell_data.size(), 1U);
+  EXPECT_EQ(arrays.cell_data[0].name, "a");
+  EXPECT_EQ(arrays.cell_data[0].values, (std::vector<float>{2, 4}));
+  EXPECT_EQ(arrays.left_out, (std::vector<std::string>{"once", "two words", "large", "fibre", "late"}));
+}
+
 TEST(CellData, IsOneFileEachBesideOpenCarpWithOneValueALine) {
   const TetMesh mesh = test::kuhn_cube(2);
   const auto files = write_tet_mesh(mesh, MeshFormat::kCarp, with_data(mesh));

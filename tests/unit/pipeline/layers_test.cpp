@@ -72,6 +72,26 @@ TEST(Layers, AreExactAllOverASphericalShell) {
   }
 }
 
+TEST(Layers, OfAWallThatIsNotMeshedAreWarnedOf) {
+  const LabelVolume volume = test::sample(test::shell(8, 12), Eigen::Vector3d::Ones(), {});
+  Recipe recipe = exact_recipe(2);
+  recipe.labels = {2};
+  recipe.sizing.thickness[0].layering = Layering::kSize;
+  const Bytes bytes = write_nifti(volume, true).value();
+  Session session;
+  ASSERT_TRUE(session.load_volume({"shell.nii.gz", bytes, {}}).ok());
+  recipe.source = session.recipe().source;
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  std::vector<std::string> warnings;
+  RunContext ctx;
+  ctx.on_warning = [&](const std::string&, const std::string& message) { warnings.push_back(message); };
+  const Status done = session.run(Stage::kQuality, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.starts_with("sizing.thickness[0].layers: not counted");
+  }));
+}
+
 TEST(Layers, AreExactAllOverAnEllipsoidalShell) {
   const LabelVolume volume =
       test::sample(test::ellipsoidal_shell(15, 14, 18), Eigen::Vector3d::Ones(), {37, 0, 20});

@@ -154,14 +154,22 @@ TEST(Session, LooksUpLabelsOfTheWholeImageInAMeshOfMergedOnes) {
 TEST(Session, RefusesToLookUpALabelThatTheImageDoesNotHold) {
   Session session;
   Recipe recipe = small_case();
-  recipe.lookup.labels = {77};
-  session.set_recipe(recipe);
   RunContext ctx;
-  const Status done = session.run(Stage::kQuality, ctx);
-  ASSERT_FALSE(done.ok());
-  EXPECT_EQ(done.error().code, ErrorCode::kUsage);
-  EXPECT_EQ(done.error().stage, "lookup");
-  EXPECT_NE(session.mesh(), nullptr);
+  const auto expect_refused = [&] {
+    recipe.lookup.labels = {77};
+    session.set_recipe(recipe);
+    const Status done = session.run(Stage::kQuality, ctx);
+    ASSERT_FALSE(done.ok());
+    EXPECT_EQ(done.error().code, ErrorCode::kUsage);
+    EXPECT_EQ(done.error().stage, "lookup");
+  };
+  expect_refused();
+  EXPECT_EQ(session.surface(), nullptr) << "refused before anything is made";
+  recipe.lookup.labels = {};
+  session.set_recipe(recipe);
+  ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
+  expect_refused();
+  EXPECT_NE(session.mesh(), nullptr) << "what is made stays";
 }
 
 TEST(Session, TreatsAFileLikeThePhantomItWasWrittenFrom) {

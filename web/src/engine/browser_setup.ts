@@ -1,9 +1,21 @@
 import type { EngineSetup } from './client';
 
-/** Workers, module and locks of the page. The engine's two files stand beside it, in engine/. */
+/** Whether the page may share memory between threads, and the engine's, which grows to 4 GB, can be had. */
+function mayHaveThreads(): boolean {
+  if (!globalThis.crossOriginIsolated) return false;
+  try {
+    new WebAssembly.Memory({ initial: 1, maximum: 65_536, shared: true });
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** Workers, module and locks of the page. The engine's files stand beside it, those with threads in a folder. */
 export function browserSetup(): EngineSetup {
-  const scriptUrl = new URL('engine/voxtet_engine.mjs', document.baseURI).href;
-  const wasmUrl = new URL('engine/voxtet_engine.wasm', document.baseURI).href;
+  const folder = new URL(mayHaveThreads() ? 'engine/threads/' : 'engine/', document.baseURI);
+  const scriptUrl = new URL('voxtet_engine.mjs', folder).href;
+  const wasmUrl = new URL('voxtet_engine.wasm', folder).href;
   return {
     scriptUrl,
     spawn: () =>
