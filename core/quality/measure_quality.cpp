@@ -222,17 +222,31 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
   const int bins = params.histogram_bins;
   const std::vector<TetFace> faces = tet_faces(mesh.tets, mesh.points.size());
+  if (!has_places(mesh)) return report_of_mesh(mesh, faces, &reference.sizing, bins, ctx.threads);
+  ctx.progress("quality", 0.1);
+  if (ctx.cancelled()) return cancelled_error("quality");
+  const double voxel = reference.volume.smallest_spacing_mm();
+  const SurfaceMesh& surface = reference.label_surface;
+  DistanceMeasurement distances(
+      {mesh.points, mesh.faces, mesh.face_sides}, {surface.points, surface.triangles, surface.sides},
+      {params.sample_spacing_voxels * voxel, kDistanceToleranceVoxels * voxel}, ctx);
+  ctx.progress("quality", 0.2);
+  if (ctx.cancelled()) return cancelled_error("quality");
   std::vector<MetricSummary> of_triangles;
   std::vector<LabelFidelity> labels;
   TopologyLedger before;
   FoundLayers layers;
   QualityReport report = report_of_mesh(
       mesh, faces, &reference.sizing, bins, ctx.threads,
-      {[&] { labels = measure_labels(mesh, reference.labels, reference.sizing); },
-       [&] { layers = count_layers(mesh, reference.walls); },
-       [&] { before = label_topology(reference.label_surface); },
-       [&] { of_triangles = triangle_metrics(reference.label_surface, reference.adapted, bins); }});
-  if (!has_places(mesh)) return report;
+      {[&] { distances.measure(0); }, [&] { distances.measure(1); },
+       [&] { labels = measure_labels(mesh, reference.labels, reference.sizing); },
+       [&] { layers = count_layers(mesh, reference.walls); }, [&] { before = label_topology(surface); },
+       [&] { of_triangles = triangle_metrics(surface, reference.adapted, bins); }});
+  if (ctx.cancelled()) return cancelled_error("quality");
+  const Result<SurfaceDistances> measured = distances.result();
+  if (!measured) return measured.error();
+  report.mesh_to_surface = measured->forth;
+  report.surface_to_mesh = measured->back;
   std::move(of_triangles.begin(), of_triangles.end(), std::back_inserter(report.metrics));
   report.labels = std::move(labels);
   report.layers = std::move(layers.counts);
@@ -243,17 +257,6 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   for (ChecklistItem& item :
        check_against_labels(mesh, faces, reference.volume, report.labels, topology.differences))
     report.checklist.push_back(std::move(item));
-  ctx.progress("quality", 0.5);
-  if (ctx.cancelled()) return cancelled_error("quality");
-
-  const double voxel = reference.volume.smallest_spacing_mm();
-  Result<SurfaceDistances> distances = measure_distances(
-      {mesh.points, mesh.faces, mesh.face_sides},
-      {reference.label_surface.points, reference.label_surface.triangles, reference.label_surface.sides},
-      {params.sample_spacing_voxels * voxel, kDistanceToleranceVoxels * voxel}, ctx);
-  if (!distances) return distances.error();
-  report.mesh_to_surface = distances->forth;
-  report.surface_to_mesh = distances->back;
   return report;
 }
 

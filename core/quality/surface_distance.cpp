@@ -44,7 +44,7 @@ class Boundaries {
   }
 
  private:
-  const TriangleSet& set_;
+  const TriangleSet set_;
   std::map<Label, ClosestPointTree> trees_;
   std::optional<ClosestPointTree> whole_;
 };
@@ -256,19 +256,40 @@ class DirectedDistance {
 
 }  // namespace
 
+struct DistanceMeasurement::Impl {
+  DistanceParams params;
+  RunContext& ctx;
+  std::array<std::optional<Boundaries>, 2> boundaries;  ///< none where a set has no triangles
+  std::array<DistanceSummary, 2> found;
+  std::atomic<bool> cancelled = false;
+};
+
+DistanceMeasurement::DistanceMeasurement(const TriangleSet& a, const TriangleSet& b,
+                                         const DistanceParams& params, RunContext& ctx)
+    : impl_(new Impl{params, ctx, {}, {}}) {
+  if (a.triangles.empty() || b.triangles.empty()) return;
+  auto& boundaries = impl_->boundaries;
+  run_tasks(ctx.threads, {[&] { boundaries[0].emplace(a); }, [&] { boundaries[1].emplace(b); }});
+}
+
+DistanceMeasurement::~DistanceMeasurement() = default;
+
+void DistanceMeasurement::measure(std::size_t way) {
+  auto& [params, ctx, boundaries, found, cancelled] = *impl_;
+  if (boundaries[way])
+    found[way] = DirectedDistance(*boundaries[way], *boundaries[1 - way], params, ctx, cancelled).measure();
+}
+
+Result<SurfaceDistances> DistanceMeasurement::result() const {
+  if (impl_->cancelled) return cancelled_error("quality");
+  return SurfaceDistances{impl_->found[0], impl_->found[1]};
+}
+
 Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleSet& b,
                                            const DistanceParams& params, RunContext& ctx) {
-  if (a.triangles.empty() || b.triangles.empty()) return SurfaceDistances{};
-  std::array<std::optional<Boundaries>, 2> boundaries;
-  run_tasks(ctx.threads, {[&] { boundaries[0].emplace(a); }, [&] { boundaries[1].emplace(b); }});
-  std::atomic<bool> cancelled = false;
-  std::array<DistanceSummary, 2> found;
-  const auto measure = [&](std::size_t way) {
-    found[way] = DirectedDistance(*boundaries[way], *boundaries[1 - way], params, ctx, cancelled).measure();
-  };
-  run_tasks(ctx.threads, {[&] { measure(0); }, [&] { measure(1); }});
-  if (cancelled) return cancelled_error("quality");
-  return SurfaceDistances{found[0], found[1]};
+  DistanceMeasurement distances(a, b, params, ctx);
+  run_tasks(ctx.threads, {[&] { distances.measure(0); }, [&] { distances.measure(1); }});
+  return distances.result();
 }
 
 std::vector<float> distances_of_points(const TriangleSet& a, const TriangleSet& b) {

@@ -1,6 +1,8 @@
 // How far two labelled complexes are apart.
 #pragma once
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "types/quality_report.h"
@@ -36,6 +38,23 @@ struct SurfaceDistances {
 /// calculation between meshes", WSCG 2005). A set without triangles gives zeros. Errors: kCancelled.
 Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleSet& b,
                                            const DistanceParams& params, RunContext& ctx);
+
+/// measure_distances in parts, for callers that have more to do at the same time.
+class DistanceMeasurement {
+ public:
+  /// What `a` and `b` refer to, and `ctx`, must outlive it.
+  DistanceMeasurement(const TriangleSet& a, const TriangleSet& b, const DistanceParams& params,
+                      RunContext& ctx);
+  ~DistanceMeasurement();
+
+  /// Each way once, 0 from `a` and 1 from `b`; two threads may do so at once.
+  void measure(std::size_t way);
+  Result<SurfaceDistances> result() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// Distance (mm) of each point of `a` to `b`, label by label as in measure_distances: the largest over the
 /// labels on whose boundary it lies. -1 for points of no triangle, and for all where `b` has no triangles.
