@@ -105,6 +105,41 @@ class Transport {
             std::vector<std::uint32_t> order, int threads)
       : order_(std::move(order)),
         tolerance_(kLengthTolerance * static_cast<float>(grid.spacing_mm().minCoeff())) {
+    link_nodes(grid, graph, slopes, threads);
+  }
+
+  /// A length from one of the surfaces for each node of the graph.
+  std::vector<float> lengths(std::size_t nodes, bool from_inner) const {
+    std::vector<float> source(order_.size(), 1.F);
+    std::vector<float> length = solve(source, true, from_inner);
+    for (std::size_t i = 0; i < order_.size(); ++i) source[i] = 1 - central_slope(i, length, from_inner);
+    const std::vector<float> correction = solve(source, false, from_inner);
+    std::vector<float> out(nodes, kFar);
+    for (std::size_t i = 0; i < order_.size(); ++i)
+      if (length[i] < kFar && correction[i] < kFar) out[order_[i]] = std::max(length[i] + correction[i], 0.F);
+    return out;
+  }
+
+ private:
+  static constexpr std::uint32_t kNothing = 0xffffffffU;
+
+  /// What a node has along each axis: where the potential falls to, and opposite.
+  struct Link {
+    std::array<std::uint32_t, 3> below, above;
+    std::array<float, 3> weight;  ///< |T_d| / spacing_d
+
+    /// Where lengths from one of the surfaces come from.
+    const std::array<std::uint32_t, 3>& toward(bool inner) const { return inner ? below : above; }
+  };
+  /// A voxel beyond one of the surfaces.
+  struct Beyond {
+    float length;  ///< minus the distance to the surface
+    bool inner;
+  };
+
+  /// Numbers what lies beyond the surfaces behind the nodes, and finds what lies next to each node.
+  void link_nodes(const WallGrid& grid, const WallGraph& graph, const std::vector<Slope>& slopes,
+                  int threads) {
     std::vector<std::uint32_t> place(graph.nodes.size(), kNothing);
     for (std::uint32_t i = 0; i < order_.size(); ++i) place[order_[i]] = i;
     const auto is_beyond = [](std::uint32_t to) { return to == kInnerEnd || to == kOuterEnd; };
@@ -143,35 +178,6 @@ class Transport {
       }
     });
   }
-
-  /// A length from one of the surfaces for each node of the graph.
-  std::vector<float> lengths(std::size_t nodes, bool from_inner) const {
-    std::vector<float> source(order_.size(), 1.F);
-    std::vector<float> length = solve(source, true, from_inner);
-    for (std::size_t i = 0; i < order_.size(); ++i) source[i] = 1 - central_slope(i, length, from_inner);
-    const std::vector<float> correction = solve(source, false, from_inner);
-    std::vector<float> out(nodes, kFar);
-    for (std::size_t i = 0; i < order_.size(); ++i)
-      if (length[i] < kFar && correction[i] < kFar) out[order_[i]] = std::max(length[i] + correction[i], 0.F);
-    return out;
-  }
-
- private:
-  static constexpr std::uint32_t kNothing = 0xffffffffU;
-
-  /// What a node has along each axis: where the potential falls to, and opposite.
-  struct Link {
-    std::array<std::uint32_t, 3> below, above;
-    std::array<float, 3> weight;  ///< |T_d| / spacing_d
-
-    /// Where lengths from one of the surfaces come from.
-    const std::array<std::uint32_t, 3>& toward(bool inner) const { return inner ? below : above; }
-  };
-  /// A voxel beyond one of the surfaces.
-  struct Beyond {
-    float length;  ///< minus the distance to the surface
-    bool inner;
-  };
 
   /// T . grad(value) = source, first order upwind, from values beyond a surface: those of lengths, or 0.
   std::vector<float> solve(const std::vector<float>& source, bool of_lengths, bool from_inner) const {
