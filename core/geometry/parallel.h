@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <functional>
+#include <limits>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -14,10 +15,12 @@
 
 namespace voxtet {
 
-#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
-constexpr bool kHasThreads = false;
+#if !defined(__EMSCRIPTEN__)
+constexpr int kMostThreads = std::numeric_limits<int>::max();
+#elif defined(__EMSCRIPTEN_PTHREADS__)
+constexpr int kMostThreads = 8;  ///< with the pool of cmake/flags.cmake and wasm/CMakeLists.txt
 #else
-constexpr bool kHasThreads = true;
+constexpr int kMostThreads = 1;
 #endif
 
 /// Calls body(first, last) for contiguous parts that together make [0, count), one part a thread; the
@@ -27,7 +30,7 @@ constexpr bool kHasThreads = true;
 /// built without threads, it is the plain call.
 template <class Body>
 void parallel_for(int threads, std::size_t count, Body&& body) {
-  const std::size_t parts = std::min(count, static_cast<std::size_t>(std::max(kHasThreads ? threads : 1, 1)));
+  const std::size_t parts = std::min(count, static_cast<std::size_t>(std::clamp(threads, 1, kMostThreads)));
   if (parts < 2) {
     if (count > 0) body(std::size_t{0}, count);
     return;
@@ -70,7 +73,8 @@ inline void run_tasks(int threads, const std::vector<std::function<void()>>& tas
 
 /// How many threads are worth asking for on this machine, at least 1.
 inline int hardware_threads() {
-  return kHasThreads ? std::max(1, static_cast<int>(std::thread::hardware_concurrency())) : 1;
+  const unsigned found = std::min(std::thread::hardware_concurrency(), 1024U);
+  return std::clamp(static_cast<int>(found), 1, kMostThreads);
 }
 
 }  // namespace voxtet
