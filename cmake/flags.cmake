@@ -19,13 +19,16 @@ if(EMSCRIPTEN)
   # SIMD is what the compiler makes of loops: a quarter off smoothing and sizing, 7 % off the whole, the same bytes.
   add_compile_options(-fwasm-exceptions -msimd128)
   add_link_options(-fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=64MB)
+  set(VOXTET_MOST_THREADS 1)
   if(VOXTET_THREADS)
+    set(VOXTET_MOST_THREADS 8)
     add_compile_options(-pthread "$<$<COMPILE_LANGUAGE:CXX>:SHELL:-include ${CMAKE_SOURCE_DIR}/wasm/landing_pad.h>")
     # A thread that waits for others cannot make more of them: as many as the machine runs are made at the start (under
     # node; the browser's module has its own number), and asking for more fails (STRICT=2) instead of waiting for ever.
     add_link_options(-pthread -Wno-pthreads-mem-growth -sPTHREAD_POOL_SIZE_STRICT=2
-      "-sPTHREAD_POOL_SIZE=Math.min(require('os').cpus().length,8)-1")
+      "-sPTHREAD_POOL_SIZE=Math.min(require('os').cpus().length,${VOXTET_MOST_THREADS})-1")
   endif()
+  add_compile_definitions(VOXTET_MOST_THREADS=${VOXTET_MOST_THREADS})
 endif()
 
 add_library(voxtet_warnings INTERFACE)

@@ -15,12 +15,10 @@
 
 namespace voxtet {
 
-#if !defined(__EMSCRIPTEN__)
-constexpr int kMostThreads = std::numeric_limits<int>::max();
-#elif defined(__EMSCRIPTEN_PTHREADS__)
-constexpr int kMostThreads = 8;  ///< with the pool of cmake/flags.cmake and wasm/CMakeLists.txt
+#ifdef VOXTET_MOST_THREADS
+constexpr int kMostThreads = VOXTET_MOST_THREADS;  ///< of WebAssembly (cmake/flags.cmake)
 #else
-constexpr int kMostThreads = 1;
+constexpr int kMostThreads = std::numeric_limits<int>::max();
 #endif
 
 /// Calls body(first, last) for contiguous parts that together make [0, count), one part a thread; the
@@ -65,16 +63,14 @@ void parallel_for(int threads, std::size_t count, Body&& body) {
 /// another one reads or writes.
 inline void run_tasks(int threads, const std::vector<std::function<void()>>& tasks) {
   std::atomic<std::size_t> next = 0;
-  const std::size_t workers = std::min(tasks.size(), static_cast<std::size_t>(std::max(threads, 1)));
-  parallel_for(threads, workers, [&](std::size_t, std::size_t) {
+  parallel_for(threads, tasks.size(), [&](std::size_t, std::size_t) {
     for (std::size_t task = next++; task < tasks.size(); task = next++) tasks[task]();
   });
 }
 
 /// How many threads are worth asking for on this machine, at least 1.
 inline int hardware_threads() {
-  const unsigned found = std::min(std::thread::hardware_concurrency(), 1024U);
-  return std::clamp(static_cast<int>(found), 1, kMostThreads);
+  return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostThreads);
 }
 
 }  // namespace voxtet
