@@ -18,7 +18,6 @@ constexpr double kLeastWeight = 0.2;  ///< of a corner that is moved to bring a 
 
 }  // namespace
 
-/// How near facets are to come, as far as samples show.
 double FacetMender::aim_mm() const {
   return std::max(kAimShare * editor_.limits.reach_mm, kLeastReachVoxels * params_.voxel_mm);
 }
@@ -29,7 +28,6 @@ bool FacetMender::come_nearer() {
   const double reach_mm = aim_mm();
   editor_.limits.lattice_mm = kMendLatticeVoxels * params_.voxel_mm;
   editor_.limits.sure_mm = reach_mm;
-  std::uint32_t since = 0;
   bool any = true;
   for (int pass = 0; pass < kPasses && any; ++pass) {
     const std::uint32_t now = editor_.attempts();
@@ -38,12 +36,12 @@ bool FacetMender::come_nearer() {
       if (cancelled_at(t)) return false;
       if (!mesh.alive(t)) continue;
       const Triangle& corners = mesh.triangle(t);
-      if (pass > 0 && std::none_of(corners.begin(), corners.end(),
-                                   [&](std::uint32_t v) { return editor_.changed_at(v) > since; }))
+      if (looked_at_ > 0 && std::none_of(corners.begin(), corners.end(),
+                                         [&](std::uint32_t v) { return editor_.changed_at(v) > looked_at_; }))
         continue;
       any = approach(t, reach_mm) || any;
     }
-    since = now;
+    looked_at_ = now;
   }
   return true;
 }

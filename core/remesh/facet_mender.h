@@ -21,14 +21,17 @@ class FacetMender : public HealingPasses {
   bool unfold();
   /// Whether all that a trial made is.
   bool is_within(double distance2);
+  /// How near facets are to come, as far as samples show.
+  double aim_mm() const;
 
  private:
-  double aim_mm() const;
   bool approach(std::uint32_t t, double reach_mm);
   bool bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach);
   bool split_and_shift(std::uint32_t v, const Eigen::Vector3d& by);
   bool unfold(std::uint32_t a, std::uint32_t b);
   bool is_flatter(double sharpest);
+
+  std::uint32_t looked_at_ = 0;  ///< after which attempt come_nearer() has last begun a pass
 };
 
 }  // namespace voxtet::remesh

@@ -24,6 +24,9 @@ class HealingPasses : public AdaptPasses {
   template <class Operation, class Demanded>
   bool attempt(Operation&& operation, Demanded&& demanded, Healing healing);
 
+  static constexpr double kTrialAngleDeg = 14;  ///< below this an angle is not worth opening again
+  const double trial_cosine_ = cosine_of_deg(kTrialAngleDeg);
+
  private:
   template <class Operation, class Demanded>
   bool tried(Operation&& operation, Demanded&& demanded);
@@ -31,8 +34,6 @@ class HealingPasses : public AdaptPasses {
   bool split_ahead_of(std::uint32_t t);
 
   static constexpr int kHealingSplits = 12;
-  static constexpr double kTrialAngleDeg = 14;  ///< below this an angle is not worth opening again
-  const double trial_cosine_ = cosine_of_deg(kTrialAngleDeg);
 };
 
 template <class Operation, class Demanded>

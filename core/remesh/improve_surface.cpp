@@ -15,6 +15,7 @@ constexpr double kContentVoxels = 0.1;  ///< a sample this near to a triangle ma
 constexpr double kShort = 0.72;         ///< in wished lengths; refined surfaces have few natural edges below
 constexpr double kRefinedGapShare = 0.2;  ///< EditLimits::gap_share; where sheets are near, edges stay short
 constexpr double kLatticeVoxels = 0.6;
+constexpr double kTubeFoldCosine = 0.9;  ///< 26 degrees: EditLimits::crease_cosine for a moment
 
 class Improver : public FacetMender {
  public:
@@ -26,7 +27,11 @@ class Improver : public FacetMender {
  private:
   bool coarsen_in_steps();
   bool coarsen_to(double shortest);
+  bool coarsen_again();
   bool collapse(std::uint32_t v, std::uint32_t other, double longest);
+  bool is_in_tube(std::uint32_t v, const std::vector<Near>& near);
+  bool leave_tube(std::uint32_t v, const std::vector<Near>& near);
+  bool mend_trial(double angle_cosine);
   bool relocate_touched();
 
   struct Tried {
@@ -47,7 +52,12 @@ bool Improver::run() {
     if (!coarsen_in_steps() || !relocate_touched()) return false;
     if (!open_angles(editor_.limits.angle_cosine) || !open_folds()) return false;
   }
-  return come_nearer() && unfold();
+  if (!come_nearer() || !coarsen_again()) return false;
+  // What one pass opens the other may reach.
+  constexpr int kRounds = 2;
+  for (int round = 0; round < kRounds; ++round)
+    if (!come_nearer() || !unfold()) return false;
+  return true;
 }
 
 /// The shortest edges first: among edges of about one length, angles stay good.
@@ -59,16 +69,29 @@ bool Improver::coarsen_in_steps() {
   return true;
 }
 
+/// What came nearer by more points may need fewer; it stays as near, and labels get their volumes back.
+bool Improver::coarsen_again() {
+  const double reach_mm = editor_.limits.reach_mm;
+  editor_.limits.reach_mm = std::min(reach_mm, aim_mm());
+  relocated_at_ = editor_.attempts();
+  const bool done = coarsen_to(kShort) && relocate_touched();
+  editor_.limits.reach_mm = reach_mm;
+  return done;
+}
+
 bool Improver::coarsen_to(double shortest) {
   tried_.resize(editor_.mesh().vertex_count());
   return coarsen(shortest, [&](std::uint32_t v, const std::vector<Near>& near, double longest) {
     const std::uint64_t lengths = editor_.refusals(Reason::kLength);
+    bool any_new = false;
     for (const Near& other : near) {
       // What could not be done cannot be now, if nothing around has changed.
       const std::uint32_t changed = std::max(editor_.changed_at(v), editor_.changed_at(other.v));
       if (changed <= tried_[v].at && other.length < tried_[v].shortest) continue;
+      any_new = true;
       if (collapse(v, other.v, longest)) return;
     }
+    if (any_new && shortest == kShort && is_in_tube(v, near) && leave_tube(v, near)) return;
     // Longer edges may be allowed to the next pass.
     tried_[v] = {editor_.attempts(), editor_.refusals(Reason::kLength) > lengths ? 0 : shortest};
   });
@@ -90,6 +113,77 @@ bool Improver::collapse(std::uint32_t v, std::uint32_t other, double longest) {
   const bool done = heal([&] { return is_within(reach_mm * reach_mm); });
   editor_.limits = strict;
   return done;
+}
+
+/// Whether a short edge at v is part of a ring of three around what lies inside or outside: its ends have
+/// common neighbours beside its triangles' corners.
+bool Improver::is_in_tube(std::uint32_t v, const std::vector<Near>& near) {
+  const ComplexMesh& mesh = editor_.mesh();
+  if (mesh.stratum(v) != Stratum::kSurface) return false;
+  const std::vector<std::uint32_t>& around = operations_.neighbours(v);
+  return std::any_of(near.begin(), near.end(), [&](const Near& other) {
+    return std::count_if(around.begin(), around.end(), [&](std::uint32_t w) {
+             return w != other.v && mesh.edge_degree(w, other.v) > 0;
+           }) > 2;
+  });
+}
+
+/// Rings of three cannot become wider, but fewer. A vertex that goes to the next ring leaves folds and angles
+/// behind that only other operations open.
+bool Improver::leave_tube(std::uint32_t v, const std::vector<Near>& near) {
+  const EditLimits strict = editor_.limits;
+  const double reach_mm = strict.reach_mm;
+  bool left = false;
+  for (std::size_t i = 0; i < near.size() && !left; ++i) {
+    editor_.limits.angle_cosine = std::max(strict.angle_cosine, trial_cosine_);
+    editor_.limits.crease_cosine = kTubeFoldCosine;
+    editor_.limits.nearer_mm = 0;
+    left = attempt(
+        [&] {
+          const bool done = operations_.collapse(v, near[i].v, kLongest, Demand::kNearer);
+          editor_.limits.crease_cosine = strict.crease_cosine;
+          return done && mend_trial(strict.angle_cosine);
+        },
+        [&] {
+          editor_.limits.sure_mm = reach_mm;
+          return is_within(reach_mm * reach_mm);
+        },
+        Healing::kNone);
+    editor_.limits = strict;
+  }
+  return left;
+}
+
+/// Opens angles and folds of what the trial made, one and the other in turn, down to the limits; where the
+/// trial found smaller angles, down to those.
+bool Improver::mend_trial(double angle_cosine) {
+  constexpr int kRounds = 4;
+  const ComplexMesh& mesh = editor_.mesh();
+  std::vector<std::uint32_t> around, made;
+  for (int round = 0; round <= kRounds; ++round) {
+    const double limit = std::max(angle_cosine, editor_.trial_cosine_before());
+    made.clear();
+    editor_.for_trial_triangles([&](std::uint32_t t) { made.push_back(t); });
+    std::sort(made.begin(), made.end());
+    made.erase(std::unique(made.begin(), made.end()), made.end());
+    bool good = true, any = false;
+    for (const std::uint32_t t : made) {
+      if (mesh.alive(t) && sharpest_cosine(mesh.corners(mesh.triangle(t))) > limit) {
+        good = false;
+        any = (round < kRounds && open_angle(t)) || any;
+      }
+      if (!mesh.alive(t)) continue;
+      const Triangle corners = mesh.triangle(t);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = corners[i], b = corners[(i + 1) % 3];
+        if (mesh.edge_degree(a, b) == 0 || sharpest_fold(a, b, around) <= editor_.fold_limit(a, b)) continue;
+        good = false;
+        any = (round < kRounds && open_fold(a, b, around)) || any;
+      }
+    }
+    if (good || !any) return good;
+  }
+  return false;
 }
 
 /// Vertices around what changed, and at first around junction curves, whose vertices refinement puts beside
