@@ -15,7 +15,6 @@ constexpr double kContentVoxels = 0.1;  ///< a sample this near to a triangle ma
 constexpr double kShort = 0.72;         ///< in wished lengths; refined surfaces have few natural edges below
 constexpr double kRefinedGapShare = 0.2;  ///< EditLimits::gap_share; where sheets are near, edges stay short
 constexpr double kLatticeVoxels = 0.6;
-constexpr double kTubeFoldCosine = 0.9;  ///< 26 degrees: EditLimits::crease_cosine for a moment
 
 class Improver : public FacetMender {
  public:
@@ -128,15 +127,15 @@ bool Improver::is_in_tube(std::uint32_t v, const std::vector<Near>& near) {
   });
 }
 
-/// Rings of three cannot become wider, but fewer. A vertex that goes to the next ring leaves folds and angles
-/// behind that only other operations open.
+/// Rings of three cannot become wider, but fewer. A vertex that goes to the next ring leaves angles and folds
+/// behind, as sharp as they may be at junctions, that only other operations open.
 bool Improver::leave_tube(std::uint32_t v, const std::vector<Near>& near) {
   const EditLimits strict = editor_.limits;
   const double reach_mm = strict.reach_mm;
   bool left = false;
   for (std::size_t i = 0; i < near.size() && !left; ++i) {
     editor_.limits.angle_cosine = std::max(strict.angle_cosine, trial_cosine_);
-    editor_.limits.crease_cosine = kTubeFoldCosine;
+    editor_.limits.crease_cosine = strict.junction_cosine;
     editor_.limits.nearer_mm = 0;
     left = attempt(
         [&] {
