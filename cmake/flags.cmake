@@ -18,7 +18,9 @@ endif()
 if(EMSCRIPTEN)
   # SIMD is what the compiler makes of loops: a quarter off smoothing and sizing, 7 % off the whole, the same bytes.
   add_compile_options(-fwasm-exceptions -msimd128)
-  add_link_options(-fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=64MB)
+  add_link_options(-fwasm-exceptions -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=64MB
+    # A loop that has its own function keeps it, even if called from one place only: see in_stretches.
+    -sBINARYEN_EXTRA_PASSES=--one-caller-inline-max-function-size=60)
   set(VOXTET_MOST_THREADS 1)
   if(VOXTET_THREADS)
     set(VOXTET_MOST_THREADS 8)

@@ -1,4 +1,4 @@
-// The one place that knows threads: a loop cut into contiguous parts.
+// The one place that knows threads: a loop cut into contiguous parts, and those into stretches.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <limits>
 #include <system_error>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include "types/run_context.h"
@@ -21,22 +22,47 @@ constexpr int kMostThreads = VOXTET_MOST_THREADS;  ///< of WebAssembly (cmake/fl
 constexpr int kMostThreads = std::numeric_limits<int>::max();
 #endif
 
-/// Calls body(first, last) for contiguous parts that together make [0, count), one part a thread; the
-/// caller's own thread takes the first, and those for which no thread is to be had. `body` must write to
-/// places that belong to its indices alone, so that the result is that of body(0, count). An exception of the
-/// lowest part that threw is rethrown after all have ended. For `threads` < 2, and in WebAssembly that was
-/// built without threads, it is the plain call.
+#ifdef __EMSCRIPTEN__
+/// The call that neither compiler nor linker (cmake/flags.cmake) may inline. What the body holds is copied so
+/// that it need not be read again after each write to memory.
+template <class Body>
+[[gnu::noinline]] void run_stretch(const Body& body, std::size_t first, std::size_t last) {
+  static_assert(std::is_trivially_copyable_v<Body>);
+  const Body own = body;
+  own(first, last);
+}
+#endif
+
+/// Calls body(first, last) for stretches that together make [first, last), one after the other. An engine of
+/// WebAssembly swaps its optimised code in when a function is called, never while it runs, so that a long
+/// loop in a single call would go on at half the speed to its end. Natively it is the plain call.
+template <class Body>
+void in_stretches(std::size_t first, std::size_t last, Body&& body) {
+#ifdef __EMSCRIPTEN__
+  constexpr std::size_t kStretch = 1U << 14U;
+  for (; first < last; first += std::min(kStretch, last - first))
+    run_stretch(body, first, first + std::min(kStretch, last - first));
+#else
+  if (first < last) body(first, last);
+#endif
+}
+
+/// Cuts [0, count) into contiguous parts, one a thread, and calls body(first, last) for the stretches of
+/// each; the caller's own thread takes the first part, and those for which no thread is to be had. `body`
+/// must write to places that belong to its indices alone, so that the result is that of body(0, count). An
+/// exception of the lowest part that threw is rethrown after all have ended. For `threads` < 2, and in
+/// WebAssembly that was built without threads, there is one part.
 template <class Body>
 void parallel_for(int threads, std::size_t count, Body&& body) {
   const std::size_t parts = std::min(count, static_cast<std::size_t>(std::clamp(threads, 1, kMostThreads)));
   if (parts < 2) {
-    if (count > 0) body(std::size_t{0}, count);
+    in_stretches(0, count, body);
     return;
   }
   std::vector<std::exception_ptr> failures(parts);
   const auto run = [&](std::size_t part) {
     try {
-      body(count * part / parts, count * (part + 1) / parts);
+      in_stretches(count * part / parts, count * (part + 1) / parts, body);
     } catch (...) {
       failures[part] = std::current_exception();
     }

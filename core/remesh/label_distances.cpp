@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/closest_point.h"
+#include "geometry/parallel.h"
 #include "remesh/thin_voxels.h"
 
 namespace voxtet::remesh {
@@ -88,13 +89,27 @@ class Scatter {
 
   /// The closest point of the surface on the boundary of each listed label.
   void find_nearest_points() {
+    in_stretches(0, surface_.points.size(), [&](std::size_t first, std::size_t last) {
+      find_nearest_points(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last));
+    });
+  }
+
+  /// The distances in units of `unit_mm`, of all entries.
+  void measure(double unit_mm) {
+    out_.values.resize(out_.labels.size());
+    in_stretches(0, grid_.labels.size(),
+                 [&](std::size_t first, std::size_t last) { measure(unit_mm, first, last); });
+  }
+
+ private:
+  void find_nearest_points(std::uint32_t first_point, std::uint32_t last_point) {
     const Eigen::Matrix3d to_index = to_mm_.inverse();
     const std::size_t sx = static_cast<std::size_t>(grid_.size[0]);
     const std::size_t sxy = sx * static_cast<std::size_t>(grid_.size[1]);
     std::array<Eigen::Vector3d, 27> steps;
     for (int n = 0; n < 27; ++n)
       steps[static_cast<std::size_t>(n)] = to_mm_ * Eigen::Vector3d(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-    for (std::uint32_t p = 0; p < surface_.points.size(); ++p) {
+    for (std::uint32_t p = first_point; p < last_point; ++p) {
       collect_labels(p);
       on_one_pair_[p] = here_.size() == 2;
       const Eigen::Vector3d index = to_index * (surface_.points[p] - origin_);
@@ -122,11 +137,10 @@ class Scatter {
     }
   }
 
-  void measure(double unit_mm) {
-    out_.values.resize(out_.labels.size());
+  void measure(double unit_mm, std::size_t first_voxel, std::size_t last_voxel) {
     const std::size_t sx = static_cast<std::size_t>(grid_.size[0]);
     const std::size_t sy = static_cast<std::size_t>(grid_.size[1]);
-    for (std::size_t v = 0; v < grid_.labels.size(); ++v) {
+    for (std::size_t v = first_voxel; v < last_voxel; ++v) {
       if (out_.offsets[v] == out_.offsets[v + 1]) continue;
       const Eigen::Vector3d centre =
           origin_ + to_mm_ * Eigen::Vector3d(static_cast<double>(v % sx), static_cast<double>(v / sx % sy),
@@ -142,7 +156,6 @@ class Scatter {
     }
   }
 
- private:
   void collect_labels(std::uint32_t p) {
     here_.clear();
     for (std::uint32_t k = stars_.start[p]; k < stars_.start[p + 1]; ++k)

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "geometry/closest_point.h"
 #include "geometry/distance_transform.h"
@@ -31,9 +32,11 @@ std::vector<std::uint8_t> near_surface(const WallGrid& grid, int steps) {
   std::vector<std::uint8_t> near(grid.kind.size(), 0);
   const std::array<std::size_t, 3> stride = grid.strides();
   for (std::size_t d = 0; d < 3; ++d)
-    for (std::size_t at = 0; at + stride[d] < grid.kind.size(); ++at)
-      if ((grid.kind[at] == kWall) != (grid.kind[at + stride[d]] == kWall))
-        near[at] = near[at + stride[d]] = 1;
+    in_stretches(0, grid.kind.size() - stride[d], [&](std::size_t first, std::size_t last) {
+      for (std::size_t at = first; at < last; ++at)
+        if ((grid.kind[at] == kWall) != (grid.kind[at + stride[d]] == kWall))
+          near[at] = near[at + stride[d]] = 1;
+    });
   for (int step = 1; step < steps; ++step) {
     const std::vector<std::uint8_t> before = near;
     for (std::size_t d = 0; d < 3; ++d)
@@ -68,8 +71,17 @@ class Scatter {
   }
 
   void run(int first, int last, std::vector<Nearest>& nearest) const {
+    in_stretches(0, triangles_.size(), [&](std::size_t begin, std::size_t end) {
+      run(std::span(triangles_).subspan(begin, end - begin), first, last, nearest);
+    });
+  }
+
+ private:
+  static constexpr float kRounded = 1 + 1e-3F;  ///< more than what single precision takes away
+
+  void run(std::span<const Triangle> triangles, int first, int last, std::vector<Nearest>& nearest) const {
     const Eigen::Vector3f spacing = spacing_.cast<float>();
-    for (const Triangle& t : triangles_) {
+    for (const Triangle& t : triangles) {
       const Eigen::Vector3d &a = points_[t[0]], &b = points_[t[1]], &c = points_[t[2]];
       const Eigen::Vector3d lowest = a.cwiseMin(b).cwiseMin(c).cwiseProduct(per_mm_),
                             highest = a.cwiseMax(b).cwiseMax(c).cwiseProduct(per_mm_);
@@ -105,9 +117,6 @@ class Scatter {
         }
     }
   }
-
- private:
-  static constexpr float kRounded = 1 + 1e-3F;  ///< more than what single precision takes away
 
   static double squared(double distance) { return distance * distance; }
 
@@ -210,13 +219,15 @@ void measure_distances(const std::vector<Eigen::Vector3d>& points, const std::ve
   });
   grid.distance_mm.assign(grid.kind.size(), static_cast<float>(kTypicalVoxels) * voxel);
   std::vector<std::size_t> leavers;
-  for (std::size_t at = 0; at < grid.kind.size(); ++at) {
-    if (nearest[at].distance == kFar) continue;
-    grid.distance_mm[at] = std::max(nearest[at].distance, static_cast<float>(kLeastVoxels) * voxel);
-    const bool in_wall = nearest[at].cosine < 0;
-    if (in_wall && grid.kind[at] != kWall && grid.kind[at] != kSide) grid.kind[at] = kJoins;
-    if (!in_wall && grid.kind[at] == kWall) leavers.push_back(at);
-  }
+  in_stretches(0, grid.kind.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t at = first; at < last; ++at) {
+      if (nearest[at].distance == kFar) continue;
+      grid.distance_mm[at] = std::max(nearest[at].distance, static_cast<float>(kLeastVoxels) * voxel);
+      const bool in_wall = nearest[at].cosine < 0;
+      if (in_wall && grid.kind[at] != kWall && grid.kind[at] != kSide) grid.kind[at] = kJoins;
+      if (!in_wall && grid.kind[at] == kWall) leavers.push_back(at);
+    }
+  });
   settle_leavers(leavers, grid.kind, grid.strides());
   std::replace(grid.kind.begin(), grid.kind.end(), static_cast<std::uint8_t>(kJoins),
                static_cast<std::uint8_t>(kWall));

@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "geometry/parallel.h"
+
 namespace voxtet::wall {
 namespace {
 
@@ -38,11 +40,13 @@ class Openings {
 
   std::vector<Opening> find() {
     std::vector<Opening> found;
-    for (std::size_t at = 0; at < grid_.kind.size(); ++at) {
-      if (seen_[at] || !touches_inner(at)) continue;
-      Opening opening = collect(at);
-      if (opening.faces >= kFewestFaces && finish(opening)) found.push_back(std::move(opening));
-    }
+    in_stretches(0, grid_.kind.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t at = first; at < last; ++at) {
+        if (seen_[at] || !touches_inner(at)) continue;
+        Opening opening = collect(at);
+        if (opening.faces >= kFewestFaces && finish(opening)) found.push_back(std::move(opening));
+      }
+    });
     return found;
   }
 

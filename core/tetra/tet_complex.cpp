@@ -5,6 +5,7 @@
 
 #include "geometry/buckets.h"
 #include "geometry/orientation.h"
+#include "geometry/parallel.h"
 
 namespace voxtet::tetra {
 namespace {
@@ -46,16 +47,20 @@ TetComplex::TetComplex(TetMesh mesh)
 void TetComplex::connect() {
   Buckets<Waiting> sides(points_.size());
   const auto for_sides = [this](const auto& visit) {
-    for (std::uint32_t t = 0; t < places(); ++t)
-      for (std::uint32_t c = 0; c < 4; ++c) visit(Waiting{side_of(corners(t), c), 4 * t + c});
+    in_stretches(0, places(), [&](std::size_t first, std::size_t last) {
+      for (auto t = static_cast<std::uint32_t>(first); t < last; ++t)
+        for (std::uint32_t c = 0; c < 4; ++c) visit(Waiting{side_of(corners(t), c), 4 * t + c});
+    });
   };
   for_sides([&](const Waiting& side) { sides.count(side.corners[0]); });
   sides.allocate();
   for_sides([&](const Waiting& side) { sides.add(side.corners[0], side); });
-  for (std::size_t lowest = 0; lowest < sides.size(); ++lowest) {
-    waiting_.clear();
-    for (const Waiting& side : sides.at(lowest)) meet(side);
-  }
+  in_stretches(0, sides.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t lowest = first; lowest < last; ++lowest) {
+      waiting_.clear();
+      for (const Waiting& side : sides.at(lowest)) meet(side);
+    }
+  });
 }
 
 bool TetComplex::is_positive(const Tet& t) const {

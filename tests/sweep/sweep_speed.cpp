@@ -1,10 +1,13 @@
-// Seconds of one thread for the stages up to the adapted surface, and the share of each.
+// Seconds of one thread for the stages up to the adapted surface, and the share of each; for thickness and
+// gradation.
 #include <algorithm>
 #include <ctime>
+#include <limits>
 
 #include "io/read_volume.h"
 #include "remesh/label_field.h"
 #include "support/data.h"
+#include "support/large_heart.h"
 #include "sweep/command_line.h"
 #include "sweep/findings.h"
 #include "sweep/load_labels.h"
@@ -15,11 +18,12 @@ using namespace voxtet::sweep;
 namespace {
 
 #ifdef __EMSCRIPTEN__
-constexpr double kSlower = 1.6;
+constexpr double kSlower = 1.6, kSizingSlower = 1.5;
 #else
-constexpr double kSlower = 1;
+constexpr double kSlower = 1, kSizingSlower = 1;
 #endif
 constexpr double kEdgeMm = 1.5, kLeastMegavoxels = 10;
+constexpr double kThicknessLimit = 3 * kSizingSlower, kGradationLimit = kSizingSlower;  ///< seconds
 
 struct Timed {
   const char* file;
@@ -94,6 +98,27 @@ Result<nlohmann::json> fastest(const Timed& t, int runs) {
   return best;
 }
 
+/// Thickness and gradation on a generated heart, the fastest of `runs`.
+void time_sizing(int runs, Findings& findings) {
+  const test::LargeHeart heart;
+  const std::vector<float> wished = heart.wished_sizes();
+  RunContext ctx;
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  double thickness = kNever, gradation = kNever;
+  for (int run = 0; run < runs; ++run) {
+    thickness = std::min(thickness, seconds_of([&] { (void)heart.wall(ctx).value(); }));
+    std::vector<float> sizes = wished;
+    gradation = std::min(gradation, seconds_of([&] { heart.limit(sizes, ctx); }));
+  }
+  std::printf("\n| generated heart of 256 voxels | s | limit s |\n|---|---|---|\n");
+  std::printf("| thickness | %.3f | %.1f |\n| gradation | %.3f | %.1f |\n", thickness, kThicknessLimit,
+              gradation, kGradationLimit);
+  std::vector<std::string> failures;
+  if (!(thickness <= kThicknessLimit)) failures.push_back("thickness in " + std::to_string(thickness) + " s");
+  if (!(gradation <= kGradationLimit)) failures.push_back("gradation in " + std::to_string(gradation) + " s");
+  findings.add("sizing", {{"thickness", thickness}, {"gradation", gradation}}, failures);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -133,5 +158,6 @@ int main(int argc, char** argv) {
                          " Mvoxel/s, expected " + std::to_string(kLeastMegavoxels));
     findings.add(name, *row, failures);
   }
+  if (std::string("sizing").find(only) != std::string::npos) time_sizing(runs, findings);
   return findings.finish(line.json_file);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <stdexcept>
@@ -14,12 +15,25 @@ namespace {
 
 TEST(ParallelFor, VisitsEveryIndexOnce) {
   for (const int threads : {-1, 0, 1, 2, 7})
-    for (const std::size_t count : {0U, 1U, 3U, 100U}) {
+    for (const std::size_t count : {0U, 1U, 3U, 100U, 50'000U}) {
       std::vector<int> visits(count, 0);
       parallel_for(threads, count, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) ++visits[i];
       });
       EXPECT_EQ(visits, std::vector<int>(count, 1)) << threads;
+    }
+}
+
+TEST(InStretches, VisitsEveryIndexInOrder) {
+  for (const std::size_t first : {0U, 5U})
+    for (const std::size_t last : {0U, 5U, 6U, (1U << 14U) + 5U, 50'000U}) {
+      std::size_t next = first;
+      in_stretches(first, last, [&](std::size_t begin, std::size_t end) {
+        EXPECT_EQ(begin, next);
+        EXPECT_LT(begin, end);
+        next = end;
+      });
+      EXPECT_EQ(next, std::max(first, last)) << first;
     }
 }
 
