@@ -211,8 +211,25 @@ Reason ComplexEditor::check_pair(const Facet& facet, std::size_t i, const Triang
   if (shared == 3) return Reason::kIntersection;
   const int k = 3 - mine[0] - mine[1], l = 3 - its[0] - its[1];
   const double cosine = fold_cosine(p[mine[0]], p[mine[1]], p[k], corners[l]);
-  return fold_allowed(facet.corners[mine[0]], facet.corners[mine[1]], cosine) ? Reason::kNo
-                                                                              : Reason::kDihedral;
+  const std::uint32_t u = facet.corners[mine[0]], w = facet.corners[mine[1]];
+  if (!fold_allowed(u, w, cosine)) return Reason::kDihedral;
+  if (!closes_tetrahedron(u, w, facet.corners[k], other[l])) return Reason::kNo;
+  // A bump of three facets that went through the fourth, inside out, meets nothing.
+  const std::size_t mine_in = new_normals_[i].dot(corners[l] - p[k]) > 0 ? 1 : 0;
+  const std::size_t its_in = normal.dot(p[k] - corners[l]) > 0 ? 1 : 0;
+  const bool one_inside = mesh_.sides()[facet.pair][mine_in] == mesh_.sides()[pair][its_in];
+  return one_inside ? Reason::kNo : Reason::kIntersection;
+}
+
+/// Whether new facets at x and y close a tetrahedron with two at the edge u w.
+bool ComplexEditor::closes_tetrahedron(std::uint32_t u, std::uint32_t w, std::uint32_t x,
+                                       std::uint32_t y) const {
+  const auto is_added = [&](std::uint32_t end) {
+    return std::any_of(change_->added.begin(), change_->added.end(), [&](const Facet& facet) {
+      return has_corner(facet.corners, end) && has_corner(facet.corners, x) && has_corner(facet.corners, y);
+    });
+  };
+  return is_added(u) && is_added(w);
 }
 
 bool ComplexEditor::fold_allowed(std::uint32_t u, std::uint32_t w, double cosine) {

@@ -150,6 +150,7 @@ class ComplexEditor {
   double least_wish(const Change& change) const;
   Reason check_pair(const Facet& facet, std::size_t i, const Triangle& other, const Corners& corners,
                     const Eigen::Vector3d& normal, PairId pair, bool boxes_meet);
+  bool closes_tetrahedron(std::uint32_t u, std::uint32_t w, std::uint32_t x, std::uint32_t y) const;
   bool on_curves(std::uint32_t u, std::uint32_t w) const {
     return mesh_.stratum(u) != Stratum::kSurface && mesh_.stratum(w) != Stratum::kSurface;
   }

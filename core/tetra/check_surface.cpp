@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,6 +72,31 @@ void for_each_dihedral(const SurfaceMesh& surface, const EdgeGroups& edges, Visi
       for (std::size_t j = i + 1; j < away.size(); ++j)
         visit(away[i].dot(away[j]), edges[e][i], edges[e][j].triangle);
   }
+}
+
+/// A triangle at an edge, seen along it: its angle, and the labels before and after it as the angle grows.
+struct Wing {
+  double turn = 0;  ///< grows with the angle, from 0 to 4
+  Label before = kBackground, after = kBackground;
+};
+
+/// The triangles at an edge in the order of their angles.
+void wings_around(const SurfaceMesh& surface, std::span<const TriangleUse> uses, std::vector<Wing>& wings) {
+  const Eigen::Vector3d& low = surface.points[uses[0].low];
+  const Eigen::Vector3d axis = (surface.points[uses[0].high] - low).normalized();
+  const auto arm_of = [&](const TriangleUse& use) -> Eigen::Vector3d {
+    return surface.points[surface.triangles[use.triangle][(use.corner + 2) % 3]] - low;
+  };
+  const Eigen::Vector3d first = arm_of(uses[0]);
+  const Eigen::Vector3d x_axis = (first - axis * axis.dot(first)).normalized(), y_axis = axis.cross(x_axis);
+  wings.clear();
+  for (const TriangleUse& use : uses) {
+    const double x = x_axis.dot(arm_of(use)), y = y_axis.dot(arm_of(use));
+    const double part = x / (std::abs(x) + std::abs(y));
+    const Sides& sides = surface.sides[use.triangle];
+    wings.push_back({y >= 0 ? 1 - part : 3 + part, sides[use.forward ? 0 : 1], sides[use.forward ? 1 : 0]});
+  }
+  std::sort(wings.begin(), wings.end(), [](const Wing& a, const Wing& b) { return a.turn < b.turn; });
 }
 
 /// Points with another one within kCoinciding of the bounding box's largest side.
@@ -176,6 +202,29 @@ Status check_intersections(const SurfaceMesh& surface) {
   std::string message = "the surface intersects itself: " + std::to_string(where.elements.size()) +
                         " triangles do; it must be free of intersections";
   return meshing_error(std::move(message), where);
+}
+
+Status check_overlaps(const SurfaceMesh& surface, const EdgeGroups& edges) {
+  ErrorPlace where;
+  std::size_t overlaps = 0;
+  std::vector<Wing> wings;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (edges[e].size() < 3) continue;  // the sides of two that close every label agree
+    wings_around(surface, edges[e], wings);
+    const bool overlap = std::any_of(wings.begin(), wings.end(), [&](const Wing& wing) {
+      const Wing& next = &wing == &wings.back() ? wings.front() : *(&wing + 1);
+      return wing.after != next.before;
+    });
+    if (!overlap || ++overlaps > kMaxPlaces) continue;
+    for (const TriangleUse& use : edges[e]) where.elements.push_back(use.triangle);
+    where.points.push_back((surface.points[edges[e][0].low] + surface.points[edges[e][0].high]) / 2);
+  }
+  if (overlaps == 0) return std::monostate{};
+  std::sort(where.elements.begin(), where.elements.end());
+  where.elements.erase(std::unique(where.elements.begin(), where.elements.end()), where.elements.end());
+  return meshing_error("labels overlap at " + std::to_string(overlaps) +
+                           " edges of the surface; part of it must be inside out",
+                       where);
 }
 
 SharpAngle find_sharpest_edge(const SurfaceMesh& surface, const EdgeGroups& edges) {

@@ -20,6 +20,11 @@ Status check_closed(const SurfaceMesh& surface, const EdgeGroups& edges);
 /// No two triangles meet elsewhere than in common corners and edges. kMeshing with the triangles that do.
 Status check_intersections(const SurfaceMesh& surface);
 
+/// No two labels overlap: around each edge, what lies between two triangles that follow each other is one
+/// label. Of a surface that is closed and free of intersections this is not so where a part of it is inside
+/// out. kMeshing with the triangles at such edges and the edges' midpoints.
+Status check_overlaps(const SurfaceMesh& surface, const EdgeGroups& edges);
+
 struct SharpAngle {
   double angle_deg = 180;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();

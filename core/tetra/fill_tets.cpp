@@ -189,6 +189,7 @@ Result<TetMesh> check_and_fill(const SurfaceMesh& surface, const SizingField& si
   const EdgeGroups edges(surface);
   if (const Status closed = check_closed(surface, edges); !closed) return closed.error();
   if (const Status clean = check_intersections(surface); !clean) return clean.error();
+  if (const Status apart = check_overlaps(surface, edges); !apart) return apart.error();
   tell_sharp_angles(surface, edges, ctx);
   return climb(surface, edges, sizing, params, layers, ctx);
 }

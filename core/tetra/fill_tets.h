@@ -36,9 +36,9 @@ struct FillParams {
 /// milliseconds while points are inserted or moved. Verified before returning: all volumes positive, boundary
 /// triangles those of the surface (flipped or halved), each label's volume equal to that enclosed by its
 /// boundary to 1e-9 relative and rounding. Layers get no points inside, except by TetGen, which ctx.warn
-/// tells. Errors: kMeshing with the offending triangles: open or self-intersecting surface, leak, internal
-/// failure, flat tetrahedra that no way avoids; kOutOfMemory; kCancelled; kInternal for an invalid sizing
-/// field.
+/// tells. Errors: kMeshing with the offending triangles: open or self-intersecting surface, labels that
+/// overlap, leak, internal failure, flat tetrahedra that no way avoids; kOutOfMemory; kCancelled; kInternal
+/// for an invalid sizing field.
 Result<TetMesh> fill_tets(const SurfaceMesh& surface, const SizingField& sizing, const FillParams& params,
                           RunContext& ctx, const WallLayers& layers = {});
 

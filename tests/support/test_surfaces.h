@@ -137,4 +137,12 @@ inline SizingField uniform_sizing(double h) {
   return sampled_sizing({0, 0, 0}, {1, 1, 1}, 1, [h](const Eigen::Vector3d&) { return h; });
 }
 
+/// A tetrahedron of label 2 on one of label 1. With an apex below 0 the upper one is inside out and overlaps
+/// the lower one, though no triangles cross.
+inline SurfaceMesh stacked_tetrahedra(double apex_z) {
+  return {{{4, 0, 0}, {-2, 4, 0}, {-2, -4, 0}, {0, 0, apex_z}, {0, 0, -9}},
+          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 4}, {2, 1, 4}, {0, 2, 4}},
+          {{2, 1}, {2, 0}, {2, 0}, {2, 0}, {1, 0}, {1, 0}, {1, 0}}};
+}
+
 }  // namespace voxtet::test

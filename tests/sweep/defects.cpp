@@ -10,6 +10,7 @@
 #include "support/check_surface.h"
 #include "support/check_tets.h"
 #include "support/exact_intersections.h"
+#include "tetra/check_surface.h"
 #include "volume/select_labels.h"
 
 namespace voxtet::sweep {
@@ -47,6 +48,8 @@ void find_surface_defects(const std::string& stage, const SurfaceMesh& surface,
   }
   if (const std::size_t pairs = test::count_self_intersections(surface))
     defects.push_back({stage, "intersection", std::to_string(pairs) + " pairs of triangles"});
+  if (const Status apart = check_overlaps(surface, EdgeGroups(surface)); !apart)
+    defects.push_back({stage, "overlap", apart.error().message});
 }
 
 void find_tet_defects(const TetMesh& mesh, const SurfaceMesh& surface, std::vector<Defect>& defects) {

@@ -144,6 +144,29 @@ TEST(ImproveSurface, StopsWhenCancelled) {
   EXPECT_EQ(out.error().code, ErrorCode::kCancelled);
 }
 
+TEST(ComplexEditor, TurnsNoBumpOfThreeFacetsInsideOut) {
+  const ComplexMesh mesh(test::stacked_tetrahedra(3));
+  const SizingField sizing = test::uniform_sizing(5);
+  ComplexEditor editor(mesh, mesh, same_complex(mesh), sizing);
+  editor.limits.reach_mm = 100;
+  editor.limits.turn_cosine = -1;
+  editor.limits.crease_cosine = editor.limits.junction_cosine = editor.limits.angle_cosine = 0.99;
+  editor.set_cell(5);
+  Change change;
+  for (const std::uint32_t t : mesh.star(3)) {
+    change.removed.push_back(t);
+    change.added.push_back({mesh.triangle(t), mesh.pair(t)});
+  }
+  change.moved = 3;
+  change.position = {0, 0, 2.5};
+  EXPECT_TRUE(editor.attempt(change, Demand::kAllowed));
+  change.removed.assign(editor.mesh().star(3).begin(), editor.mesh().star(3).end());
+  change.position = {0, 0, -2.5};
+  EXPECT_FALSE(editor.attempt(change, Demand::kAllowed));
+  EXPECT_EQ(editor.refusals(Reason::kIntersection), 1U);
+  EXPECT_EQ(editor.mesh().point(3).z(), 2.5);
+}
+
 TEST(EditTrials, PutBackEveryTriangleWhereItWas) {
   const SurfaceMesh heart = label_surface(test::heart_volume(20, 18, 18));
   const SizingField sizing = test::uniform_sizing(3);

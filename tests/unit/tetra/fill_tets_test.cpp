@@ -198,6 +198,18 @@ TEST(FillTets, RefusesASelfIntersectingSurfaceAndNamesTheTriangles) {
   for (const Eigen::Vector3d& p : mesh.error().where.points) EXPECT_NEAR(p.x(), 3, 2.5);
 }
 
+TEST(FillTets, RefusesWhatIsInsideOutAndNamesTheTriangles) {
+  EXPECT_TRUE(fill(test::stacked_tetrahedra(3), uniform_sizing(3)).ok());
+  const SurfaceMesh surface = test::stacked_tetrahedra(-3);
+  ASSERT_TRUE(find_self_intersections(surface).empty());
+  const auto mesh = fill(surface, uniform_sizing(3));
+  ASSERT_FALSE(mesh.ok());
+  EXPECT_EQ(mesh.error().code, ErrorCode::kMeshing);
+  EXPECT_NE(mesh.error().message.find("labels overlap at 3 edges"), std::string::npos)
+      << mesh.error().message;
+  EXPECT_EQ(mesh.error().where.elements.size(), 7U);
+}
+
 TEST(FillTets, GivesAValidMeshOrTheIntersectingTrianglesForRandomlyDentedSpheres) {
   std::uint64_t state = 12345;
   const auto random = [&state] {
