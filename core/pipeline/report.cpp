@@ -240,10 +240,11 @@ json report_json(const Session& session) {
     const auto stage = static_cast<Stage>(i);
     if (session.record(stage).key.empty()) continue;
     out["stages"].push_back(stage_json(session, stage));
-    out["stages"].back()["digest"] = result_digest(session, stage);
+    const std::string digest = result_digest(session, stage);
+    out["stages"].back()["digest"] = digest;
+    if (stage == Stage::kTetra || stage == Stage::kOptimise) out["digest"] = digest;
   }
   if (session.mesh()) {
-    out["digest"] = digest_of(*session.mesh());
     out["tets"] = session.mesh()->tets.size();
     out["points"] = session.mesh()->points.size();
   }
