@@ -47,6 +47,14 @@ void in_stretches(std::size_t first, std::size_t last, Body&& body) {
 #endif
 }
 
+/// Calls visit(i) for each i in [first, last), in stretches.
+template <class Visit>
+void for_indices(std::size_t first, std::size_t last, Visit&& visit) {
+  in_stretches(first, last, [visit](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) visit(i);
+  });
+}
+
 /// Cuts [0, count) into contiguous parts, one a thread, and calls body(first, last) for the stretches of
 /// each; the caller's own thread takes the first part, and those for which no thread is to be had. `body`
 /// must write to places that belong to its indices alone, so that the result is that of body(0, count). An

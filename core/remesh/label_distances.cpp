@@ -89,27 +89,14 @@ class Scatter {
 
   /// The closest point of the surface on the boundary of each listed label.
   void find_nearest_points() {
-    in_stretches(0, surface_.points.size(), [&](std::size_t first, std::size_t last) {
-      find_nearest_points(static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last));
-    });
-  }
-
-  /// The distances in units of `unit_mm`, of all entries.
-  void measure(double unit_mm) {
-    out_.values.resize(out_.labels.size());
-    in_stretches(0, grid_.labels.size(),
-                 [&](std::size_t first, std::size_t last) { measure(unit_mm, first, last); });
-  }
-
- private:
-  void find_nearest_points(std::uint32_t first_point, std::uint32_t last_point) {
     const Eigen::Matrix3d to_index = to_mm_.inverse();
     const std::size_t sx = static_cast<std::size_t>(grid_.size[0]);
     const std::size_t sxy = sx * static_cast<std::size_t>(grid_.size[1]);
     std::array<Eigen::Vector3d, 27> steps;
     for (int n = 0; n < 27; ++n)
       steps[static_cast<std::size_t>(n)] = to_mm_ * Eigen::Vector3d(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-    for (std::uint32_t p = first_point; p < last_point; ++p) {
+    for_indices(0, surface_.points.size(), [&](std::size_t point) {
+      const auto p = static_cast<std::uint32_t>(point);
       collect_labels(p);
       on_one_pair_[p] = here_.size() == 2;
       const Eigen::Vector3d index = to_index * (surface_.points[p] - origin_);
@@ -134,14 +121,15 @@ class Scatter {
           nearest_[e] = p;
         }
       }
-    }
+    });
   }
 
-  void measure(double unit_mm, std::size_t first_voxel, std::size_t last_voxel) {
+  void measure(double unit_mm) {
+    out_.values.resize(out_.labels.size());
     const std::size_t sx = static_cast<std::size_t>(grid_.size[0]);
     const std::size_t sy = static_cast<std::size_t>(grid_.size[1]);
-    for (std::size_t v = first_voxel; v < last_voxel; ++v) {
-      if (out_.offsets[v] == out_.offsets[v + 1]) continue;
+    for_indices(0, grid_.labels.size(), [&](std::size_t v) {
+      if (out_.offsets[v] == out_.offsets[v + 1]) return;
       const Eigen::Vector3d centre =
           origin_ + to_mm_ * Eigen::Vector3d(static_cast<double>(v % sx), static_cast<double>(v / sx % sy),
                                              static_cast<double>(v / (sx * sy)));
@@ -153,9 +141,10 @@ class Scatter {
         const float value = std::clamp(static_cast<float>(distance), nearest, LabelDistances::kFarthest);
         out_.values[e] = out_.labels[e] == grid_.labels[v] ? value : -value;
       }
-    }
+    });
   }
 
+ private:
   void collect_labels(std::uint32_t p) {
     here_.clear();
     for (std::uint32_t k = stars_.start[p]; k < stars_.start[p + 1]; ++k)

@@ -56,21 +56,18 @@ std::vector<Triangle> wall_triangles(const WallInput& input, const std::vector<L
   std::vector<std::uint8_t> is_wall(65536, 0);
   for (const Label label : wall) is_wall[label] = 1;
   std::vector<std::int64_t> balance(65536, 0);
-  in_stretches(0, input.meshed.labels.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v)
-      balance[input.meshed.labels[v]] += is_wall[input.anatomy.labels[v]] ? 1 : -1;
+  for_indices(0, input.meshed.labels.size(), [&](std::size_t v) {
+    balance[input.meshed.labels[v]] += is_wall[input.anatomy.labels[v]] ? 1 : -1;
   });
   std::vector<Triangle> triangles;
-  in_stretches(0, input.surface.triangles.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) {
-      const Sides& sides = input.surface.sides[t];
-      const bool behind = sides[0] != kBackground && balance[sides[0]] > 0;
-      const bool front = sides[1] != kBackground && balance[sides[1]] > 0;
-      if (behind == front) continue;
-      Triangle triangle = input.surface.triangles[t];
-      if (front) std::swap(triangle[1], triangle[2]);
-      triangles.push_back(triangle);
-    }
+  for_indices(0, input.surface.triangles.size(), [&](std::size_t t) {
+    const Sides& sides = input.surface.sides[t];
+    const bool behind = sides[0] != kBackground && balance[sides[0]] > 0;
+    const bool front = sides[1] != kBackground && balance[sides[1]] > 0;
+    if (behind == front) return;
+    Triangle triangle = input.surface.triangles[t];
+    if (front) std::swap(triangle[1], triangle[2]);
+    triangles.push_back(triangle);
   });
   return triangles;
 }
@@ -85,26 +82,23 @@ std::size_t reach(const WallGrid& grid, Starts&& starts, std::size_t most, std::
   const auto begins = [&](std::size_t other) {
     return grid.kind[other] >= wall::kInner && starts(grid.kind[other]);
   };
-  in_stretches(0, grid.kind.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t at = first; at < last; ++at) {
-      if (grid.kind[at] != wall::kWall) continue;
-      for (const std::size_t step : stride)
-        if (begins(at - step) || begins(at + step)) marks[at] = 1;
-      if (marks[at]) front.push_back(at);
-    }
+  for_indices(0, grid.kind.size(), [&](std::size_t at) {
+    if (grid.kind[at] != wall::kWall) return;
+    for (const std::size_t step : stride)
+      if (begins(at - step) || begins(at + step)) marks[at] = 1;
+    if (marks[at]) front.push_back(at);
   });
   std::size_t steps = 0;
   for (; steps < most && !front.empty(); ++steps) {
     next.clear();
     if (steps + 1 < most)
-      in_stretches(0, front.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t f = first; f < last; ++f)
-          for (const std::size_t step : stride)
-            for (const std::size_t other : {front[f] - step, front[f] + step}) {
-              if (grid.kind[other] != wall::kWall || marks[other]) continue;
-              marks[other] = 1;
-              next.push_back(other);
-            }
+      for_indices(0, front.size(), [&](std::size_t f) {
+        for (const std::size_t step : stride)
+          for (const std::size_t other : {front[f] - step, front[f] + step}) {
+            if (grid.kind[other] != wall::kWall || marks[other]) continue;
+            marks[other] = 1;
+            next.push_back(other);
+          }
       });
     front.swap(next);
   }
@@ -164,17 +158,15 @@ Measured measure(const WallGrid& grid, std::size_t inner_count, bool shares, Run
   std::vector<float> chosen(grid.kind.size(), kFar);  // length of the line that gives the potential
   for (std::size_t space = 0; space < spaces.size(); ++space) {
     const Lines& lines = spaces[space];
-    in_stretches(0, lines.voxel.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t n = first; n < last; ++n) {
-        const float length = lines.length_mm[n];
-        const std::size_t at = lines.voxel[n];
-        if (shares) out.shares[space][at] = 1 - lines.potential[n];
-        if (!(length < kFar)) continue;
-        out.thickness_mm[at] = std::min(out.thickness_mm[at], length);
-        if (!(length * kLonger < chosen[at])) continue;
-        chosen[at] = length;
-        out.potential[at] = lines.potential[n];
-      }
+    for_indices(0, lines.voxel.size(), [&](std::size_t n) {
+      const float length = lines.length_mm[n];
+      const std::size_t at = lines.voxel[n];
+      if (shares) out.shares[space][at] = 1 - lines.potential[n];
+      if (!(length < kFar)) return;
+      out.thickness_mm[at] = std::min(out.thickness_mm[at], length);
+      if (!(length * kLonger < chosen[at])) return;
+      chosen[at] = length;
+      out.potential[at] = lines.potential[n];
     });
   }
   std::replace(out.thickness_mm.begin(), out.thickness_mm.end(), kFar, 0.F);
@@ -198,9 +190,8 @@ void spread(const WallGrid& grid, std::size_t rings, Wants&& wants, Measured& va
     return std::all_of(stride.begin(), stride.end(),
                        [&](std::size_t step) { return known(at - step) && known(at + step); });
   };
-  in_stretches(0, grid.kind.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t at = first; at < last; ++at)
-      if (known(at) && !is_surrounded(at)) add_beside(at);
+  for_indices(0, grid.kind.size(), [&](std::size_t at) {
+    if (known(at) && !is_surrounded(at)) add_beside(at);
   });
   for (std::size_t ring = 0; !next.empty() && ring < rings; ++ring) {
     std::sort(next.begin(), next.end());
@@ -236,18 +227,16 @@ float& largest_share(Measured& values, std::size_t at) {
 void continue_outside(const WallGrid& grid, std::size_t rings, Measured& values) {
   const auto outside = [&](std::size_t at) { return grid.kind[at] != wall::kWall; };
   spread(grid, rings, outside, values);
-  in_stretches(0, grid.kind.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t at = first; at < last; ++at) {
-      const std::uint8_t kind = grid.kind[at];
-      if (!outside(at) || kind == wall::kSide || !(values.thickness_mm[at] > 0)) continue;
-      const float beyond = grid.distance_mm[at] / values.thickness_mm[at];
-      values.potential[at] = values.potential[at] < 0.5F ? -beyond : 1 + beyond;
-      if (values.shares.empty()) continue;
-      if (kind == wall::kOuter)
-        largest_share(values, at) = -beyond;
-      else
-        values.shares[kind - wall::kInner][at] = 1 + beyond;
-    }
+  for_indices(0, grid.kind.size(), [&](std::size_t at) {
+    const std::uint8_t kind = grid.kind[at];
+    if (!outside(at) || kind == wall::kSide || !(values.thickness_mm[at] > 0)) return;
+    const float beyond = grid.distance_mm[at] / values.thickness_mm[at];
+    values.potential[at] = values.potential[at] < 0.5F ? -beyond : 1 + beyond;
+    if (values.shares.empty()) return;
+    if (kind == wall::kOuter)
+      largest_share(values, at) = -beyond;
+    else
+      values.shares[kind - wall::kInner][at] = 1 + beyond;
   });
 }
 
@@ -256,13 +245,11 @@ void continue_outside(const WallGrid& grid, std::size_t rings, Measured& values)
 bool is_thin(const WallGrid& grid, const Measured& values, double voxel_mm3) {
   const double limit_mm3 = kThinVoxels * kThinVoxels * kThinVoxels * voxel_mm3;
   std::size_t thin = 0, count = 0;
-  in_stretches(0, grid.kind.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t at = first; at < last; ++at) {
-      const double t = values.thickness_mm[at];
-      if (grid.kind[at] != wall::kWall || t == 0) continue;
-      ++count;
-      thin += t * t * t < limit_mm3;
-    }
+  for_indices(0, grid.kind.size(), [&](std::size_t at) {
+    const double t = values.thickness_mm[at];
+    if (grid.kind[at] != wall::kWall || t == 0) return;
+    ++count;
+    thin += t * t * t < limit_mm3;
   });
   return static_cast<double>(thin) > kThinShare * static_cast<double>(count);
 }

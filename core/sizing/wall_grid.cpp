@@ -32,10 +32,9 @@ std::vector<std::uint8_t> near_surface(const WallGrid& grid, int steps) {
   std::vector<std::uint8_t> near(grid.kind.size(), 0);
   const std::array<std::size_t, 3> stride = grid.strides();
   for (std::size_t d = 0; d < 3; ++d)
-    in_stretches(0, grid.kind.size() - stride[d], [&](std::size_t first, std::size_t last) {
-      for (std::size_t at = first; at < last; ++at)
-        if ((grid.kind[at] == kWall) != (grid.kind[at + stride[d]] == kWall))
-          near[at] = near[at + stride[d]] = 1;
+    for_indices(0, grid.kind.size() - stride[d], [&](std::size_t at) {
+      if ((grid.kind[at] == kWall) != (grid.kind[at + stride[d]] == kWall))
+        near[at] = near[at + stride[d]] = 1;
     });
   for (int step = 1; step < steps; ++step) {
     const std::vector<std::uint8_t> before = near;
@@ -219,14 +218,12 @@ void measure_distances(const std::vector<Eigen::Vector3d>& points, const std::ve
   });
   grid.distance_mm.assign(grid.kind.size(), static_cast<float>(kTypicalVoxels) * voxel);
   std::vector<std::size_t> leavers;
-  in_stretches(0, grid.kind.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t at = first; at < last; ++at) {
-      if (nearest[at].distance == kFar) continue;
-      grid.distance_mm[at] = std::max(nearest[at].distance, static_cast<float>(kLeastVoxels) * voxel);
-      const bool in_wall = nearest[at].cosine < 0;
-      if (in_wall && grid.kind[at] != kWall && grid.kind[at] != kSide) grid.kind[at] = kJoins;
-      if (!in_wall && grid.kind[at] == kWall) leavers.push_back(at);
-    }
+  for_indices(0, grid.kind.size(), [&](std::size_t at) {
+    if (nearest[at].distance == kFar) return;
+    grid.distance_mm[at] = std::max(nearest[at].distance, static_cast<float>(kLeastVoxels) * voxel);
+    const bool in_wall = nearest[at].cosine < 0;
+    if (in_wall && grid.kind[at] != kWall && grid.kind[at] != kSide) grid.kind[at] = kJoins;
+    if (!in_wall && grid.kind[at] == kWall) leavers.push_back(at);
   });
   settle_leavers(leavers, grid.kind, grid.strides());
   std::replace(grid.kind.begin(), grid.kind.end(), static_cast<std::uint8_t>(kJoins),

@@ -78,24 +78,21 @@ std::vector<std::uint32_t> uphill_order(const WallGraph& graph, const std::vecto
   };
   // The two colours of the graph, merged back into the order of the grid.
   std::size_t even = 0, odd = graph.even;
-  in_stretches(0, slopes.size(), [&](std::size_t first, std::size_t last) {
-    for (; first < last; ++first) {
-      const bool take_even =
-          odd == slopes.size() || (even < graph.even && graph.voxel[even] < graph.voxel[odd]);
-      look_at(take_even ? even++ : odd++);
-    }
+  for_indices(0, slopes.size(), [&](std::size_t) {
+    const bool take_even =
+        odd == slopes.size() || (even < graph.even && graph.voxel[even] < graph.voxel[odd]);
+    look_at(take_even ? even++ : odd++);
   });
   constexpr std::size_t kAhead = 16;
-  // Every node comes to stand in the order, unless it waits for one that waits for it.
-  in_stretches(0, slopes.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t head = first; head < std::min(last, order.size()); ++head) {
-      if (head + kAhead < order.size()) __builtin_prefetch(&graph.nodes[order[head + kAhead]]);
-      for (std::size_t d = 0; d < 6; ++d) {
-        const std::uint32_t to = graph.nodes[order[head]].neighbour[d];
-        if (to >= kInnerEnd || !(waits[to] >> (d ^ 1U) & 1U)) continue;
-        waits[to] = static_cast<std::uint8_t>(waits[to] & ~(1U << (d ^ 1U)));
-        if (waits[to] == 0) order.push_back(to);
-      }
+  // No more than all nodes come to stand in the order; those that wait for one another never do.
+  for_indices(0, slopes.size(), [&](std::size_t head) {
+    if (head >= order.size()) return;
+    if (head + kAhead < order.size()) __builtin_prefetch(&graph.nodes[order[head + kAhead]]);
+    for (std::size_t d = 0; d < 6; ++d) {
+      const std::uint32_t to = graph.nodes[order[head]].neighbour[d];
+      if (to >= kInnerEnd || !(waits[to] >> (d ^ 1U) & 1U)) continue;
+      waits[to] = static_cast<std::uint8_t>(waits[to] & ~(1U << (d ^ 1U)));
+      if (waits[to] == 0) order.push_back(to);
     }
   });
   return order;
@@ -117,9 +114,8 @@ class Transport {
   std::vector<float> lengths(std::size_t nodes, bool from_inner) const {
     std::vector<float> source(order_.size(), 1.F);
     std::vector<float> length = solve(source, true, from_inner);
-    in_stretches(0, order_.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) source[i] = 1 - central_slope(i, length, from_inner);
-    });
+    for_indices(0, order_.size(),
+                [&](std::size_t i) { source[i] = 1 - central_slope(i, length, from_inner); });
     const std::vector<float> correction = solve(source, false, from_inner);
     std::vector<float> out(nodes, kFar);
     for (std::size_t i = 0; i < order_.size(); ++i)
@@ -156,11 +152,9 @@ class Transport {
     const auto for_nodes = [&](auto&& visit) {
       parallel_for(threads, kParts, [&](std::size_t first, std::size_t last) {
         for (std::size_t part = first; part < last; ++part)
-          in_stretches(place.size() * part / kParts, place.size() * (part + 1) / kParts,
-                       [&](std::size_t begin, std::size_t end) {
-                         for (std::size_t n = begin; n < end; ++n)
-                           if (place[n] != kNothing) visit(part, n);
-                       });
+          for_indices(place.size() * part / kParts, place.size() * (part + 1) / kParts, [&](std::size_t n) {
+            if (place[n] != kNothing) visit(part, n);
+          });
       });
     };
     for_nodes([&](std::size_t part, std::size_t n) {
@@ -199,28 +193,26 @@ class Transport {
     std::vector<std::uint8_t> due(links_.size(), 1);
     for (int pass = 0; pass < kMostPasses; ++pass) {
       std::size_t changed = 0;
-      in_stretches(0, links_.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t k = first; k < last; ++k) {
-          const std::size_t i = from_inner ? k : links_.size() - 1 - k;
-          if (!due[i]) continue;
-          due[i] = 0;
-          const Link& link = links_[i];
-          float sum = source[i], weights = 0;
-          for (std::size_t d = 0; d < 3; ++d) {
-            const std::uint32_t before = link.toward(from_inner)[d];
-            if (before == kNothing) continue;
-            if (pass == 0 && before < links_.size() && (before > i) == from_inner) due[i] = 1;
-            if (value[before] == kFar) continue;
-            sum += link.weight[d] * value[before];
-            weights += link.weight[d];
-          }
-          if (!(weights > 0)) continue;
-          const float found = sum / weights;
-          const bool moved = !(std::abs(found - value[i]) <= tolerance_);
-          value[i] = found;
-          changed += moved;
-          if (moved && pass > 0) mark_dependents(i, from_inner, due);
+      for_indices(0, links_.size(), [&](std::size_t k) {
+        const std::size_t i = from_inner ? k : links_.size() - 1 - k;
+        if (!due[i]) return;
+        due[i] = 0;
+        const Link& link = links_[i];
+        float sum = source[i], weights = 0;
+        for (std::size_t d = 0; d < 3; ++d) {
+          const std::uint32_t before = link.toward(from_inner)[d];
+          if (before == kNothing) continue;
+          if (pass == 0 && before < links_.size() && (before > i) == from_inner) due[i] = 1;
+          if (value[before] == kFar) continue;
+          sum += link.weight[d] * value[before];
+          weights += link.weight[d];
         }
+        if (!(weights > 0)) return;
+        const float found = sum / weights;
+        const bool moved = !(std::abs(found - value[i]) <= tolerance_);
+        value[i] = found;
+        changed += moved;
+        if (moved && pass > 0) mark_dependents(i, from_inner, due);
       });
       if (changed <= links_.size() / kUnsettledPart) break;
     }

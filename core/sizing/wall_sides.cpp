@@ -40,12 +40,10 @@ class Openings {
 
   std::vector<Opening> find() {
     std::vector<Opening> found;
-    in_stretches(0, grid_.kind.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t at = first; at < last; ++at) {
-        if (seen_[at] || !touches_inner(at)) continue;
-        Opening opening = collect(at);
-        if (opening.faces >= kFewestFaces && finish(opening)) found.push_back(std::move(opening));
-      }
+    for_indices(0, grid_.kind.size(), [&](std::size_t at) {
+      if (seen_[at] || !touches_inner(at)) return;
+      Opening opening = collect(at);
+      if (opening.faces >= kFewestFaces && finish(opening)) found.push_back(std::move(opening));
     });
     return found;
   }

@@ -47,19 +47,17 @@ TetComplex::TetComplex(TetMesh mesh)
 void TetComplex::connect() {
   Buckets<Waiting> sides(points_.size());
   const auto for_sides = [this](const auto& visit) {
-    in_stretches(0, places(), [&](std::size_t first, std::size_t last) {
-      for (auto t = static_cast<std::uint32_t>(first); t < last; ++t)
-        for (std::uint32_t c = 0; c < 4; ++c) visit(Waiting{side_of(corners(t), c), 4 * t + c});
+    for_indices(0, places(), [&](std::size_t place) {
+      const auto t = static_cast<std::uint32_t>(place);
+      for (std::uint32_t c = 0; c < 4; ++c) visit(Waiting{side_of(corners(t), c), 4 * t + c});
     });
   };
   for_sides([&](const Waiting& side) { sides.count(side.corners[0]); });
   sides.allocate();
   for_sides([&](const Waiting& side) { sides.add(side.corners[0], side); });
-  in_stretches(0, sides.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t lowest = first; lowest < last; ++lowest) {
-      waiting_.clear();
-      for (const Waiting& side : sides.at(lowest)) meet(side);
-    }
+  for_indices(0, sides.size(), [&](std::size_t lowest) {
+    waiting_.clear();
+    for (const Waiting& side : sides.at(lowest)) meet(side);
   });
 }
 
