@@ -1,5 +1,7 @@
 #include "geometry/retreat.h"
 
+#include "geometry/parallel.h"
+
 namespace voxtet {
 namespace {
 
@@ -9,8 +11,8 @@ constexpr int kStepsPerRing = 3;
 }  // namespace
 
 Retreat::Retreat(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& start,
-                 std::vector<Eigen::Vector3d>& points)
-    : triangles_(triangles), start_(start), points_(points), halvings_(points.size(), 0) {}
+                 std::vector<Eigen::Vector3d>& points, int threads)
+    : triangles_(triangles), start_(start), points_(points), threads_(threads), halvings_(points.size(), 0) {}
 
 Flags Retreat::displaced() const {
   Flags away(points_.size());
@@ -46,10 +48,12 @@ Flags Retreat::corners_of(const Flags& flagged) const {
 
 Flags Retreat::triangles_at(const Flags& moved) const {
   Flags flagged(triangles_.size());
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const Triangle& v = triangles_[t];
-    flagged[t] = moved[v[0]] | moved[v[1]] | moved[v[2]];
-  }
+  parallel_for(threads_, triangles_.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const Triangle& v = triangles_[t];
+      flagged[t] = moved[v[0]] | moved[v[1]] | moved[v[2]];
+    }
+  });
   return flagged;
 }
 

@@ -16,7 +16,7 @@ using Flags = std::vector<std::uint8_t>;  ///< 0 or 1 by index
 class Retreat {
  public:
   Retreat(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& start,
-          std::vector<Eigen::Vector3d>& points);
+          std::vector<Eigen::Vector3d>& points, int threads);
 
   /// Flags of the triangles with a corner away from its start.
   Flags displaced() const;
@@ -39,6 +39,7 @@ class Retreat {
   const std::vector<Triangle>& triangles_;
   const std::vector<Eigen::Vector3d>& start_;
   std::vector<Eigen::Vector3d>& points_;
+  int threads_;
   Flags halvings_;
   std::size_t moved_back_ = 0;
   int steps_ = 0;

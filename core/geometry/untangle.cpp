@@ -10,7 +10,7 @@ namespace voxtet {
 
 UntangleOutcome untangle(SurfaceMesh& surface, const std::vector<Eigen::Vector3d>& start,
                          const RunContext& ctx) {
-  Retreat retreat(surface.triangles, start, surface.points);
+  Retreat retreat(surface.triangles, start, surface.points, ctx.threads);
   Flags flagged = retreat.displaced();
   SelfIntersectionTree tree(surface, ctx.threads);
   while (!ctx.cancelled()) {

@@ -23,6 +23,14 @@ struct MarchedSlab {
 /// Slabs one after the other; ids of borrowed points are those of the last points of the slab before.
 inline SurfaceMesh join_slabs(std::vector<MarchedSlab> slabs) {
   SurfaceMesh out = std::move(slabs.front().mesh);
+  std::size_t points = out.points.size(), triangles = out.triangles.size();
+  for (std::size_t s = 1; s < slabs.size(); ++s) {
+    points += slabs[s].mesh.points.size() - slabs[s].borrowed;
+    triangles += slabs[s].mesh.triangles.size();
+  }
+  out.points.reserve(points);
+  out.triangles.reserve(triangles);
+  out.sides.reserve(triangles);
   for (std::size_t s = 1; s < slabs.size(); ++s) {
     const SurfaceMesh& mesh = slabs[s].mesh;
     const auto shift = static_cast<std::uint32_t>(out.points.size() - slabs[s].borrowed);

@@ -57,7 +57,7 @@ bool passes_held_centre(const VoxelRegions& regions, const Points& start, const 
 
 Flags guard_shape(const std::vector<Triangle>& triangles, const VoxelRegions& regions, const Points& start,
                   const Points& safe, Points& points, const RunContext& ctx) {
-  Retreat retreat(triangles, safe, points);
+  Retreat retreat(triangles, safe, points, ctx.threads);
   Flags flagged = retreat.displaced();
   for (bool any = true; any;) {
     parallel_for(ctx.threads, triangles.size(), [&](std::size_t first, std::size_t last) {

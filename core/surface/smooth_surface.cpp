@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/parallel.h"
 #include "geometry/surface_measures.h"
 #include "geometry/untangle.h"
 #include "surface/bilaplacian.h"
@@ -68,32 +69,38 @@ Label only_label(const SurfaceMesh& surface) {
 
 /// Regions on both sides of each triangle: an equally labelled corner of the lattice cell it lies in.
 Result<RegionSides> find_region_sides(const SurfaceMesh& surface, const Points& start,
-                                      const VoxelRegions& regions, const std::array<int, 3>& size) {
+                                      const VoxelRegions& regions, const std::array<int, 3>& size,
+                                      int threads) {
   RegionSides found(surface.triangles.size());
-  const Eigen::Vector3d last(size[0], size[1], size[2]);
-  for (std::size_t t = 0; t < found.size(); ++t) {
+  const Eigen::Vector3d last_cell(size[0], size[1], size[2]);
+  const auto find = [&](std::size_t t) {
     const Triangle& v = surface.triangles[t];
     const Eigen::Vector3d cell = ((start[v[0]] + start[v[1]] + start[v[2]]) / 3).array().floor();
+    if (!(cell.array() >= -1).all() || !(cell.array() < last_cell.array()).all()) return false;
     std::array<bool, 2> known{};
-    if ((cell.array() >= -1).all() && (cell.array() < last.array()).all())
-      for (int corner = 0; corner < 8; ++corner) {
-        const std::uint32_t region = regions.at(static_cast<int>(cell.x()) + (corner & 1),
-                                                static_cast<int>(cell.y()) + (corner >> 1 & 1),
-                                                static_cast<int>(cell.z()) + (corner >> 2));
-        for (std::size_t side = 0; side < 2; ++side)
-          if (regions.label(region) == surface.sides[t][side]) {
-            found[t][side] = region;
-            known[side] = true;
-          }
-      }
-    if (!known[0] || !known[1])
-      return failure(
-          ErrorCode::kBadInput,
-          "triangle " + std::to_string(t) + " lies between the labels " +
-              std::to_string(surface.sides[t][0]) + " and " + std::to_string(surface.sides[t][1]) +
-              ", which do not meet there in the volume: expected the volume it was extracted from");
-  }
-  return found;
+    for (int corner = 0; corner < 8; ++corner) {
+      const std::uint32_t region = regions.at(static_cast<int>(cell.x()) + (corner & 1),
+                                              static_cast<int>(cell.y()) + (corner >> 1 & 1),
+                                              static_cast<int>(cell.z()) + (corner >> 2));
+      for (std::size_t side = 0; side < 2; ++side)
+        if (regions.label(region) == surface.sides[t][side]) {
+          found[t][side] = region;
+          known[side] = true;
+        }
+    }
+    return known[0] && known[1];
+  };
+  Flags is_found(found.size());
+  parallel_for(threads, found.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) is_found[t] = find(t);
+  });
+  const auto lost = std::find(is_found.begin(), is_found.end(), std::uint8_t{0});
+  if (lost == is_found.end()) return found;
+  const auto t = static_cast<std::size_t>(lost - is_found.begin());
+  return failure(ErrorCode::kBadInput,
+                 "triangle " + std::to_string(t) + " lies between the labels " +
+                     std::to_string(surface.sides[t][0]) + " and " + std::to_string(surface.sides[t][1]) +
+                     ", which do not meet there in the volume: expected the volume it was extracted from");
 }
 
 /// The graph in which the vertices of thin regions are fixed: those whose volume is less than a sheet of four
@@ -152,7 +159,7 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
 
   const Label label = only_label(surface);
   const VoxelRegions regions(volume, label);
-  const Result<RegionSides> sides = find_region_sides(surface, start, regions, volume.size);
+  const Result<RegionSides> sides = find_region_sides(surface, start, regions, volume.size, ctx.threads);
   if (!sides) return sides.error();
   const SurfaceGraph graph = build_surface_graph(surface);
   const MoveLimits limits(start, regions, params.max_move_voxels);
