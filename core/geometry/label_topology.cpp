@@ -2,11 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <span>
 
 #include "geometry/buckets.h"
+#include "geometry/edge_turn.h"
 #include "geometry/union_find.h"
 
 namespace voxtet {
@@ -122,19 +122,13 @@ class Sheets {
       std::uint32_t half;
       bool opens;
     };
-    const Eigen::Vector3d base = surface_.points[low], along = (surface_.points[high] - base).normalized();
-    const auto spoke = [&](std::uint32_t half) -> Eigen::Vector3d {
-      const Eigen::Vector3d to = surface_.points[origin_of(next(next(half)))] - base;
-      return to - to.dot(along) * along;
+    const auto apex = [&](std::uint32_t half) -> const Eigen::Vector3d& {
+      return surface_.points[origin_of(next(next(half)))];
     };
-    const Eigen::Vector3d u = spoke(own[0].half), v = along.cross(u);
+    const EdgeTurn turn(surface_.points[low], surface_.points[high], apex(own[0].half));
     std::vector<Blade> blades;
     for (const LabelHalf& h : own) {
-      const Eigen::Vector3d to = spoke(h.half);
-      const double x = to.dot(u), y = to.dot(v), size = std::abs(x) + std::abs(y);
-      const double sine = size > 0 ? y / size : 0;  // flat triangles and points without a place too
-      // Grows with the angle, as 0 to 4 for a full turn.
-      blades.push_back({x < 0 ? 2 - sine : y < 0 ? 4 + sine : sine, h.half, origin_of(h.half) == high});
+      blades.push_back({turn(apex(h.half)), h.half, origin_of(h.half) == high});
       pinched_.push_back({h.label, h.half});
     }
     ends_.push_back(pinched_.size());

@@ -12,7 +12,7 @@ namespace voxtet {
 using Flags = std::vector<std::uint8_t>;  ///< 0 or 1 by index
 
 /// Keeps `triangles`, `start` and `points` by reference. Every point stays on the segment from its start to
-/// where it was at construction.
+/// where it was at construction. `threads`: see parallel_for.
 class Retreat {
  public:
   Retreat(const std::vector<Triangle>& triangles, const std::vector<Eigen::Vector3d>& start,

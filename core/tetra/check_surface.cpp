@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/edge_turn.h"
 #include "geometry/self_intersections.h"
 #include "tetra/meshing_error.h"
 
@@ -74,27 +75,41 @@ void for_each_dihedral(const SurfaceMesh& surface, const EdgeGroups& edges, Visi
   }
 }
 
+/// Edges at which something is wrong: how many, and where the first ones are.
+struct EdgeFaults {
+  std::size_t count = 0;
+  ErrorPlace where;  ///< triangles at the edges and the edges' midpoints
+
+  void add(const SurfaceMesh& surface, std::span<const TriangleUse> uses) {
+    if (++count > kMaxPlaces) return;
+    for (const TriangleUse& use : uses) where.elements.push_back(use.triangle);
+    where.points.push_back((surface.points[uses[0].low] + surface.points[uses[0].high]) / 2);
+  }
+  /// None is no error.
+  Status status(const std::string& before, const std::string& after) && {
+    if (count == 0) return std::monostate{};
+    std::sort(where.elements.begin(), where.elements.end());
+    where.elements.erase(std::unique(where.elements.begin(), where.elements.end()), where.elements.end());
+    return meshing_error(before + std::to_string(count) + after, std::move(where));
+  }
+};
+
 /// A triangle at an edge, seen along it: its angle, and the labels before and after it as the angle grows.
 struct Wing {
-  double turn = 0;  ///< grows with the angle, from 0 to 4
+  double turn = 0;  ///< EdgeTurn
   Label before = kBackground, after = kBackground;
 };
 
 /// The triangles at an edge in the order of their angles.
 void wings_around(const SurfaceMesh& surface, std::span<const TriangleUse> uses, std::vector<Wing>& wings) {
-  const Eigen::Vector3d& low = surface.points[uses[0].low];
-  const Eigen::Vector3d axis = (surface.points[uses[0].high] - low).normalized();
-  const auto arm_of = [&](const TriangleUse& use) -> Eigen::Vector3d {
-    return surface.points[surface.triangles[use.triangle][(use.corner + 2) % 3]] - low;
+  const auto apex = [&](const TriangleUse& use) -> const Eigen::Vector3d& {
+    return surface.points[surface.triangles[use.triangle][(use.corner + 2) % 3]];
   };
-  const Eigen::Vector3d first = arm_of(uses[0]);
-  const Eigen::Vector3d x_axis = (first - axis * axis.dot(first)).normalized(), y_axis = axis.cross(x_axis);
+  const EdgeTurn turn(surface.points[uses[0].low], surface.points[uses[0].high], apex(uses[0]));
   wings.clear();
   for (const TriangleUse& use : uses) {
-    const double x = x_axis.dot(arm_of(use)), y = y_axis.dot(arm_of(use));
-    const double part = x / (std::abs(x) + std::abs(y));
     const Sides& sides = surface.sides[use.triangle];
-    wings.push_back({y >= 0 ? 1 - part : 3 + part, sides[use.forward ? 0 : 1], sides[use.forward ? 1 : 0]});
+    wings.push_back({turn(apex(use)), sides[use.forward ? 0 : 1], sides[use.forward ? 1 : 0]});
   }
   std::sort(wings.begin(), wings.end(), [](const Wing& a, const Wing& b) { return a.turn < b.turn; });
 }
@@ -161,8 +176,7 @@ Status check_triangles(const SurfaceMesh& surface) {
 }
 
 Status check_closed(const SurfaceMesh& surface, const EdgeGroups& edges) {
-  ErrorPlace open;
-  std::size_t open_edges = 0;
+  EdgeFaults open;
   std::vector<std::pair<Label, int>> balance;
   const auto count = [&balance](Label label, int step) {
     for (auto& [seen, sum] : balance)
@@ -179,18 +193,10 @@ Status check_closed(const SurfaceMesh& surface, const EdgeGroups& edges) {
       count(surface.sides[use.triangle][0], step);
       count(surface.sides[use.triangle][1], -step);
     }
-    if (std::all_of(balance.begin(), balance.end(), [](const auto& entry) { return entry.second == 0; }))
-      continue;
-    if (++open_edges > kMaxPlaces) continue;
-    for (const TriangleUse& use : edges[e]) open.elements.push_back(use.triangle);
-    open.points.push_back((surface.points[edges[e][0].low] + surface.points[edges[e][0].high]) / 2);
+    if (std::any_of(balance.begin(), balance.end(), [](const auto& entry) { return entry.second != 0; }))
+      open.add(surface, edges[e]);
   }
-  if (open_edges == 0) return std::monostate{};
-  std::sort(open.elements.begin(), open.elements.end());
-  open.elements.erase(std::unique(open.elements.begin(), open.elements.end()), open.elements.end());
-  return meshing_error("the surface is open at " + std::to_string(open_edges) +
-                           " edges; every label's boundary must be closed",
-                       open);
+  return std::move(open).status("the surface is open at ", " edges; every label's boundary must be closed");
 }
 
 Status check_intersections(const SurfaceMesh& surface) {
@@ -205,26 +211,18 @@ Status check_intersections(const SurfaceMesh& surface) {
 }
 
 Status check_overlaps(const SurfaceMesh& surface, const EdgeGroups& edges) {
-  ErrorPlace where;
-  std::size_t overlaps = 0;
+  EdgeFaults overlaps;
   std::vector<Wing> wings;
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges[e].size() < 3) continue;  // the sides of two that close every label agree
     wings_around(surface, edges[e], wings);
-    const bool overlap = std::any_of(wings.begin(), wings.end(), [&](const Wing& wing) {
-      const Wing& next = &wing == &wings.back() ? wings.front() : *(&wing + 1);
-      return wing.after != next.before;
-    });
-    if (!overlap || ++overlaps > kMaxPlaces) continue;
-    for (const TriangleUse& use : edges[e]) where.elements.push_back(use.triangle);
-    where.points.push_back((surface.points[edges[e][0].low] + surface.points[edges[e][0].high]) / 2);
+    const auto overlaps_next = [](const Wing& wing, const Wing& next) { return wing.after != next.before; };
+    if (overlaps_next(wings.back(), wings.front()) ||
+        std::adjacent_find(wings.begin(), wings.end(), overlaps_next) != wings.end())
+      overlaps.add(surface, edges[e]);
   }
-  if (overlaps == 0) return std::monostate{};
-  std::sort(where.elements.begin(), where.elements.end());
-  where.elements.erase(std::unique(where.elements.begin(), where.elements.end()), where.elements.end());
-  return meshing_error("labels overlap at " + std::to_string(overlaps) +
-                           " edges of the surface; part of it must be inside out",
-                       where);
+  return std::move(overlaps).status("labels overlap at ",
+                                    " edges of the surface; part of it must be inside out");
 }
 
 SharpAngle find_sharpest_edge(const SurfaceMesh& surface, const EdgeGroups& edges) {
