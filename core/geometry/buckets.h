@@ -13,21 +13,24 @@ namespace voxtet {
 template <class Item>
 class Buckets {
  public:
-  explicit Buckets(std::size_t buckets) : start_(buckets + 1, 0) {}
-  void count(std::uint32_t key) { ++start_[key + 1]; }
+  explicit Buckets(std::size_t buckets) : start_(buckets + 2, 0) {}
+  void count(std::uint32_t key) { ++start_[key + 2]; }
   void allocate() {
     for (std::size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-    fill_.assign(start_.begin(), start_.end() - 1);
     items_.resize(start_.back());
   }
-  void add(std::uint32_t key, const Item& item) { items_[fill_[key]++] = item; }
-  std::size_t size() const { return start_.size() - 1; }
-  std::span<Item> at(std::size_t key) {
-    return std::span<Item>(items_).subspan(start_[key], start_[key + 1] - start_[key]);
+  void add(std::uint32_t key, const Item& item) { items_[start_[key + 1]++] = item; }
+  std::size_t size() const { return start_.size() - 2; }
+  std::span<Item> at(std::size_t key) { return between(key, key); }
+  /// Those of all keys from `first` to `last`.
+  std::span<Item> between(std::size_t first, std::size_t last) {
+    return std::span<Item>(items_).subspan(start_[first], start_[last + 1] - start_[first]);
   }
 
  private:
-  std::vector<std::size_t> start_, fill_;
+  /// Of each bucket and of the one behind the last; the one that comes after a bucket counts up to its own
+  /// place while items are added.
+  std::vector<std::size_t> start_;
   std::vector<Item> items_;
 };
 

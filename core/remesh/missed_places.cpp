@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "geometry/closest_point.h"
+#include "geometry/near_triangles.h"
 #include "geometry/surface_measures.h"
 
 namespace voxtet::remesh {
@@ -207,33 +208,28 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
 
 std::vector<FarPoint> far_points(const SurfaceMesh& reference, const SurfaceMesh& surface,
                                  const WallLayers& layers, double limit_mm) {
-  std::vector<Sides> parents = surface.sides;
-  for (Sides& sides : parents) {
+  std::vector<std::uint32_t> pairs;
+  pairs.reserve(surface.sides.size());
+  for (Sides sides : surface.sides) {
     for (Label& label : sides) label = layers.parent(label);
     std::sort(sides.begin(), sides.end(), std::greater());
+    pairs.push_back(pair_of(sides));
   }
-  const auto all = [](std::uint32_t) { return true; };
-  const std::vector<std::uint32_t> ids = by_pair(parents, all), wanted = by_pair(reference.sides, all);
   const std::size_t stride = std::max<std::size_t>(1, reference.points.size() / kMostSamples);
+  std::vector<NearQuery> queries;
+  queries.reserve(reference.points.size());
   std::vector<std::uint32_t> seen_at(reference.points.size(), 0);  // a number that stands for two labels
-  std::vector<FarPoint> far;
-  std::size_t from = 0, to = 0;
-  for (std::size_t w = 0; w < wanted.size();) {
-    const Sides& sides = reference.sides[wanted[w]];
-    const std::uint32_t pair = pair_of(sides);
-    while (from < ids.size() && pair_of(parents[ids[from]]) < pair) ++from;
-    for (to = from; to < ids.size() && parents[ids[to]] == sides;) ++to;
-    std::optional<ClosestPointTree> tree;
-    if (to > from) tree.emplace(tree_of(surface, std::span(ids).subspan(from, to - from)));
-    std::uint32_t hint = 0;
-    for (; w < wanted.size() && reference.sides[wanted[w]] == sides; ++w)
-      for (const std::uint32_t p : reference.triangles[wanted[w]]) {
-        if (!tree || p % stride != 0 || std::exchange(seen_at[p], pair) == pair) continue;
-        const ClosestPointTree::Hit hit = tree->closest(reference.points[p], hint, limit_mm);
-        hint = hit.triangle;
-        if (hit.distance_mm > limit_mm) far.push_back({reference.points[p], ids[from + hit.triangle]});
-      }
+  for (const std::uint32_t t : by_pair(reference.sides, [](std::uint32_t) { return true; })) {
+    const std::uint32_t pair = pair_of(reference.sides[t]);
+    for (const std::uint32_t p : reference.triangles[t])
+      if (p % stride == 0 && std::exchange(seen_at[p], pair) != pair)
+        queries.push_back({reference.points[p], limit_mm, pair});
   }
+  const std::vector<NearTriangle> near = near_triangles(queries, surface.points, surface.triangles, pairs);
+  std::vector<FarPoint> far;
+  for (std::size_t q = 0; q < queries.size(); ++q)
+    if (!near[q].within && near[q].triangle != NearTriangle::kNone)
+      far.push_back({queries[q].point, near[q].triangle});
   return far;
 }
 
