@@ -219,14 +219,15 @@ Result<Expected> expected_of(const Recipe& recipe, const std::string& input) {
   Result<Bytes> bytes = read_file(beside);
   if (!bytes) return bytes.error();
   const json value = json::parse(bytes->begin(), bytes->end(), nullptr, false);
-  if (value.is_discarded() || !value.contains("digest") || !value["digest"].is_string())
+  if (!value.is_object() || !value.contains("digest"))
     return Error{
         ErrorCode::kBadInput, "verify", beside + ": expected a JSON object with the text field digest", {}};
-  Expected expected;
-  expected.digest = value["digest"];
-  expected.tets = value.value("tets", 0U);
-  expected.engine = value.value("engine", "");
-  return expected;
+  json promise = json::object();
+  for (const char* field : {"engine", "digest", "tets"})
+    if (value.contains(field)) promise[field] = value[field];
+  Result<Recipe> read = parse_recipe(json{{"expected", promise}});
+  if (!read) return Error{ErrorCode::kBadInput, "verify", beside + ": " + read.error().message, {}};
+  return read->expected;
 }
 
 int run_verify(const CaseOptions& options, const Output& output) {

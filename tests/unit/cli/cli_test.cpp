@@ -159,6 +159,10 @@ TEST_F(CliTest, VerifiesThePromisedDigest) {
   EXPECT_EQ(run({"verify", at("other.json")}), kExitUsage);
   write("expected.json", json{{"digest", promise["expected"]["digest"]}}.dump());
   EXPECT_EQ(run({"verify", at("other.json")}), kExitOk);
+  for (const char* poor : {"[]", "{}", R"({"digest": 1})", R"({"digest": "ab", "tets": "many"})", "{"}) {
+    write("expected.json", poor);
+    EXPECT_EQ(run({"verify", at("other.json")}), kExitBadInput) << poor;
+  }
   EXPECT_EQ(run({"verify", link_fragment(*parse_recipe(promise))}), kExitOk);
 }
 
