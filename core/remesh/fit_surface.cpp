@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "geometry/buckets.h"
 #include "geometry/closest_point.h"
 #include "geometry/surface_measures.h"
 #include "geometry/triangle_measures.h"
@@ -41,17 +43,25 @@ struct Wing {
 
 /// All wings, those of an edge one after the other.
 std::vector<Wing> wings_of(const SurfaceMesh& surface) {
+  Buckets<Wing> by_lower(surface.points.size());
+  const auto for_edges = [&](const auto& visit) {
+    for (std::uint32_t triangle = 0; triangle < surface.triangles.size(); ++triangle) {
+      const Triangle& t = surface.triangles[triangle];
+      for (std::size_t i = 0; i < 3; ++i)
+        visit(Wing{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3]), t[(i + 2) % 3], triangle});
+    }
+  };
+  for_edges([&](const Wing& wing) { by_lower.count(wing.a); });
+  by_lower.allocate();
+  for_edges([&](const Wing& wing) { by_lower.add(wing.a, wing); });
   std::vector<Wing> wings;
   wings.reserve(3 * surface.triangles.size());
-  for (std::uint32_t triangle = 0; triangle < surface.triangles.size(); ++triangle) {
-    const Triangle& t = surface.triangles[triangle];
-    for (std::size_t i = 0; i < 3; ++i)
-      wings.push_back(
-          {std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3]), t[(i + 2) % 3], triangle});
+  for (std::size_t a = 0; a < by_lower.size(); ++a) {
+    const std::span<Wing> own = by_lower.at(a);
+    std::sort(own.begin(), own.end(),
+              [](const Wing& x, const Wing& y) { return std::tie(x.b, x.tip) < std::tie(y.b, y.tip); });
+    wings.insert(wings.end(), own.begin(), own.end());
   }
-  std::sort(wings.begin(), wings.end(), [](const Wing& x, const Wing& y) {
-    return std::tie(x.a, x.b, x.tip) < std::tie(y.a, y.b, y.tip);
-  });
   return wings;
 }
 

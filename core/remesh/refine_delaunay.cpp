@@ -261,27 +261,34 @@ bool DelaunayRefiner::request(std::uint32_t cell, std::uint32_t corner, double l
 }
 
 CellComplex DelaunayRefiner::cells() {
-  const Triangulation& t = impl_->triangulation;
+  Impl& m = *impl_;
+  const Triangulation& t = m.triangulation;
   CellComplex out;
-  out.points.resize(impl_->next_vertex);
+  out.points.resize(m.next_vertex);
   for (auto v : t.finite_vertex_handles()) out.points[v->info()] = to_vector(v->point());
-  // Serials leave gaps; cells are numbered in the triangulation's own order, which does not depend on
-  // addresses.
-  std::vector<std::uint32_t> id(impl_->next_serial, CellComplex::kNone);
-  std::uint32_t count = 0;
-  impl_->exported.clear();
+  // Cells are numbered in the triangulation's own order, which does not depend on addresses. Nothing waits
+  // that would know them by their old serials, which have gaps: they get new ones, the finite cells first.
+  m.next_serial = 1;
+  m.exported.clear();
   for (Cell c : t.finite_cell_handles()) {
-    id[c->info().serial] = count++;
-    impl_->exported.push_back(c);
+    c->info().serial = m.next_serial++;
+    m.exported.push_back(c);
   }
+  for (Cell c : t.all_cell_handles())
+    if (t.is_infinite(c)) c->info().serial = m.next_serial++;
+  const std::size_t count = m.exported.size();
+  const auto number = [&](Cell c) {
+    const std::uint32_t serial = c->info().serial;
+    return serial <= count ? serial - 1 : CellComplex::kNone;
+  };
   out.vertices.reserve(count);
   out.neighbours.reserve(count);
   out.labels.reserve(count);
-  for (Cell c : t.finite_cell_handles()) {
+  for (Cell c : m.exported) {
     std::array<std::uint32_t, 4> vertices{}, neighbours{};
     for (int i = 0; i < 4; ++i) {
       vertices[static_cast<std::size_t>(i)] = c->vertex(i)->info();
-      neighbours[static_cast<std::size_t>(i)] = id[c->neighbor(i)->info().serial];
+      neighbours[static_cast<std::size_t>(i)] = number(c->neighbor(i));
     }
     out.vertices.push_back(vertices);
     out.neighbours.push_back(neighbours);

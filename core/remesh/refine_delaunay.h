@@ -48,7 +48,7 @@ class DelaunayRefiner {
   std::vector<Eigen::Vector3d> passed_over(double depth_mm) const;
 
   std::size_t vertex_count() const;
-  /// The triangulation as it stands.
+  /// The triangulation as refine() left it.
   CellComplex cells();
 
  private:
