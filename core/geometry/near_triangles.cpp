@@ -10,67 +10,42 @@
 
 #include "geometry/buckets.h"
 #include "geometry/closest_point.h"
+#include "geometry/cube_grid.h"
 
 namespace voxtet {
 namespace {
 
 using Eigen::Vector3d;
 
-/// A box cut into cubes, about as many as there are points on a surface that fills it.
-class Cells {
- public:
-  explicit Cells(std::span<const NearQuery> queries) : low_(queries[0].point) {
-    constexpr double kCellsPerPoint = 1.5, kMostOnAxis = 256;
-    Vector3d high = low_;
-    for (const NearQuery& query : queries) {
-      low_ = low_.cwiseMin(query.point);
-      high = high.cwiseMax(query.point);
-    }
-    const Vector3d extent = high - low_;
-    const double wished = std::cbrt(extent.prod() / (kCellsPerPoint * static_cast<double>(queries.size())));
-    edge_ = std::max({wished, extent.maxCoeff() / kMostOnAxis, std::numeric_limits<double>::min()});
-    for (int d = 0; d < 3; ++d) size_[static_cast<std::size_t>(d)] = static_cast<int>(extent[d] / edge_) + 1;
+/// About as many cubes as there are points on a surface that fills their box.
+CubeGrid cubes_around(std::span<const NearQuery> queries) {
+  constexpr double kCubesPerPoint = 1.5, kMostOnAxis = 256;
+  Vector3d low = queries[0].point, high = low;
+  for (const NearQuery& query : queries) {
+    low = low.cwiseMin(query.point);
+    high = high.cwiseMax(query.point);
   }
-
-  std::size_t count() const {
-    return static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
-           static_cast<std::size_t>(size_[2]);
-  }
-  /// Of the cell that holds a point, or of the one nearest to it.
-  std::array<int, 3> steps_to(const Vector3d& p) const {
-    std::array<int, 3> steps{};
-    for (std::size_t d = 0; d < 3; ++d) {
-      const auto i = static_cast<Eigen::Index>(d);
-      steps[d] = static_cast<int>(std::clamp((p[i] - low_[i]) / edge_, 0.0, size_[d] - 1.0));
-    }
-    return steps;
-  }
-  std::uint32_t number(const std::array<int, 3>& steps) const {
-    return static_cast<std::uint32_t>(steps[0] + size_[0] * (steps[1] + size_[1] * steps[2]));
-  }
-
- private:
-  Vector3d low_;
-  double edge_ = 1;
-  std::array<int, 3> size_{};
-};
+  const Vector3d extent = high - low;
+  const double wished = std::cbrt(extent.prod() / (kCubesPerPoint * static_cast<double>(queries.size())));
+  return {low, high, std::max({wished, extent.maxCoeff() / kMostOnAxis, std::numeric_limits<double>::min()})};
+}
 
 /// Those within the limits.
 void find_within(std::span<const NearQuery> queries, const std::vector<Vector3d>& corners,
                  const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& kinds,
                  std::vector<NearTriangle>& found) {
-  const Cells cells(queries);
-  std::vector<std::uint32_t> cell_of;
-  cell_of.reserve(queries.size());
-  Buckets<std::uint32_t> numbers(cells.count());
+  const CubeGrid cubes = cubes_around(queries);
+  std::vector<std::uint32_t> cube_of;
+  cube_of.reserve(queries.size());
+  Buckets<std::uint32_t> numbers(cubes.count());
   double reach_mm = 0;
   for (const NearQuery& query : queries) {
-    cell_of.push_back(cells.number(cells.steps_to(query.point)));
-    numbers.count(cell_of.back());
+    cube_of.push_back(cubes.number(cubes.steps_to(query.point)));
+    numbers.count(cube_of.back());
     reach_mm = std::max(reach_mm, query.limit_mm);
   }
   numbers.allocate();
-  for (std::uint32_t i = 0; i < queries.size(); ++i) numbers.add(cell_of[i], i);
+  for (std::uint32_t i = 0; i < queries.size(); ++i) numbers.add(cube_of[i], i);
 
   reach_mm *= 1 + 1e-9;  // for the rounding of bounds
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -78,7 +53,7 @@ void find_within(std::span<const NearQuery> queries, const std::vector<Vector3d>
                    &c = corners[triangles[t][2]];
     const Vector3d low = a.cwiseMin(b).cwiseMin(c).array() - reach_mm;
     const Vector3d high = a.cwiseMax(b).cwiseMax(c).array() + reach_mm;
-    const std::array<int, 3> first = cells.steps_to(low), last = cells.steps_to(high);
+    const std::array<int, 3> first = cubes.steps_to(low), last = cubes.steps_to(high);
     const auto is_within = [&](const NearQuery& query) {
       const Vector3d& p = query.point;
       return query.kind == kinds[t] && (p.array() >= low.array()).all() &&
@@ -88,7 +63,7 @@ void find_within(std::span<const NearQuery> queries, const std::vector<Vector3d>
     for (int k = first[2]; k <= last[2]; ++k)
       for (int j = first[1]; j <= last[1]; ++j)
         for (const std::uint32_t i :
-             numbers.between(cells.number({first[0], j, k}), cells.number({last[0], j, k})))
+             numbers.between(cubes.number({first[0], j, k}), cubes.number({last[0], j, k})))
           if (!found[i].within && is_within(queries[i])) found[i] = {t, true};
   }
 }

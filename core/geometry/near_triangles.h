@@ -24,7 +24,7 @@ struct NearTriangle {
 };
 
 /// By query, the first triangle within its limit, or else the closest one, of equally close ones the first.
-/// `kinds`: by triangle. Each triangle looks at the points in the cells around it, so that points that lie
+/// `kinds`: by triangle. Each triangle looks at the points in the cubes around it, so that points that lie
 /// densely along a surface cost little; for those left over there are trees.
 std::vector<NearTriangle> near_triangles(std::span<const NearQuery> queries,
                                          const std::vector<Eigen::Vector3d>& corners,

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "geometry/cube_grid.h"
 #include "geometry/label_components.h"
 #include "remesh/junction_points.h"
 
@@ -65,46 +66,44 @@ class Shuffler {
   std::uint64_t state_ = 20090920;
 };
 
-/// Points in buckets of a coarse grid over the field, for distance queries.
+/// Cubes over the field, of that edge or larger ones.
+CubeGrid cubes_over(const LabelField& field, double edge_mm) {
+  constexpr double kMostOnAxis = 160;
+  Eigen::Vector3d low = field.to_mm(Eigen::Vector3d::Zero()), high = low;
+  for (int corner = 1; corner < 8; ++corner) {
+    Eigen::Vector3d index;
+    for (int d = 0; d < 3; ++d) index[d] = (corner >> d) & 1 ? field.size()[d] - 1 : 0;
+    low = low.cwiseMin(field.to_mm(index));
+    high = high.cwiseMax(field.to_mm(index));
+  }
+  return {low, high, std::max(edge_mm, (high - low).maxCoeff() / kMostOnAxis)};
+}
+
+/// Points in cubes, for distance queries while there come more.
 class PointBuckets {
  public:
-  PointBuckets(const LabelField& field, double bucket_mm) {
-    Eigen::Vector3d lo = field.to_mm(Eigen::Vector3d::Zero()), hi = lo;
-    for (int corner = 1; corner < 8; ++corner) {
-      Eigen::Vector3d index;
-      for (int d = 0; d < 3; ++d) index[d] = (corner >> d) & 1 ? field.size()[d] - 1 : 0;
-      lo = lo.cwiseMin(field.to_mm(index));
-      hi = hi.cwiseMax(field.to_mm(index));
-    }
-    constexpr double kMostBuckets = 160;
-    lo_ = lo;
-    bucket_ = std::max(bucket_mm, (hi - lo).maxCoeff() / kMostBuckets);
-    for (int d = 0; d < 3; ++d) size_[d] = static_cast<int>((hi - lo)[d] / bucket_) + 1;
-    head_.assign(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
-                     static_cast<std::size_t>(size_[2]),
-                 kNone);
-  }
+  explicit PointBuckets(const CubeGrid& cubes) : cubes_(cubes), head_(cubes.count(), kNone) {}
 
   void add(const Eigen::Vector3d& p, std::uint32_t group) {
-    const std::size_t b = bucket(slot(p));
-    items_.push_back({p, group, head_[b]});
-    head_[b] = static_cast<std::uint32_t>(items_.size() - 1);
+    std::uint32_t& head = head_[cubes_.number(cubes_.steps_to(p))];
+    items_.push_back({p, group, head});
+    head = static_cast<std::uint32_t>(items_.size() - 1);
   }
 
   /// Whether a point lies closer than `separation`, or one of the same group closer than `distance`.
   bool occupied(const Eigen::Vector3d& p, std::uint32_t group, double distance, double separation) const {
     const double reach = std::max(distance, separation);
-    const auto is_near_one_in = [&](const std::array<int, 3>& s) {
-      for (std::uint32_t e = head_[bucket(s)]; e != kNone; e = items_[e].next) {
+    const auto is_near_one_in = [&](const std::array<int, 3>& steps) {
+      for (std::uint32_t e = head_[cubes_.number(steps)]; e != kNone; e = items_[e].next) {
         const double least = items_[e].group == group ? reach : separation;
         if ((items_[e].point - p).squaredNorm() < least * least) return true;
       }
       return false;
     };
-    // By far most points are, and of one in their own bucket.
-    if (is_near_one_in(slot(p))) return true;
-    const std::array<int, 3> lo = slot(p - Eigen::Vector3d::Constant(reach));
-    const std::array<int, 3> hi = slot(p + Eigen::Vector3d::Constant(reach));
+    // By far most points are, and of one in their own cube.
+    if (is_near_one_in(cubes_.steps_to(p))) return true;
+    const std::array<int, 3> lo = cubes_.steps_to(p - Eigen::Vector3d::Constant(reach));
+    const std::array<int, 3> hi = cubes_.steps_to(p + Eigen::Vector3d::Constant(reach));
     for (int k = lo[2]; k <= hi[2]; ++k)
       for (int j = lo[1]; j <= hi[1]; ++j)
         for (int i = lo[0]; i <= hi[0]; ++i)
@@ -118,21 +117,7 @@ class PointBuckets {
     Eigen::Vector3d point;
     std::uint32_t group, next;
   };
-  std::array<int, 3> slot(const Eigen::Vector3d& p) const {
-    std::array<int, 3> s{};
-    for (int d = 0; d < 3; ++d)
-      s[d] = static_cast<int>(std::clamp((p[d] - lo_[d]) / bucket_, 0.0, static_cast<double>(size_[d] - 1)));
-    return s;
-  }
-  std::size_t bucket(const std::array<int, 3>& s) const {
-    return static_cast<std::size_t>(s[0]) +
-           static_cast<std::size_t>(size_[0]) *
-               (static_cast<std::size_t>(s[1]) +
-                static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(s[2]));
-  }
-  Eigen::Vector3d lo_;
-  double bucket_ = 1;
-  std::array<int, 3> size_{};
+  CubeGrid cubes_;
   std::vector<std::uint32_t> head_;
   std::vector<Item> items_;
 };
@@ -145,7 +130,7 @@ class Seeder {
         sizing_(sizing),
         spacing_(spacing),
         least_separation_(kSeparationVoxels * field.smallest_spacing_mm()),
-        buckets_(field, spacing * *std::max_element(sizing.h_mm.begin(), sizing.h_mm.end())) {}
+        buckets_(cubes_over(field, spacing * *std::max_element(sizing.h_mm.begin(), sizing.h_mm.end()))) {}
 
   void add_junctions(const std::vector<Eigen::Vector3d>& points) {
     for (const Eigen::Vector3d& p : points)

@@ -18,6 +18,7 @@
 #include "tetra/forecast.h"
 #include "tetra/hole_seeds.h"
 #include "tetra/label_tets.h"
+#include "tetra/order_tets.h"
 #include "tetra/tetgen_backend.h"
 
 namespace voxtet {
@@ -120,6 +121,13 @@ SurfaceMesh displaced(const SurfaceMesh& surface) {
   return moved;
 }
 
+/// What a mesher made of the surface, checked, with neighbours together.
+Result<TetMesh> mesh_of(const SurfaceMesh& surface, FilledParts filled) {
+  Result<TetMesh> mesh = label_tets(surface, std::move(filled));
+  if (mesh) tetra::order_along_curve(*mesh, surface.points.size());
+  return mesh;
+}
+
 Result<TetMesh> fill_by(const Rung& rung, const SurfaceMesh& surface,
                         const std::vector<Eigen::Vector3d>& holes, const SizingField& sizing,
                         const WallLayers& layers, const RunContext& ctx) {
@@ -128,7 +136,7 @@ Result<TetMesh> fill_by(const Rung& rung, const SurfaceMesh& surface,
     Result<FilledParts> filled =
         run_delaunay(recovered, sizing, {rung.options.radius_edge, rung.options.max_points}, layers, ctx);
     if (!filled) return filled.error();
-    return label_tets(recovered, *std::move(filled));
+    return mesh_of(recovered, *std::move(filled));
   }
   Result<FilledParts> filled = rung.displaced
                                    ? run_tetgen(displaced(surface), holes, sizing, rung.options, ctx)
@@ -136,7 +144,7 @@ Result<TetMesh> fill_by(const Rung& rung, const SurfaceMesh& surface,
   if (!filled) return filled.error();
   if (rung.displaced && filled->points.size() >= surface.points.size())
     std::copy(surface.points.begin(), surface.points.end(), filled->points.begin());
-  return label_tets(surface, *std::move(filled));
+  return mesh_of(surface, *std::move(filled));
 }
 
 Result<TetMesh> climb(const SurfaceMesh& surface, const EdgeGroups& edges, const SizingField& sizing,

@@ -9,7 +9,6 @@
 
 #include "geometry/surface_measures.h"
 #include "tetra/meshing_error.h"
-#include "tetra/order_tets.h"
 #include "tetra/tet_complex.h"
 #include "tetra/triangle_index.h"
 
@@ -179,7 +178,6 @@ Result<TetMesh> label_tets(const SurfaceMesh& surface, FilledParts filled) {
   mesh.face_sides = surface.sides;
   const Status volumes = check_volumes(surface, mesh);
   if (!volumes) return volumes.error();
-  tetra::order_along_curve(mesh, surface.points.size());
   return mesh;
 }
 

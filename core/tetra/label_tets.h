@@ -11,8 +11,7 @@ namespace voxtet {
 /// Gives each region the label on its side of the surface's triangles, and checks the whole: the surface's
 /// points come first and unmoved, every point is used, every tet is positive, every triangle is a face of
 /// exactly one tet on each side that has a label, no region touches two labels (a leak), and each label's
-/// volume equals that enclosed by its boundary to 1e-9 relative. kMeshing with the place otherwise. New
-/// points and tets come in an order that keeps neighbours together.
+/// volume equals that enclosed by its boundary to 1e-9 relative. kMeshing with the place otherwise.
 Result<TetMesh> label_tets(const SurfaceMesh& surface, FilledParts filled);
 
 }  // namespace voxtet
