@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kMendLatticeVoxels = 0.5;
 constexpr double kLeastReachVoxels = 0.4;  ///< nearer than this is near enough
+constexpr std::uint8_t kMostFailures = 2;  ///< to bring a facet nearer
 constexpr double kAimShare = 0.95;         ///< of the envelope: between samples facets may be farther
 constexpr double kNearShare = 0.4;         ///< of the envelope: samples that need no closer look
 constexpr double kNearerShare = 0.97;      ///< of the largest distance, if that is to fall
@@ -34,7 +35,7 @@ bool FacetMender::come_nearer() {
     any = false;
     for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
       if (cancelled_at(t)) return false;
-      if (!mesh.alive(t)) continue;
+      if (!mesh.alive(t) || failures_of(t) >= kMostFailures) continue;
       const Triangle& corners = mesh.triangle(t);
       if (looked_at_ > 0 && std::none_of(corners.begin(), corners.end(),
                                          [&](std::uint32_t v) { return editor_.changed_at(v) > looked_at_; }))
@@ -55,7 +56,10 @@ bool FacetMender::approach(std::uint32_t t, double reach_mm) {
     if (editor_.well_sampled(t, kNearShare * reach_mm)) break;
     const ComplexEditor::Breach breach = editor_.farthest(t);
     if (breach.distance2 <= reach_mm * reach_mm || breach.distance2 > most_mm * most_mm) break;
-    if (!bring_nearer(t, breach)) break;
+    if (!bring_nearer(t, breach)) {
+      ++failures_of(t);
+      break;
+    }
     any = true;
   }
   return any;
