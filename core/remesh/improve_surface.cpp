@@ -154,8 +154,8 @@ bool Improver::leave_tube(std::uint32_t v, const std::vector<Near>& near) {
 }
 
 /// Opens angles and folds of what the trial made, one and the other in turn, down to the limits; where the
-/// trial found smaller angles, down to those. Gives up at the first that cannot be opened: hardly any trial
-/// goes well after that, and in a checkerboard of voxels, where every vertex is in a tube, they took minutes.
+/// trial found smaller angles, down to those. Gives up at the first that cannot be opened: few trials go well
+/// after that, and where all vertices are in tubes, as in a checkerboard of voxels, they cost most.
 bool Improver::mend_trial(double angle_cosine) {
   constexpr int kRounds = 4;
   const ComplexMesh& mesh = editor_.mesh();

@@ -196,6 +196,16 @@ double LabelField::interpolate(const Number* corners, const std::array<double, 3
   return connectivity_ == Connectivity::kKuhn ? kuhn(corners, t) : trilinear(corners, t);
 }
 
+Eigen::AlignedBox3d LabelField::box() const {
+  Eigen::AlignedBox3d box;
+  for (int corner = 0; corner < 8; ++corner) {
+    Eigen::Vector3d index;
+    for (int d = 0; d < 3; ++d) index[d] = (corner >> d) & 1 ? size_[static_cast<std::size_t>(d)] - 1 : 0;
+    box.extend(to_mm(index));
+  }
+  return box;
+}
+
 std::size_t LabelField::nearest_voxel(const Eigen::Vector3d& mm) const {
   const Eigen::Vector3d index = to_index(mm);
   Eigen::Vector3i voxel;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -82,6 +83,8 @@ class LabelField {
 
   Eigen::Vector3d to_index(const Eigen::Vector3d& mm) const { return mm_to_index_ * mm + index_origin_; }
   Eigen::Vector3d to_mm(const Eigen::Vector3d& index) const { return index_to_mm_ * index + mm_origin_; }
+  /// Around the centres of all voxels, mm.
+  Eigen::AlignedBox3d box() const;
 
  private:
   static const WallLayers kNoLayers;

@@ -70,15 +70,9 @@ struct DelaunayRefiner::Impl {
 
   /// Eight far points, so that every cell near the labels is finite.
   void enclose() {
-    Vector3d lo = field.to_mm(Vector3d::Zero()), hi = lo;
-    for (int corner = 1; corner < 8; ++corner) {
-      Vector3d index;
-      for (int d = 0; d < 3; ++d) index[d] = (corner >> d) & 1 ? field.size()[d] - 1 : 0;
-      lo = lo.cwiseMin(field.to_mm(index));
-      hi = hi.cwiseMax(field.to_mm(index));
-    }
-    const Vector3d middle = 0.5 * (lo + hi);
-    const double reach = 3 * (hi - lo).norm();
+    const Eigen::AlignedBox3d box = field.box();
+    const Vector3d middle = 0.5 * (box.min() + box.max());
+    const double reach = 3 * (box.max() - box.min()).norm();
     for (int corner = 0; corner < 8; ++corner) {
       Vector3d offset;
       for (int d = 0; d < 3; ++d)

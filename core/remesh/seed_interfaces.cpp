@@ -69,14 +69,8 @@ class Shuffler {
 /// Cubes over the field, of that edge or larger ones.
 CubeGrid cubes_over(const LabelField& field, double edge_mm) {
   constexpr double kMostOnAxis = 160;
-  Eigen::Vector3d low = field.to_mm(Eigen::Vector3d::Zero()), high = low;
-  for (int corner = 1; corner < 8; ++corner) {
-    Eigen::Vector3d index;
-    for (int d = 0; d < 3; ++d) index[d] = (corner >> d) & 1 ? field.size()[d] - 1 : 0;
-    low = low.cwiseMin(field.to_mm(index));
-    high = high.cwiseMax(field.to_mm(index));
-  }
-  return {low, high, std::max(edge_mm, (high - low).maxCoeff() / kMostOnAxis)};
+  const Eigen::AlignedBox3d box = field.box();
+  return {box.min(), box.max(), std::max(edge_mm, box.sizes().maxCoeff() / kMostOnAxis)};
 }
 
 /// Points in cubes, for distance queries while there come more.
