@@ -8,13 +8,14 @@ import { keepSaving, openFragment, resumeCase, startEngine } from './store/actio
 import { keepForecast } from './store/forecast';
 import { keepSizingShown } from './store/runs';
 import { dark, theme, type ThemeChoice } from './store/view';
+import { keepText, keptText } from './store/web_storage';
 import './styles/main.css';
 
 const themeKey = 'voxtet-theme';
 
 function followTheme(): void {
   const system = window.matchMedia('(prefers-color-scheme: dark)');
-  const stored = localStorage.getItem(themeKey);
+  const stored = keptText('localStorage', themeKey);
   if (stored === 'light' || stored === 'dark') theme.value = stored satisfies ThemeChoice;
   const apply = () => {
     dark.value = theme.value === 'dark' || (theme.value === 'system' && system.matches);
@@ -22,8 +23,7 @@ function followTheme(): void {
   };
   system.addEventListener('change', apply);
   effect(() => {
-    if (theme.value === 'system') localStorage.removeItem(themeKey);
-    else localStorage.setItem(themeKey, theme.value);
+    keepText('localStorage', themeKey, theme.value === 'system' ? null : theme.value);
     apply();
   });
 }

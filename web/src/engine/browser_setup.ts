@@ -1,4 +1,4 @@
-import type { EngineSetup } from './client';
+import type { EngineSetup } from './generation';
 
 /** Whether the page may share memory between threads, and the engine's, which grows to 4 GB, can be had. */
 function mayHaveThreads(): boolean {

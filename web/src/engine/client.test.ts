@@ -1,90 +1,10 @@
-import { MessageChannel } from 'node:worker_threads';
-import * as Comlink from 'comlink';
 import { afterEach, describe, expect, it } from 'vitest';
-import { EngineClient, type EngineSetup, type WorkerLike } from './client';
-import {
-  EngineError,
-  stageNames,
-  type EngineApi,
-  type Recipe,
-  type StageName,
-  type VolumeFile,
-} from './contract';
-import { createSessionApi, transferables } from './session_api';
-import createVoxtet from './testing/mock_engine.mjs';
+import { EngineClient } from './client';
+import { EngineError, stageNames, type Recipe } from './contract';
+import { mockFile, Workers } from './testing/workers';
 
-const emptyModule = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]);
 const phantom = { source: { phantom: {} } } as unknown as Recipe;
 
-/** Message ports as workers; each serves the mock engine, and can hang, or die without a word. */
-class Workers {
-  spawned = 0;
-  loads = 0;
-  sideLoads = 0;
-  hang: StageName | 'forecast' | null = null;
-  /** Progress arrives once more after its stage has been answered. */
-  late = false;
-  released: (() => void)[] = [];
-  private ports: { close(): void }[] = [];
-
-  setup(): EngineSetup {
-    return {
-      scriptUrl: 'mock',
-      compile: () => WebAssembly.compile(emptyModule),
-      spawn: () => this.spawn(),
-      whenReleased: (_, callback) => void this.released.push(callback),
-    };
-  }
-
-  private spawn(): WorkerLike {
-    this.spawned++;
-    const { port1, port2 } = new MessageChannel();
-    this.ports.push(port1, port2);
-    let session: ReturnType<typeof createSessionApi>;
-    const api: EngineApi = {
-      start: async () => {
-        const engine = await createVoxtet();
-        const instance = new engine.Session();
-        session = createSessionApi(instance);
-        return { schema: JSON.parse(instance.schema()), defaults: JSON.parse(instance.defaults()) };
-      },
-      loadVolume: (file) => {
-        this.loads++;
-        return session.loadVolume(file);
-      },
-      loadSideVolume: (kind, file) => {
-        this.sideLoads++;
-        return session.loadSideVolume(kind, file);
-      },
-      setRecipe: (json) => session.setRecipe(json),
-      run: (stage, onProgress) => {
-        if (this.late) setTimeout(() => onProgress(stage, 1), 10);
-        return stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress);
-      },
-      forecast: (elements) =>
-        this.hang === 'forecast' ? (new Promise(() => undefined) as never) : session.forecast(elements),
-      arrays: (stage) => {
-        const reply = session.arrays(stage);
-        return Comlink.transfer(reply, transferables(reply));
-      },
-      exportMesh: (format, space, name) => session.exportMesh(format, space, name),
-      report: () => session.report(),
-    };
-    Comlink.expose(api, port2 as unknown as Comlink.Endpoint);
-    port2.start();
-    return Object.assign(port1, { terminate: () => port1.close() }) as unknown as WorkerLike;
-  }
-
-  end(): void {
-    for (const port of this.ports) port.close();
-  }
-}
-
-const file = (name: string, size = 32): VolumeFile => ({
-  name,
-  bytes: new Uint8Array(size).fill(7),
-  siblings: {},
-});
 let workers = new Workers();
 
 function start(): EngineClient {
@@ -173,14 +93,14 @@ describe('EngineClient', () => {
     const recipe = JSON.stringify({ ...phantom, sizing });
     const missing = await failureOf(client.run(recipe, phantom.source, 'sizing'));
     expect(missing.message).toContain('paint.nrrd');
-    expect((await client.openSideVolume('mask', file('paint.nrrd'))).labels).toEqual([1]);
+    expect((await client.openSideVolume('mask', mockFile('paint.nrrd'))).labels).toEqual([1]);
     await client.run(recipe, phantom.source, 'sizing');
     expect(workers.sideLoads).toBe(1);
     await client.cancel();
     await client.run(recipe, phantom.source, 'sizing');
     await client.run(recipe, phantom.source, 'sizing');
     expect(workers.sideLoads).toBe(2);
-    client.keepSideVolume('mask', file('paint.nrrd', 64));
+    client.keepSideVolume('mask', mockFile('paint.nrrd', 64), '');
     await client.run(recipe, phantom.source, 'sizing');
     expect(workers.sideLoads).toBe(3);
   });
@@ -208,8 +128,8 @@ describe('EngineClient', () => {
 
   it('rejects a damaged file with its name and reason, and keeps the earlier volume', async () => {
     const client = start();
-    const good = await client.openVolume(file('good.nii'));
-    const error = await failureOf(client.openVolume(file('cut.nii', 3)));
+    const good = await client.openVolume(mockFile('good.nii'));
+    const error = await failureOf(client.openVolume(mockFile('cut.nii', 3)));
     expect(error.code).toBe('bad_input');
     expect(error.message).toContain('cut.nii');
     const source = { file: { name: 'good.nii', sha256: good.digest } };
@@ -219,7 +139,7 @@ describe('EngineClient', () => {
 
   it('answers cancel although the worker hangs, and runs again with the volume it had', async () => {
     const client = start();
-    const { digest } = await client.openVolume(file('heart.nii'));
+    const { digest } = await client.openVolume(mockFile('heart.nii'));
     const source = { file: { name: 'heart.nii', sha256: digest } };
     workers.hang = 'remesh';
     const run = failureOf(client.run(JSON.stringify({ source }), source, 'quality'));
@@ -239,10 +159,10 @@ describe('EngineClient', () => {
     ['abort.nii', 'internal'],
   ])('turns a fatal failure (%s) into a typed error and starts a new worker', async (name, code) => {
     const client = start();
-    const error = await failureOf(client.openVolume(file(name)));
+    const error = await failureOf(client.openVolume(mockFile(name)));
     expect(error.code).toBe(code);
     expect(workers.spawned).toBe(2);
-    expect((await client.openVolume(file('good.nii'))).name).toBe('good.nii');
+    expect((await client.openVolume(mockFile('good.nii'))).name).toBe('good.nii');
   });
 
   it('notices a worker that died without a word', async () => {
@@ -266,7 +186,7 @@ describe('EngineClient', () => {
 
   it('checks a case without holding its digest against the volume that is open', async () => {
     const client = start();
-    await client.openVolume(file('other.nii'));
+    await client.openVolume(mockFile('other.nii'));
     const sha256 = 'b'.repeat(64);
     const reply = await client.checkRecipe({ source: { file: { name: 'heart.nii', sha256 } } });
     expect(reply.recipe.source.file?.sha256).toBe(sha256);
@@ -274,6 +194,57 @@ describe('EngineClient', () => {
       (await failureOf(client.checkRecipe({ source: { file: { name: 'x', sha256: 'zz' } } }))).code,
     ).toBe('usage');
     expect((await failureOf(client.checkRecipe({ nonsense: 1 }))).message).toContain('nonsense');
+  });
+
+  it('checks a case while a run goes on, and leaves the run alone', async () => {
+    const client = start();
+    workers.hang = 'remesh';
+    const run = failureOf(client.run(JSON.stringify(phantom), phantom.source, 'quality'));
+    await new Promise((later) => setTimeout(later, 40));
+    expect((await client.checkRecipe({ sizing: { edge_mm: 3 } })).recipe.sizing.edge_mm).toBe(3);
+    expect((await failureOf(client.checkRecipe({ nonsense: 1 }))).code).toBe('usage');
+    expect(client.busy).toBe(true);
+    await client.cancel();
+    expect((await run).code).toBe('cancelled');
+    expect(workers.spawned).toBe(2);
+  });
+
+  it('checks a case in its turn where the spare has just become the engine', async () => {
+    const client = start();
+    workers.hang = 'remesh';
+    const run = failureOf(client.run(JSON.stringify(phantom), phantom.source, 'quality'));
+    await new Promise((later) => setTimeout(later, 40));
+    const check = client.checkRecipe({ sizing: { edge_mm: 3 } });
+    void client.cancel();
+    workers.hang = null;
+    const again = await client.run(JSON.stringify(phantom), phantom.source, 'quality');
+    expect(again.report?.recipe.sizing.edge_mm).toBe(2);
+    expect((await check).recipe.sizing.edge_mm).toBe(3);
+    await run;
+  });
+
+  it('exports with the mask that the mesh was made from, though another has taken its name', async () => {
+    const client = start();
+    const { digest } = await client.openSideVolume('mask', mockFile('paint.nrrd'));
+    const masks = [{ name: 'paint.nrrd', sha256: digest, edges: [{ label: 1, edge_mm: 1 }] }];
+    const recipe = JSON.stringify({ ...phantom, sizing: { masks } });
+    await client.run(recipe, phantom.source, 'quality');
+    const other = mockFile('paint.nrrd', 64);
+    client.keepSideVolume('mask', other, 'e'.repeat(64));
+    const later = recipe.replace(digest, 'e'.repeat(64));
+    await client.run(later, phantom.source, 'smooth');
+    expect(workers.sides.get('paint.nrrd')).toEqual(other.bytes);
+    await client.exportMesh(recipe, phantom.source, 'vtu', 'ras', 'heart');
+    expect(workers.sides.get('paint.nrrd')).toEqual(mockFile('paint.nrrd').bytes);
+  });
+
+  it('forgets the volumes of other cases', async () => {
+    const client = start();
+    const first = await client.openVolume(mockFile('a.nii'));
+    const second = await client.openVolume(mockFile('b.nii', 64));
+    client.forgetVolumes(second.digest);
+    expect(client.volumeFile(first.digest)).toBeUndefined();
+    expect(client.volumeFile(second.digest)?.name).toBe('b.nii');
   });
 
   it('exports the files of a format', async () => {

@@ -2,11 +2,10 @@ import * as Comlink from 'comlink';
 import {
   EngineError,
   stageNames,
-  type EngineApi,
   type EngineInfo,
-  type ErrorCode,
   type ExportedFile,
   type ExportFormat,
+  type FileSource,
   type Recipe,
   type Reply,
   type Report,
@@ -19,19 +18,14 @@ import {
   type VolumeFile,
   type VolumeSummary,
 } from './contract';
-
-/** The part of a Worker that the client needs; tests give it a message port. */
-export interface WorkerLike extends Comlink.Endpoint {
-  terminate(): void;
-}
-
-export interface EngineSetup {
-  spawn(): WorkerLike;
-  compile(): Promise<WebAssembly.Module>;
-  scriptUrl: string;
-  /** Calls back once a worker that holds this lock is gone. */
-  whenReleased(lock: string, callback: () => void): void;
-}
+import {
+  failure,
+  startGeneration,
+  unlessEnded,
+  type EngineSetup,
+  type Generation,
+  type Side,
+} from './generation';
 
 export interface RunHandlers {
   onProgress?(stage: StageName, fraction: number): void;
@@ -46,27 +40,7 @@ export interface RecipeReply {
   minimal: Record<string, unknown>;
 }
 
-/** One worker's life, from spawn to terminate. */
-interface Generation {
-  worker: WorkerLike;
-  api: Comlink.Remote<EngineApi>;
-  started: Promise<EngineInfo>;
-  ended: Promise<never>;
-  /** Told when the worker ends before it has answered. */
-  waiting: Set<(error: EngineError) => void>;
-  end(error: EngineError): void;
-  alive: boolean;
-  /** Digest of the file volume that this worker holds. */
-  volume: string | null;
-  /** What it holds of each kind beside it, by name. */
-  sides: Map<string, VolumeFile>;
-}
-
 const sideKey = (kind: SideKind, name: string): string => `${kind} ${name}`;
-
-function failure(code: ErrorCode, message: string, stage = 'engine'): EngineError {
-  return new EngineError({ code, stage, message });
-}
 
 const cancelled = () => failure('cancelled', 'The run was cancelled.');
 
@@ -82,7 +56,9 @@ export class EngineClient {
   /** Started with the first job, so that whoever cancels one finds the next engine ready. */
   private spare: Generation | null = null;
   private readonly volumes = new Map<string, VolumeFile>();
-  private readonly sides = new Map<string, VolumeFile>();
+  private readonly sides = new Map<string, Side>();
+  /** Those that the last mesh was made from, where later ones of the same names have come. */
+  private meshedSides: ReadonlyMap<string, Side> = new Map();
   private tail: Promise<unknown> = Promise.resolve();
   private runningJobs = 0;
   private generationCount = 0;
@@ -122,6 +98,11 @@ export class EngineClient {
     this.volumes.set(digest, file);
   }
 
+  /** Forgets every volume but this one. */
+  forgetVolumes(except = ''): void {
+    for (const digest of this.volumes.keys()) if (digest !== except) this.volumes.delete(digest);
+  }
+
   /** Reads a mask or an image of sizes, which must have a digest if one is given. One of the same name is replaced. */
   openSideVolume(kind: SideKind, file: VolumeFile, digest = ''): Promise<SideSummary> {
     return this.job(async (generation) => {
@@ -133,48 +114,61 @@ export class EngineClient {
         const message = `${file.name} has the digest ${heads[0]}, the case was made with ${heads[1]}`;
         throw failure('differs', message, 'sizing');
       }
-      generation.sides.set(key, file);
-      this.sides.set(key, file);
+      const side = { file, digest: found.digest };
+      generation.sides.set(key, side);
+      this.sides.set(key, side);
       return found;
     });
   }
 
   /** The file of a mask or an image of sizes. */
   sideFile(kind: SideKind, name: string): VolumeFile | undefined {
-    return this.sides.get(sideKey(kind, name));
+    return this.sides.get(sideKey(kind, name))?.file;
   }
 
   /** Takes such a file unread: one of an earlier session, or one that the page itself has made. */
-  keepSideVolume(kind: SideKind, file: VolumeFile): void {
-    this.sides.set(sideKey(kind, file.name), file);
+  keepSideVolume(kind: SideKind, file: VolumeFile, digest: string): void {
+    this.sides.set(sideKey(kind, file.name), { file, digest });
   }
 
   forgetSideVolumes(): void {
     this.sides.clear();
+    this.meshedSides = new Map();
   }
 
-  /** Whether the engine accepts a case; the reply names every field. The case's volume need not be there. */
-  checkRecipe(value: object): Promise<RecipeReply> {
-    return this.job(async (generation) => {
-      const { file } = (value as { source?: { file?: unknown } }).source ?? {};
-      const digest = (file as { sha256?: unknown } | undefined)?.sha256;
-      if (digest === undefined) {
-        return this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(value)));
-      }
-      if (typeof digest !== 'string' || !/^([0-9a-f]{64})?$/.test(digest)) {
-        throw failure('usage', 'source.file.sha256: expected 64 hexadecimal digits', 'recipe');
-      }
-      // With its digest, the engine would hold the case against the volume that is loaded now.
-      const loose = {
-        ...value,
-        source: { ...(value as Recipe).source, file: { ...(file as object), sha256: '' } },
-      };
-      const reply = await this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(loose)));
-      for (const half of [reply.recipe, reply.minimal] as { source: { file: object } }[]) {
-        half.source = { file: { ...half.source.file, sha256: digest } };
-      }
-      return reply;
-    });
+  /**
+   * Whether the engine accepts a case; the reply names every field. The case's volume need not be there. Beside a
+   * job that runs, the spare worker answers: nothing has to wait for a mesh to learn whether a recipe is sound.
+   */
+  async checkRecipe(value: object): Promise<RecipeReply> {
+    const { spare } = this;
+    if (this.busy && spare) {
+      await unlessEnded(spare, spare.started).catch(() => undefined);
+      // Once it has taken the place of another worker, its recipe is that of a job.
+      if (spare === this.spare && spare.alive) return this.check(spare, value);
+    }
+    return this.job((generation) => this.check(generation, value));
+  }
+
+  private async check(generation: Generation, value: object): Promise<RecipeReply> {
+    const { file } = (value as { source?: { file?: unknown } }).source ?? {};
+    const digest = (file as { sha256?: unknown } | undefined)?.sha256;
+    if (digest === undefined) {
+      return this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(value)));
+    }
+    if (typeof digest !== 'string' || !/^([0-9a-f]{64})?$/.test(digest)) {
+      throw failure('usage', 'source.file.sha256: expected 64 hexadecimal digits', 'recipe');
+    }
+    // With its digest, the engine would hold the case against the volume that is loaded now.
+    const loose = {
+      ...value,
+      source: { ...(value as Recipe).source, file: { ...(file as object), sha256: '' } },
+    };
+    const reply = await this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(loose)));
+    for (const half of [reply.recipe, reply.minimal] as { source: { file: object } }[]) {
+      half.source = { file: { ...half.source.file, sha256: digest } };
+    }
+    return reply;
   }
 
   /** Runs stage by stage up to `last`, so that each result is there as soon as it exists. */
@@ -199,6 +193,7 @@ export class EngineClient {
       }
       const report =
         last === 'quality' ? await this.answer(generation, 'quality', generation.api.report()) : undefined;
+      if (report) this.meshedSides = new Map(generation.sides);
       return { ...accepted, summaries, report } as RecipeReply & {
         summaries: StageSummary[];
         report?: Report;
@@ -264,18 +259,23 @@ export class EngineClient {
     }
     const accepted = await this.answer(generation, 'recipe', generation.api.setRecipe(recipeJson));
     const { masks, images } = accepted.recipe.sizing;
-    for (const { name } of masks) await this.loadSide(generation, 'mask', name);
-    for (const { name } of images) await this.loadSide(generation, 'image', name);
+    for (const mask of masks) await this.loadSide(generation, 'mask', mask);
+    for (const image of images) await this.loadSide(generation, 'image', image);
     return accepted;
   }
 
   /** A file that is not there is the engine's to miss, once its stage comes. */
-  private async loadSide(generation: Generation, kind: SideKind, name: string): Promise<void> {
+  private async loadSide(
+    generation: Generation,
+    kind: SideKind,
+    { name, sha256 }: FileSource,
+  ): Promise<void> {
     const key = sideKey(kind, name);
-    const file = this.sides.get(key);
-    if (!file || generation.sides.get(key) === file) return;
-    await this.answer(generation, 'sizing', generation.api.loadSideVolume(kind, file));
-    generation.sides.set(key, file);
+    const [latest, meshed] = [this.sides.get(key), this.meshedSides.get(key)];
+    const side = meshed?.digest === sha256 ? meshed : latest;
+    if (!side || generation.sides.get(key) === side) return;
+    await this.answer(generation, 'sizing', generation.api.loadSideVolume(kind, side.file));
+    generation.sides.set(key, side);
   }
 
   private job<T>(body: (generation: Generation) => Promise<T>): Promise<T> {
@@ -284,7 +284,7 @@ export class EngineClient {
       const generation = this.generation;
       this.runningJobs++;
       try {
-        await this.unlessEnded(generation, generation.started);
+        await unlessEnded(generation, generation.started);
         this.spare ??= this.spawn();
         return await body(generation);
       } finally {
@@ -299,26 +299,17 @@ export class EngineClient {
   private async answer<T>(generation: Generation, stage: string, call: Promise<Reply<T>>): Promise<T> {
     let reply: Reply<T>;
     try {
-      reply = await this.unlessEnded(generation, call);
+      reply = await unlessEnded(generation, call);
     } catch (error) {
       if (error instanceof EngineError) throw error;
       const lost = failure('internal', `The engine stopped unexpectedly (${String(error)}).`, stage);
-      if (generation.alive) this.replace(lost);
+      this.retire(generation, lost);
       throw lost;
     }
     if (reply.ok) return reply.value;
     const error = new EngineError(reply.error);
-    if (reply.error.fatal && generation.alive) this.replace(error);
+    if (reply.error.fatal) this.retire(generation, error);
     throw error;
-  }
-
-  /** What a call gives, or why its worker has ended. A race with `ended` would stay with it for the worker's whole life. */
-  private unlessEnded<T>(generation: Generation, call: Promise<T>): Promise<T> {
-    return new Promise((done, failed) => {
-      if (!generation.alive) return void generation.ended.catch(failed);
-      generation.waiting.add(failed);
-      void call.then(done, failed).then(() => generation.waiting.delete(failed));
-    });
   }
 
   private compiled(): Promise<WebAssembly.Module> {
@@ -327,6 +318,15 @@ export class EngineClient {
       this.module.catch(() => (this.module = undefined));
     }
     return this.module;
+  }
+
+  /** Ends a worker that cannot go on. */
+  private retire(generation: Generation, reason: EngineError): void {
+    if (generation === this.spare) {
+      this.spare = null;
+      generation.end(reason);
+      generation.worker.terminate();
+    } else if (generation.alive) this.replace(reason);
   }
 
   private replace(reason: EngineError): void {
@@ -338,57 +338,11 @@ export class EngineClient {
   }
 
   private spawn(): Generation {
-    const worker = this.setup.spawn();
-    const api = Comlink.wrap<EngineApi>(worker);
     const lock = `voxtet-engine-${++this.generationCount}-${Math.random().toString(36).slice(2)}`;
-    let reject: (error: EngineError) => void = () => undefined;
-    const ended = new Promise<never>((_, fail) => (reject = fail));
-    ended.catch(() => undefined);
-    const started = this.compiled().then((module) =>
-      Promise.race([api.start(module, this.setup.scriptUrl, lock), ended]),
-    );
-    const generation: Generation = {
-      worker,
-      api,
-      started,
-      ended,
-      waiting: new Set(),
-      alive: true,
-      volume: null,
-      sides: new Map(),
-      end(error) {
-        generation.alive = false;
-        reject(error);
-        for (const failed of generation.waiting) failed(error);
-        generation.waiting.clear();
-      },
-    };
-    let hasStarted = false;
-    // A worker that fails before it has started would fail again at once: the next job tries anew.
-    const died = (message: string) => {
-      if (!generation.alive) return;
-      if (generation === this.spare) {
-        this.spare = null;
-        generation.end(failure('internal', message));
-      } else if (hasStarted) this.replace(failure('internal', message));
-      else generation.end(failure('internal', message));
-    };
-    worker.addEventListener('error', (event) => {
-      const detail = (event as ErrorEvent).message;
-      died(`The engine's worker failed${detail ? `: ${detail}` : ''}.`);
+    return startGeneration(this.setup, this.compiled(), lock, (generation, reason, hasStarted) => {
+      // A worker that fails before it has started would fail again at once: the next job tries anew.
+      if (generation === this.spare || hasStarted) this.retire(generation, reason);
+      else generation.end(reason);
     });
-    started.then(
-      () => {
-        hasStarted = true;
-        this.setup.whenReleased(lock, () =>
-          died('The engine was ended by the browser; your inputs are kept.'),
-        );
-      },
-      (error: unknown) => {
-        if (generation.alive)
-          generation.end(failure('internal', `The engine could not be loaded (${String(error)}).`));
-      },
-    );
-    return generation;
   }
 }

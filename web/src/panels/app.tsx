@@ -1,7 +1,6 @@
 import { useEffect, useState } from 'preact/hooks';
 import { dropFiles } from '../store/open_files';
 import { activity, announcement, dismiss, lastCancelMs, notices } from '../store/run';
-import { showPlace } from '../store/view';
 import { CasePanel } from './case_panel';
 import { Dialogs } from './dialogs';
 import { EvidencePanel } from './evidence_panel';
@@ -24,13 +23,9 @@ function Notices() {
           <div>
             <strong>{notice.title}</strong>
             <p>{notice.text}</p>
-            {notice.place && (
-              <button
-                type="button"
-                class="button small"
-                onClick={() => notice.place && showPlace(notice.place)}
-              >
-                Show where
+            {notice.way && (
+              <button type="button" class="button small" onClick={notice.way.go}>
+                {notice.way.name}
               </button>
             )}
           </div>

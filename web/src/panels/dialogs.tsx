@@ -3,12 +3,14 @@ import { exportFormats, type ExportFormat, type Recipe, type Space } from '../en
 import { acceptOffer, offered, closeOffer } from '../store/actions';
 import {
   downloadCase,
+  downloadPainted,
   downloadReport,
   exportMesh,
   exportZip,
   shareCase,
   type SharedCase,
 } from '../store/exchange';
+import { paintedEdges, paintedName } from '../store/painting';
 import { recipe } from '../store/recipe';
 import { activity, report, upToDate } from '../store/run';
 import { Dialog } from './dialog';
@@ -65,7 +67,7 @@ function ExportDialog({ close }: { close(): void }) {
           onChange={(next: Space) => setSpace(next)}
         />
         <span class="muted">
-          {space === 'ras' ? 'x to the right, as in NIfTI' : 'x to the left, as in DICOM'}, mm
+          {space === 'ras' ? 'x to the right, as in NIfTI' : 'x to the left, as in DICOM'}
         </span>
       </div>
       {!upToDate.value && (
@@ -171,6 +173,16 @@ function ShareDialog({ close }: { close(): void }) {
         >
           Case file (JSON)
         </button>
+        {paintedEdges().length > 0 && (
+          <button
+            type="button"
+            class="button"
+            title="The painted sizes, which the receiver has to drop in"
+            onClick={() => downloadPainted()}
+          >
+            {paintedName}
+          </button>
+        )}
         <button type="button" class="button primary" disabled={!shared} onClick={() => void copy()}>
           {copied ? 'Copied' : 'Copy link'}
         </button>
@@ -220,11 +232,10 @@ function OfferDialog() {
       'Size files',
       `${sideFiles.join(', ')}${offer.origin === 'link' ? ', to be dropped in' : ''}`,
     ]);
-  if (offer.expected)
-    rows.push([
-      'Promised',
-      `${whole(offer.expected.tets)} tetrahedra, digest ${offer.expected.digest.slice(0, 12)}…, engine ${offer.expected.engine}`,
-    ]);
+  if (offer.promise) {
+    const { tets, digest, engine } = offer.promise.expected;
+    rows.push(['Promised', `${whole(tets)} tetrahedra, digest ${digest.slice(0, 12)}…, engine ${engine}`]);
+  }
   return (
     <Dialog
       title={offer.origin === 'link' ? 'Open this case?' : 'Go on with the last case?'}

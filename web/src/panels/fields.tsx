@@ -19,6 +19,9 @@ function fieldOf(path: string): SchemaField | undefined {
   return undefined;
 }
 
+/** What an input's text stands for; nothing in an empty one. */
+const numberOf = (typed: string): number | null => (typed.trim() === '' ? null : Number(typed));
+
 interface NumberInputProps {
   label: string;
   value: number | null;
@@ -35,16 +38,20 @@ export function NumberInput({ label, value, onChange, path, placeholder, step, d
   const field = path ? fieldOf(path) : undefined;
   const [draft, setDraft] = useState<string | null>(null);
   const [wrong, setWrong] = useState(false);
-  useEffect(() => setWrong(false), [value]);
+  useEffect(() => {
+    setWrong(false);
+    // What was typed no longer holds where the value has become another, by undo for one.
+    setDraft((typed) => (typed !== null && numberOf(typed) !== value ? null : typed));
+  }, [value]);
   const text = draft ?? (value === null ? '' : String(value));
   const take = (typed: string) => {
     setDraft(typed);
-    if (typed.trim() === '') {
+    const number = numberOf(typed);
+    if (number === null) {
       setWrong(placeholder === undefined);
       if (placeholder !== undefined) onChange(null);
       return;
     }
-    const number = Number(typed);
     const inRange =
       Number.isFinite(number) &&
       !(field?.min !== undefined && number < field.min) &&

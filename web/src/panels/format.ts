@@ -12,8 +12,9 @@ export function short(value: number): string {
 /** Never broken between number and unit where it is short. */
 export function seconds(value: number): string {
   if (value < 0.0995) return `${Math.max(1, Math.round(value * 1000))}\u00a0ms`;
-  if (value < 60) return `${value.toFixed(1)}\u00a0s`;
-  return `${Math.floor(value / 60)} min ${Math.round(value % 60)} s`;
+  if (value < 59.95) return `${value.toFixed(1)}\u00a0s`;
+  const all = Math.round(value);
+  return `${Math.floor(all / 60)} min ${all % 60} s`;
 }
 
 /** About a count: two digits, thousands and millions named. */

@@ -12,6 +12,10 @@ import { forecastParts } from './forecast_text';
 import { seconds } from './format';
 import { Icon } from './icons';
 
+/** A key that is held down presses once. */
+const ignoreRepeats = (event: KeyboardEvent) => event.repeat && event.preventDefault();
+
+/** Run and Cancel are one button, so that the focus stays on it. */
 function RunButton() {
   const now = activity.value;
   // Of other sizes there is nothing to ask.
@@ -32,10 +36,11 @@ function RunButton() {
         </span>
         <button
           type="button"
-          key="cancel"
+          key="go"
           class="button danger"
           data-testid="cancel"
           title="Cancel (Esc)"
+          onKeyDown={ignoreRepeats}
           // The second click of a double click on Run lands here, and is not meant.
           onClick={(event) => event.detail < 2 && void cancelRun()}
         >
@@ -62,11 +67,12 @@ function RunButton() {
       )}
       <button
         type="button"
-        key="run"
+        key="go"
         class="button primary"
         data-testid="run"
         disabled={volume.value === null || (now !== 'idle' && now !== 'preview')}
         title="Run (Ctrl Enter)"
+        onKeyDown={ignoreRepeats}
         onClick={run}
       >
         <Icon name="play" size={13} /> Run

@@ -10,19 +10,26 @@ import {
 } from '../store/painting';
 import { layout } from '../store/view';
 import { NumberField, NumberInput, Segments } from './fields';
+import { short } from './format';
 import { Icon } from './icons';
 
 const set = (change: Partial<BrushTool>) => (brushTool.value = { ...brushTool.value, ...change });
 
+/** Of the brush, in voxels. */
+const [leastRadius, largestRadius] = [0.5, 20];
+const voxelOf = () => Math.min(...(volume.value?.spacing_mm ?? [1]));
+
 function turnOn(): void {
   const on = !brushTool.value.on;
-  set({ on });
+  const voxel = voxelOf();
+  const radius_mm = Math.min(Math.max(brushTool.value.radius_mm, leastRadius * voxel), largestRadius * voxel);
+  set({ on, radius_mm });
   if (on) layout.value = 'slices';
 }
 
 function BrushFields() {
   const { erases, flat, radius_mm, edge_mm } = brushTool.value;
-  const voxel = Math.min(...(volume.value?.spacing_mm ?? [1]));
+  const voxel = voxelOf();
   return (
     <div class="painter">
       <div class="painter-row">
@@ -60,15 +67,15 @@ function BrushFields() {
         <span class="field-input">
           <input
             type="range"
-            min={voxel / 2}
-            max={20 * voxel}
+            min={leastRadius * voxel}
+            max={largestRadius * voxel}
             step={voxel / 2}
             value={radius_mm}
             aria-label="Radius of the brush"
-            aria-valuetext={`${radius_mm} mm`}
+            aria-valuetext={`${short(radius_mm)} mm`}
             onInput={(event) => set({ radius_mm: Number(event.currentTarget.value) })}
           />
-          <span class="unit">{radius_mm.toFixed(1)} mm</span>
+          <span class="unit">{short(radius_mm)} mm</span>
         </span>
       </label>
       <p class="hint">Drag on a slice; Enter paints at the crosshair of the slice that has the focus.</p>

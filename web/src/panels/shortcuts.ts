@@ -41,7 +41,7 @@ function showAll(): boolean {
 }
 
 function escape(): boolean {
-  if (!['run', 'preview', 'export'].includes(activity.value)) return showAll();
+  if (!['run', 'preview', 'opening', 'export'].includes(activity.value)) return showAll();
   void cancelRun();
   return true;
 }

@@ -25,6 +25,8 @@ export class Canvas {
     this.renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.renderer.domElement.className = 'view-canvas';
     this.renderer.domElement.setAttribute('aria-hidden', 'true');
+    // The graphics driver may take it away and give it back.
+    this.renderer.domElement.addEventListener('webglcontextrestored', () => this.invalidate());
     container.append(this.renderer.domElement);
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(container);

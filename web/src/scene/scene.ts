@@ -16,6 +16,7 @@ import {
   legend,
   marked,
   picked,
+  sceneMounted,
   showEdges,
   sliceLegend,
   slicePlaces,
@@ -251,7 +252,9 @@ export function mountScene(container: HTMLElement): () => void {
   });
 
   if (untracked(() => recipe.value && pointsOf(stageShown.value))) viewer.fitFromFront();
+  sceneMounted.value = true;
   return () => {
+    sceneMounted.value = false;
     for (const stop of stops) stop();
     stopRegions();
     slices.dispose();

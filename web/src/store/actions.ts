@@ -15,8 +15,17 @@ import { fitRecipe } from './fit_recipe';
 import type { Example } from './gallery';
 import { awaitedFile, volume } from './input';
 import { amendRecipe, editRecipe, recipe, redo, startRecipe, undo } from './recipe';
-import { activity, defaults, expectation, forgetResults, schema, tell } from './run';
-import { preview, previewSoon, runAll } from './runs';
+import {
+  activity,
+  defaults,
+  expectation,
+  forgetResults,
+  notices,
+  schema,
+  tell,
+  type Expectation,
+} from './run';
+import { cancelRun, preview, previewSoon, runAll } from './runs';
 import { forgetSides, holdSide, type SideFile } from './side_files';
 import { forgetPainting, restorePainting, strokesDone } from './painting';
 import { ownColours, resetView } from './view';
@@ -24,7 +33,7 @@ import { ownColours, resetView } from './view';
 /** A case that a link or a file offers, checked and waiting for the user's word. */
 export interface OfferedCase {
   recipe: Recipe;
-  expected: Expected | null;
+  promise: Expectation | null;
   origin: 'link' | 'interrupted';
   colours: SavedCase['colours'];
   /** Masks and images of sizes that are at hand. */
@@ -47,14 +56,22 @@ export async function startEngine(client: EngineClient): Promise<void> {
   }
 }
 
-export async function openExample({ recipe: value }: Example): Promise<void> {
-  await offerCase(value);
-  acceptOffer(false);
+export function openExample({ recipe: value }: Example): Promise<void> {
+  return openOwn(value);
 }
 
-export async function openPhantom(params: Partial<PhantomParams>): Promise<void> {
-  await offerCase({ source: { phantom: params as Record<string, unknown> } });
-  acceptOffer(false);
+export function openPhantom(params: Partial<PhantomParams>): Promise<void> {
+  return openOwn({ source: { phantom: params as Record<string, unknown> } });
+}
+
+/** Opens a case of the page's own, about which there is nothing to ask. */
+async function openOwn(value: Record<string, unknown>): Promise<void> {
+  try {
+    await offerCase(value);
+    acceptOffer(false);
+  } catch (error) {
+    tellError(error);
+  }
 }
 
 /** Changes the generated body and keeps the rest of the recipe. */
@@ -69,26 +86,39 @@ export function editPhantom(label: string, change: Partial<PhantomParams>): void
 /** A volume has been read: it is the one that the case waits for, or begins a case. */
 export function takeVolume(summary: VolumeSummary, fileName: string): void {
   const awaited = awaitedFile.value;
-  if (awaited && awaited.sha256 && awaited.sha256 !== summary.digest) {
+  if (!awaited) return beginCase(summary, fileName);
+  if (awaited.sha256 && awaited.sha256 !== summary.digest) {
     tell(
       'error',
       'This is not the expected volume',
       `${fileName} holds other voxels than the case was made from (digest ${summary.digest.slice(0, 12)}…, ` +
         `expected ${awaited.sha256.slice(0, 12)}…). The case is kept; drop ${awaited.name} to go on.`,
+      { name: 'Open it as a new case', go: () => beginCase(summary, fileName) },
     );
     return;
   }
   const source = { file: { name: fileName, sha256: summary.digest } };
-  if (awaited) {
-    awaitedFile.value = null;
-    amendRecipe((draft) => void (draft.source = source));
-  } else if (defaults.value) {
-    const edge = startingEdge(summary);
-    const fresh = structuredClone(defaults.value);
-    leaveCase();
-    startRecipe({ ...fresh, source, sizing: { ...fresh.sizing, edge_mm: edge } });
-    expectation.value = null;
-  }
+  amendRecipe((draft) => void (draft.source = source));
+  // It is the promised volume, under whatever name.
+  const promise = expectation.value;
+  if (promise) expectation.value = { ...promise, recipe: { ...promise.recipe, source } };
+  showVolume(summary);
+}
+
+function beginCase(summary: VolumeSummary, fileName: string): void {
+  if (!defaults.value) return;
+  const fresh = structuredClone(defaults.value);
+  const source = { file: { name: fileName, sha256: summary.digest } };
+  leaveCase();
+  engine.forgetVolumes(summary.digest);
+  notices.value = notices.value.filter(({ tone }) => tone !== 'error');
+  startRecipe({ ...fresh, source, sizing: { ...fresh.sizing, edge_mm: startingEdge(summary) } });
+  expectation.value = null;
+  showVolume(summary);
+}
+
+function showVolume(summary: VolumeSummary): void {
+  awaitedFile.value = null;
   volume.value = summary;
   forgetResults();
   resetView();
@@ -126,9 +156,9 @@ export async function resumeCase(): Promise<void> {
       if (digest && saved.file) engine.keepVolume(digest, saved.file);
       const { fitted, left } = fitRecipe(saved.recipe, defaults.value ?? {});
       const accepted = withoutPromise((await engine.checkRecipe(fitted)).recipe);
-      const expected = left.length === 0 ? saved.expected : null;
       const { colours, sides } = saved;
-      offered.value = { recipe: accepted, expected, origin: 'interrupted', colours, sides };
+      const promise = left.length === 0 ? saved.promise : null;
+      offered.value = { recipe: accepted, promise, origin: 'interrupted', colours, sides };
       if (left.length > 0)
         tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
       if (!interrupted) acceptOffer(false);
@@ -148,10 +178,11 @@ export function keepSaving(): void {
 /** Checks a case and holds it for the user's word; nothing of it runs. */
 export async function offerCase(value: Record<string, unknown>): Promise<void> {
   const { recipe: full } = await engine.checkRecipe(value);
-  const promise = (full as Recipe & { expected?: Expected }).expected;
+  const { expected } = full as Recipe & { expected?: Expected };
+  const accepted = withoutPromise(full);
   offered.value = {
-    recipe: withoutPromise(full),
-    expected: promise?.digest ? promise : null,
+    recipe: accepted,
+    promise: expected?.digest ? { expected, recipe: accepted } : null,
     origin: 'link',
     colours: {},
     sides: [],
@@ -162,25 +193,26 @@ export function acceptOffer(thenRun: boolean): void {
   const offer = offered.value;
   if (!offer) return;
   closeOffer();
+  // What the engine is at belongs to the case that is left.
+  if (activity.value !== 'idle') void cancelRun();
   leaveCase();
   startRecipe(offer.recipe);
   ownColours.value = offer.colours;
   offer.sides.forEach(holdSide);
   restorePainting();
-  expectation.value = offer.expected ? { expected: offer.expected, recipe: offer.recipe } : null;
+  expectation.value = offer.promise;
   forgetResults();
   resetView();
   const file = offer.recipe.source.file;
+  engine.forgetVolumes(file?.sha256);
+  volume.value = null;
   if (file && !(file.sha256 && engine.volumeFile(file.sha256))) {
     awaitedFile.value = file;
-    volume.value = null;
     return;
   }
   awaitedFile.value = null;
-  volume.value = null;
   void (async () => {
-    await preview(true);
-    if (thenRun && volume.value) await runAll();
+    if ((await preview(true)) && thenRun) await runAll();
   })();
 }
 

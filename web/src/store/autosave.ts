@@ -1,19 +1,20 @@
 /** The tab's case in IndexedDB, so that a reload loses nothing. One case: the last one edited. */
 import { effect } from '@preact/signals';
-import type { Expected, Recipe, VolumeFile } from '../engine/contract';
+import type { Recipe, VolumeFile } from '../engine/contract';
 import { recipe } from './recipe';
-import { activity, expectation } from './run';
+import { activity, expectation, type Expectation } from './run';
 import { heldSides, type SideFile } from './side_files';
 import { ownColours } from './view';
+import { keepText, keptText } from './web_storage';
 
 export interface SavedCase {
   recipe: Recipe;
-  expected: Expected | null;
+  promise: Expectation | null;
   /** Of labels, where they are the user's own. */
   colours: Readonly<Record<number, string>>;
   /** Masks and images of sizes. */
   sides: SideFile[];
-  /** Bytes of the volume, for a file source. */
+  /** Bytes of the volume, where the recipe's source is a file and it was at hand. */
   file: VolumeFile | null;
 }
 
@@ -47,10 +48,10 @@ async function transact<T>(
   }
 }
 
-/** The saved case, and whether the engine was at work when the page was left. */
+/** The saved case, and whether the engine was at work when this tab left the page. */
 export async function savedCase(): Promise<{ saved: SavedCase; interrupted: boolean } | null> {
-  const interrupted = localStorage.getItem(busyKey) !== null;
-  localStorage.removeItem(busyKey);
+  const interrupted = keptText('sessionStorage', busyKey) !== null;
+  keepText('sessionStorage', busyKey, null);
   const [kept, file, sides] = await Promise.all([
     transact<Omit<SavedCase, 'file' | 'sides'> | undefined>('readonly', (store) => store.get('recipe')),
     transact<{ digest: string; file: VolumeFile } | undefined>('readonly', (store) => store.get('file')),
@@ -58,16 +59,16 @@ export async function savedCase(): Promise<{ saved: SavedCase; interrupted: bool
   ]);
   if (!kept) return null;
   const digest = kept.recipe.source.file?.sha256;
-  if (kept.recipe.source.file && file?.digest !== digest) return null;
-  // What an earlier version kept has no colours.
-  const { colours = {} } = kept as Partial<typeof kept>;
-  const saved = { ...kept, colours, file: digest && file ? file.file : null, sides: sides ?? [] };
-  return { saved, interrupted };
+  // What an earlier version kept has neither.
+  const { colours = {}, promise = null } = kept as Partial<typeof kept>;
+  const own = digest && file?.digest === digest ? file.file : null;
+  return { saved: { ...kept, colours, promise, file: own, sides: sides ?? [] }, interrupted };
 }
 
 /** Saves every change from now on. Where the browser allows no storage, the tab works all the same. */
 export function autosave(fileOf: (digest: string) => VolumeFile | undefined): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
+  const tab = Math.random().toString(36).slice(2);
   let savedFile = '';
   let savedSides = '';
   const saveSides = async () => {
@@ -78,30 +79,33 @@ export function autosave(fileOf: (digest: string) => VolumeFile | undefined): vo
     savedSides = digests;
   };
   const save = async (kept: Omit<SavedCase, 'file' | 'sides'>) => {
-    const { recipe: current } = kept;
-    const digest = current.source.file?.sha256;
-    const file = digest ? fileOf(digest) : undefined;
-    if (digest && !file) return;
-    if (digest && file && digest !== savedFile) {
-      await transact('readwrite', (store) => store.put({ digest, file }, 'file'));
-      savedFile = digest;
+    // Another tab may have put its own case in this one's place, files and all.
+    if ((await transact<unknown>('readonly', (store) => store.get('tab'))) !== tab) {
+      savedFile = savedSides = '';
+      await transact('readwrite', (store) => store.put(tab, 'tab'));
     }
-    await saveSides();
+    // First: a file too large for the browser's quota is asked for again, the recipe could not be.
     await transact('readwrite', (store) => store.put(kept, 'recipe'));
+    await saveSides();
+    const digest = kept.recipe.source.file?.sha256;
+    const file = digest ? fileOf(digest) : undefined;
+    if (!digest || !file || digest === savedFile) return;
+    await transact('readwrite', (store) => store.put({ digest, file }, 'file'));
+    savedFile = digest;
   };
   effect(() => {
     const current = recipe.value;
-    const expected = expectation.value?.expected ?? null;
+    const promise = expectation.value;
     const colours = ownColours.value;
     clearTimeout(timer);
     if (!current || !(current.source.phantom || current.source.file)) return;
     timer = setTimeout(
-      () => void save({ recipe: current, expected, colours }).catch(() => undefined),
+      () => void save({ recipe: current, promise, colours }).catch(() => undefined),
       delayMs,
     );
   });
   effect(() => {
-    if (activity.value === 'idle' || activity.value === 'starting') localStorage.removeItem(busyKey);
-    else localStorage.setItem(busyKey, activity.value);
+    const atRest = activity.value === 'idle' || activity.value === 'starting';
+    keepText('sessionStorage', busyKey, atRest ? null : activity.value);
   });
 }

@@ -6,15 +6,16 @@ import { engine, takeTurn, tellError } from './engine';
 import { forecastUnderWay } from './forecast';
 import { nameOf } from './input';
 import { recipe } from './recipe';
-import { activity, announcement, meshedMinimal, meshedRecipe, report } from './run';
+import { activity, announcement, meshedMinimal, meshedRecipe, report, upToDate } from './run';
+import { paintedName } from './painting';
 import { heldSides } from './side_files';
-import { command, layout, type Layout } from './view';
+import { command, layout, sceneMounted, type Layout } from './view';
 import { packZip } from './zip';
 
 /** Runs what writes files, and says so. */
 async function writing(
   what: string,
-  write: (meshed: Recipe, name: string) => Promise<string>,
+  write: (meshed: Recipe, name: string, newest: () => boolean) => Promise<string>,
 ): Promise<void> {
   const meshed = meshedRecipe.value;
   if (!meshed) return;
@@ -25,7 +26,8 @@ async function writing(
   await forecastUnderWay()?.done;
   if (!newest()) return;
   try {
-    announcement.value = await write(meshed, caseName());
+    const written = await write(meshed, caseName(), newest);
+    if (newest()) announcement.value = written;
   } catch (error) {
     if (newest()) tellError(error);
   } finally {
@@ -43,18 +45,20 @@ export function exportMesh(format: ExportFormat, space: Space): Promise<void> {
 
 /** Mesh, report and case in one file, with the masks and images that the case is made from. */
 export function exportZip(format: ExportFormat, space: Space): Promise<void> {
-  return writing('zip', async (meshed, name) => {
+  return writing('zip', async (meshed, name, newest) => {
     const { minimal } = await shareCase();
     const page = await reportBlob();
+    if (!newest()) return '';
     const mesh = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name);
     const text = (value: unknown) => new TextEncoder().encode(JSON.stringify(value, null, 2));
     const zip = await packZip({
       ...Object.fromEntries(mesh.map(({ suffix, bytes }) => [`${name}${suffix}`, bytes])),
-      ...Object.fromEntries(heldSides().map(({ file }) => [file.name, file.bytes])),
+      ...Object.assign({}, ...heldSides().map(({ file }) => ({ ...file.siblings, [file.name]: file.bytes }))),
       [`${name}.case.json`]: text(minimal),
       [`${name}.report.json`]: text(report.value),
       [`${name}.report.html`]: new Uint8Array(await page.arrayBuffer()),
     });
+    if (!newest()) return '';
     download(`${name}.zip`, new Blob([zip], { type: 'application/zip' }));
     return 'Zip written';
   });
@@ -62,6 +66,7 @@ export function exportZip(format: ExportFormat, space: Space): Promise<void> {
 
 /** The view as it stands, as a picture. */
 export function viewPicture(): Promise<Blob> {
+  if (!sceneMounted.value) return Promise.reject(new Error('There is no 3-D view to take a picture of.'));
   return new Promise((made) => (command.value = { kind: 'picture', take: made }));
 }
 
@@ -90,8 +95,9 @@ function dataUrl(blob: Blob): Promise<string> {
   });
 }
 
-/** The view in each of these layouts, then as it was. */
+/** The view in each of these layouts, then as it was; none where there is no view. */
 async function picturesOf(layouts: readonly [Layout, string][]): Promise<ReportPicture[]> {
+  if (!sceneMounted.value) return [];
   const before = layout.value;
   const pictures: ReportPicture[] = [];
   try {
@@ -138,6 +144,12 @@ export function downloadCase(minimal: Record<string, unknown>): void {
   );
 }
 
+/** What is painted here, for whoever opens a link that asks for it. */
+export function downloadPainted(): void {
+  const file = engine.sideFile('mask', paintedName);
+  if (file) download(file.name, new Blob([file.bytes]));
+}
+
 export function caseName(): string {
   const source = recipe.value?.source;
   const name = source?.file?.name ?? source?.phantom?.kind ?? 'mesh';
@@ -163,8 +175,7 @@ export interface SharedCase {
 export async function shareCase(): Promise<SharedCase> {
   const current = recipe.value;
   if (!current) throw new Error('There is no case to share yet.');
-  const meshed = JSON.stringify(current) === JSON.stringify(meshedRecipe.value);
-  const found = meshed ? report.value : null;
+  const found = upToDate.value ? report.value : null;
   const base =
     found && meshedMinimal.value ? meshedMinimal.value : (await engine.checkRecipe(current)).minimal;
   const minimal = { ...base };

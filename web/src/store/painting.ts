@@ -60,8 +60,11 @@ export function paintedVoxels(): Painting | null {
 export const paintedEdges = () =>
   recipe.value?.sizing.masks.find(({ name }) => name === paintedName)?.edges ?? [];
 
-/** Resolves when every stroke is a step of the history. */
-export const strokesDone = (): Promise<void> => pending;
+/** Ends the stroke under way; resolves when every stroke is a step of the history. */
+export function strokesDone(): Promise<void> {
+  endStroke();
+  return pending;
+}
 
 export function forgetPainting(): void {
   painting = null;
@@ -97,8 +100,9 @@ function labelOf(edge_mm: number): number {
   return 0;
 }
 
-/** Begins a stroke at a place of a slice across an axis. */
+/** Begins a stroke at a place of a slice across an axis; another that has not ended does. */
 export function beginStroke(mm: readonly number[], across: number): void {
+  endStroke();
   const { erases, flat, edge_mm } = brushTool.value;
   const label = erases ? 0 : labelOf(edge_mm);
   if (!canvas() || (label === 0 && !erases)) return;
@@ -160,12 +164,14 @@ function commit(text: string, done: Stroke, edge_mm: number): void {
   const { grid, labels } = painting;
   const counts = countLabels(labels);
   const digest = volumeDigest(grid, labels);
+  // Now: the next stroke may be under way by the time that the digest is known.
+  const bytes = writeNrrd(grid, labels);
   const runs = runsOf(done);
   const settle = async () => {
     const after = await digest;
     if (painting?.labels !== labels) return;
     const before = recipe.peek()?.sizing.masks.find(({ name }) => name === paintedName)?.sha256 ?? '';
-    hand(after);
+    hand(bytes, after);
     editRecipe(text, (draft) => setEdges(draft.sizing, done.label, edge_mm, counts, after), undefined, 0, {
       undo: () => turn(runs, 'before', before),
       redo: () => turn(runs, 'after', after),
@@ -202,12 +208,10 @@ function turn(runs: Runs, way: 'before' | 'after', digest: string): void {
   if (!painting) return;
   applyRuns(painting.labels, runs, way);
   revision.value++;
-  hand(digest);
+  hand(writeNrrd(painting.grid, painting.labels), digest);
 }
 
 /** The engine reads what is painted as a file, once a stage needs it. */
-function hand(digest: string): void {
-  if (!painting) return;
-  const bytes = writeNrrd(painting.grid, painting.labels);
+function hand(bytes: Uint8Array<ArrayBuffer>, digest: string): void {
   holdSide({ kind: 'mask', file: { name: paintedName, bytes, siblings: {} }, digest });
 }

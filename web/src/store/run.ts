@@ -2,7 +2,6 @@ import { computed, signal } from '@preact/signals';
 import {
   stageNames,
   type EngineError,
-  type ErrorPlace,
   type Expected,
   type Recipe,
   type Report,
@@ -13,7 +12,7 @@ import {
 import { verdictOf } from '../link/verdict';
 import { recipe } from './recipe';
 import { dropResults } from './results';
-import { stageInput } from './stage_inputs';
+import { sameRecipe, stageInput } from './stage_inputs';
 import { showPlace } from './view';
 
 export type StageState = 'waiting' | 'running' | 'done' | 'stale' | 'failed';
@@ -26,6 +25,11 @@ export interface StageStatus {
   madeFrom: string | null;
 }
 
+export interface Expectation {
+  expected: Expected;
+  recipe: Recipe;
+}
+
 export type Activity = 'idle' | 'starting' | 'opening' | 'preview' | 'run' | 'export';
 
 /** A sentence for the user: a failure to act on, or news. */
@@ -34,7 +38,13 @@ export interface Notice {
   tone: 'error' | 'news';
   title: string;
   text: string;
-  place?: ErrorPlace;
+  /** What can be done about it. */
+  way?: Way;
+}
+
+export interface Way {
+  name: string;
+  go(): void;
 }
 
 export const schema = signal<Schema | null>(null);
@@ -48,7 +58,7 @@ export const report = signal<Report | null>(null);
 export const meshedRecipe = signal<Recipe | null>(null);
 export const meshedMinimal = signal<Record<string, unknown> | null>(null);
 /** What the opened link promises, and the recipe that it promises it for. */
-export const expectation = signal<{ expected: Expected; recipe: Recipe } | null>(null);
+export const expectation = signal<Expectation | null>(null);
 export const notices = signal<Notice[]>([]);
 export const announcement = signal('');
 /** Milliseconds from Cancel to an engine that answers. */
@@ -57,7 +67,7 @@ export const elapsedSeconds = signal(0);
 
 /** Whether the mesh that is shown is the one that the recipe asks for. */
 export const upToDate = computed(
-  () => meshedRecipe.value !== null && JSON.stringify(meshedRecipe.value) === JSON.stringify(recipe.value),
+  () => meshedRecipe.value !== null && sameRecipe(meshedRecipe.value, recipe.value),
 );
 
 /** Stages whose result is not what the recipe as it stands would give. */
@@ -81,7 +91,7 @@ export function isMadeFrom(current: Recipe, name: StageName): boolean {
 export const verdict = computed(() => {
   const promise = expectation.value;
   if (!promise || !report.value || !meshedRecipe.value) return null;
-  if (JSON.stringify(promise.recipe) !== JSON.stringify(meshedRecipe.value)) return null;
+  if (!sameRecipe(promise.recipe, meshedRecipe.value)) return null;
   return verdictOf(promise.expected, report.value);
 });
 
@@ -98,10 +108,26 @@ export function setStage(name: StageName, change: Partial<StageStatus>): void {
 
 export function forgetResults(): void {
   stages.value = blankStages();
+  forgetReport();
+  dropResults(stageNames);
+}
+
+/** The mesh that is shown is another one than the report's. */
+export function forgetReport(): void {
   report.value = null;
   meshedRecipe.value = null;
   meshedMinimal.value = null;
-  dropResults(stageNames);
+}
+
+/** Stages that were under way are no longer, and the clock stands still. */
+export function endStages(): void {
+  for (const name of stageNames) {
+    const { state, summary, madeFrom } = stages.value[name];
+    if (state !== 'running' && state !== 'waiting') continue;
+    const kept = recipe.value && madeFrom === stageInput(recipe.value, name) ? 'done' : 'stale';
+    setStage(name, { state: summary ? kept : 'waiting', fraction: 0 });
+  }
+  stopClock();
 }
 
 let clock: ReturnType<typeof setInterval> | undefined;
@@ -119,8 +145,8 @@ export function stopClock(): void {
 
 let noticeCount = 0;
 
-export function tell(tone: Notice['tone'], title: string, text: string, place?: ErrorPlace): void {
-  const notice = { id: ++noticeCount, tone, title, text, place };
+export function tell(tone: Notice['tone'], title: string, text: string, way?: Way): void {
+  const notice = { id: ++noticeCount, tone, title, text, way };
   const kept = notices.value.filter((old) => old.title !== title || old.text !== text);
   notices.value = [...kept, notice].slice(-4);
   if (tone === 'news') setTimeout(() => dismiss(notice.id), 6000);
@@ -141,7 +167,9 @@ const errorTitles: Record<EngineError['code'], string> = {
 };
 
 export function tellFailure(error: EngineError): void {
-  const place = error.where.points.length > 0 ? error.where : undefined;
-  tell('error', errorTitles[error.code], error.message, place);
-  if (place) showPlace(place);
+  const { where } = error;
+  const hasPlace = where.points.length > 0;
+  const way = hasPlace ? { name: 'Show where', go: () => showPlace(where) } : undefined;
+  tell('error', errorTitles[error.code], error.message, way);
+  if (hasPlace) showPlace(where);
 }

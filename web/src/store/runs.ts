@@ -9,6 +9,8 @@ import { dropResults, isKept, keepResult, showResult, shownKeys } from './result
 import {
   activity,
   announcement,
+  endStages,
+  forgetReport,
   isMadeFrom,
   lastCancelMs,
   meshedMinimal,
@@ -24,6 +26,8 @@ import { stageInput } from './stage_inputs';
 import { brush, colourBy, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from './view';
 
 let previewTimer: ReturnType<typeof setTimeout> | undefined;
+/** The view is to fit the next surface, whichever run brings it. */
+let fitDue = false;
 
 function forgetPreview(): void {
   clearTimeout(previewTimer);
@@ -40,10 +44,11 @@ function watchesSizing(): boolean {
   );
 }
 
-/** The label surface, as soon as it exists. Runs by itself after whatever changes it. */
-export async function preview(fit: boolean): Promise<void> {
+/** The label surface, as soon as it exists. Runs by itself after whatever changes it. False where it was not made. */
+export async function preview(fit: boolean): Promise<boolean> {
   forgetPreview();
-  await runStages(lastPreviewed(), 'preview', fit);
+  fitDue ||= fit;
+  return runStages(lastPreviewed(), 'preview');
 }
 
 const lastPreviewed = (): StageName => (watchesSizing() ? 'sizing' : 'smooth');
@@ -83,7 +88,7 @@ export function runAll(): Promise<void> {
 /** Runs up to a stage; those whose input has not changed are kept. */
 export async function runTo(last: StageName): Promise<void> {
   forgetPreview();
-  await runStages(last, 'run', false);
+  await runStages(last, 'run');
 }
 
 /** Ends what the engine is at; a forecast from this very surface is waited for, since its stages are wanted. */
@@ -93,9 +98,10 @@ async function freeEngine(surface: string): Promise<void> {
   else if (engine.busy) await engine.cancel();
 }
 
-async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean): Promise<void> {
+/** False where the stages failed, or where something newer has taken the engine. */
+async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<boolean> {
   const current = recipe.value;
-  if (!current || !(current.source.phantom || current.source.file) || awaitedFile.value) return;
+  if (!current || !(current.source.phantom || current.source.file) || awaitedFile.value) return false;
   const newest = takeTurn();
   const names = stageNames.slice(0, stageNames.indexOf(last) + 1);
   activity.value = kind;
@@ -107,7 +113,7 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
   }
   try {
     await freeEngine(stageInput(current, 'smooth'));
-    if (!newest()) return;
+    if (!newest()) return false;
     const result = await engine.run(JSON.stringify(current), current.source, last, {
       onProgress(stage, fraction) {
         if (newest()) setStage(stage, { state: 'running', fraction });
@@ -127,26 +133,34 @@ async function runStages(last: StageName, kind: 'preview' | 'run', fit: boolean)
           volume.value = summary.counts as unknown as VolumeSummary;
         const changed = shownKeys.value[summary.name] !== summary.key;
         if (arrays) keepResult(summary.name, summary.key, arrays);
-        // Measures are of one mesh.
-        if (summary.name === 'optimise' && changed) dropResults(['quality']);
+        // Measures and evidence are of one mesh.
+        if (summary.name === 'optimise' && changed) {
+          dropResults(['quality']);
+          forgetReport();
+          brush.value = null;
+          focusTet.value = null;
+        }
         showResult(summary.name, summary.key);
         const previewed = summary.name === 'smooth' && changed && stageShown.value !== 'surface';
-        const first = fit && (summary.name === 'surface' || summary.name === 'smooth');
+        const first = fitDue && (summary.name === 'surface' || summary.name === 'smooth');
         // What a run has kept is no news, unless it is what was asked for.
         const news = kind === 'run' && (!summary.cached || summary.name === last);
         if (news || previewed || first) stageShown.value = summary.name;
-        if (fit && summary.name === 'surface') command.value = { kind: 'fit' };
+        if (fitDue && summary.name === 'surface') command.value = { kind: 'fit' };
+        if (summary.name === 'smooth') fitDue = false;
       },
     });
-    if (!newest()) return;
+    if (!newest()) return false;
     if (result.report) finishRun(result.report, result.minimal, current);
     else if (kind === 'run') announcement.value = `Ready: ${last}`;
+    return true;
   } catch (error) {
-    if (!newest()) return;
+    if (!newest()) return false;
     for (const name of names) {
       if (stages.value[name].state === 'running') setStage(name, { state: 'failed', fraction: 0 });
     }
     tellError(error);
+    return false;
   } finally {
     if (newest()) {
       activity.value = 'idle';
@@ -173,14 +187,8 @@ function finishRun(
 export async function cancelRun(): Promise<void> {
   const newest = takeTurn();
   forgetPreview();
-  for (const name of stageNames) {
-    const { state, summary } = stages.value[name];
-    if (state === 'running' || state === 'waiting') {
-      setStage(name, { state: summary ? 'stale' : 'waiting', fraction: 0 });
-    }
-  }
+  endStages();
   activity.value = 'idle';
-  stopClock();
   announcement.value = 'Run cancelled';
   const milliseconds = await engine.cancel();
   if (newest()) lastCancelMs.value = milliseconds;

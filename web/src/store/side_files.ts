@@ -34,7 +34,7 @@ export const awaitedSides = computed<AwaitedSide[]>(() => {
 
 /** Takes a file whose content is known: one of an earlier session, or one that the page has made. */
 export function holdSide({ kind, file, digest }: SideFile): void {
-  engine.keepSideVolume(kind, file);
+  engine.keepSideVolume(kind, file, digest);
   held.value = new Map(held.value).set(keyOf(kind, file.name), digest);
 }
 

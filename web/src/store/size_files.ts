@@ -3,18 +3,19 @@ import type { FileSource, SideKind, VolumeFile } from '../engine/contract';
 import { engine, takeTurn, tellError } from './engine';
 import { restorePainting } from './painting';
 import { editRecipe } from './recipe';
-import { activity, announcement } from './run';
+import { activity, announcement, endStages } from './run';
 import { awaitedSides, holdSide } from './side_files';
 
 /** Reads a file as a mask or an image of sizes; the recipe asks for it from then on. */
-export async function openSideFile(kind: SideKind, file: VolumeFile): Promise<void> {
+export async function openSideFile(kind: SideKind, read: () => Promise<VolumeFile>): Promise<void> {
   const newest = takeTurn();
-  // Another file that is being read is not overtaken: this one is read after it.
-  const overtakes = activity.value !== 'opening';
   activity.value = 'opening';
-  announcement.value = `Reading ${file.name}`;
   try {
-    if (engine.busy && overtakes) await engine.cancel();
+    const file = await read();
+    announcement.value = `Reading ${file.name}`;
+    if (!newest()) return;
+    endStages();
+    if (engine.busy) await engine.cancel();
     const awaited = awaitedSides.value.find((one) => one.kind === kind && one.name === file.name);
     const { digest, labels } = await engine.openSideVolume(kind, file, awaited?.sha256);
     holdSide({ kind, file, digest });

@@ -1,4 +1,5 @@
 import type { Recipe, StageName } from '../engine/contract';
+import { canonicalJson } from '../link/canonical';
 
 /** What each stage is made from: fields of the recipe, and stages before it. */
 const inputs: Record<StageName, { fields: (keyof Recipe)[]; after: StageName[] }> = {
@@ -22,5 +23,10 @@ const reaching = Object.fromEntries(
 
 /** Everything of the recipe that a stage's result depends on: where it differs, the stage has to run again. */
 export function stageInput(recipe: Recipe, stage: StageName): string {
-  return JSON.stringify(reaching[stage].map((field) => recipe[field]));
+  return canonicalJson(reaching[stage].map((field) => recipe[field]));
+}
+
+/** Whether two recipes ask for the same, in whatever order their fields stand. */
+export function sameRecipe(one: Recipe | null, other: Recipe | null): boolean {
+  return one === other || (one !== null && other !== null && canonicalJson(one) === canonicalJson(other));
 }

@@ -90,6 +90,8 @@ export const hiddenLabels = signal<ReadonlySet<number>>(new Set());
 export const ownColours = signal<Readonly<Record<number, string>>>({});
 export const theme = signal<ThemeChoice>('system');
 export const dark = signal(false);
+/** Whether there is a view that obeys commands: without WebGL 2 there is none. */
+export const sceneMounted = signal(false);
 export const command = signal<SceneCommand | null>(null);
 /** What an error points at. */
 export const marked = signal<ErrorPlace | null>(null);
