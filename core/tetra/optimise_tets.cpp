@@ -48,8 +48,9 @@ class Optimiser {
         smoother_(complex_, guard_),
         size_smoother_(complex_, guard_),
         inserter_(complex_, guard_),
-        slider_(complex_, smoother_, reference, sizing, params.slide, layers),
-        flipper_(complex_, reference, sizing, guard_, params.slide),
+        volumes_(complex_, layers),
+        slider_(complex_, smoother_, reference, sizing, params.slide, layers, volumes_),
+        flipper_(complex_, reference, sizing, guard_, params.slide, volumes_),
         compound_(complex_, guard_, smoother_, inserter_, slider_, counts_),
         params_(params),
         layers_(layers),
@@ -256,6 +257,7 @@ class Optimiser {
   VertexSmoother smoother_;
   SizeSmoother size_smoother_;
   VertexInserter inserter_;
+  VolumeKeeper volumes_;
   WallSlider slider_;
   WallFlipper flipper_;
   OperationCounts counts_;

@@ -6,6 +6,7 @@
 #include "geometry/buckets.h"
 #include "geometry/orientation.h"
 #include "geometry/parallel.h"
+#include "geometry/tet_measures.h"
 
 namespace voxtet::tetra {
 namespace {
@@ -38,6 +39,7 @@ TetComplex::TetComplex(TetMesh mesh)
     cells_.push_back(
         {mesh.tets[t], {kNone, kNone, kNone, kNone}, quality_at(mesh.tets[t]), 0, mesh.labels[t]});
     for (const std::uint32_t v : mesh.tets[t]) tet_at_[v] = t;
+    add_volume(label(t), tet_volume_mm3(t));
   }
   for (const Triangle& face : faces_)
     for (const std::uint32_t v : face) on_wall_[v] = 1;
@@ -63,6 +65,17 @@ void TetComplex::connect() {
 
 bool TetComplex::is_positive(const Tet& t) const {
   return orientation(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]) > 0;
+}
+
+double TetComplex::tet_volume_mm3(std::uint32_t t) const {
+  const auto& [a, b, c, d] = corners(t);
+  return voxtet::tet_volume_mm3({points_[a], points_[b], points_[c], points_[d]});
+}
+
+void TetComplex::add_volume(Label label, double mm3) {
+  if (label == kBackground) return;
+  if (label >= volumes_mm3_.size()) volumes_mm3_.resize(label + 1, 0);
+  volumes_mm3_[label] += mm3;
 }
 
 TetMesh TetComplex::release() && {
@@ -225,6 +238,8 @@ void TetComplex::relabel(std::uint32_t t, Label label) {
   for (std::uint32_t c = 0; c < 4; ++c)
     if (behind(t, c) != kNone)
       for (std::uint32_t other = 0; other < 4; ++other) held[other] = held[other] || other != c;
+  add_volume(cells_[t].label, -tet_volume_mm3(t));
+  add_volume(label, tet_volume_mm3(t));
   if (label != kBackground) {
     for (std::uint32_t c = 0; c < 4; ++c) on_wall_[corners[c]] = held[c];
     cells_[t].label = label;
@@ -290,13 +305,17 @@ void TetComplex::drop_point() {
 }
 
 bool TetComplex::move_point(std::uint32_t vertex, const Point& to, std::span<const std::uint32_t> star) {
+  // Walls alone part labels: what else moves takes as much as it gives.
+  const bool changes_volumes = on_wall_[vertex];
+  if (changes_volumes)
+    for (const std::uint32_t t : star) add_volume(label(t), -tet_volume_mm3(t));
   const Point from = std::exchange(points_[vertex], to);
   const bool positive =
       std::all_of(star.begin(), star.end(), [this](std::uint32_t t) { return is_positive(corners(t)); });
-  if (!positive) {
-    points_[vertex] = from;
-    return false;
-  }
+  if (!positive) points_[vertex] = from;
+  if (changes_volumes)
+    for (const std::uint32_t t : star) add_volume(label(t), tet_volume_mm3(t));
+  if (!positive) return false;
   for (const std::uint32_t t : star) cells_[t].quality = quality_at(corners(t));
   if (keeps_changes_) changes_.push_back({{star.begin(), star.end()}, {}, {}, vertex, from});
   return true;

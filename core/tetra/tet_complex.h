@@ -82,6 +82,11 @@ class TetComplex {
   bool in_use(std::uint32_t vertex) const { return tet_at_[vertex] != kNone; }
   /// On a wall.
   bool on_wall(std::uint32_t vertex) const { return on_wall_[vertex]; }
+  /// Of all tets of a label, mm³; 0 for a label of none.
+  double volume_mm3(Label label) const { return label < label_end() ? volumes_mm3_[label] : 0; }
+  /// One more than the largest label.
+  std::size_t label_end() const { return volumes_mm3_.size(); }
+  double tet_volume_mm3(std::uint32_t t) const;
   double quality_at(const Tet& t) const {
     return quality(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]);
   }
@@ -158,6 +163,7 @@ class TetComplex {
   void wait_outside(std::span<const std::uint32_t> gone);
   std::uint32_t take_place();
   bool is_positive(const Tet& t) const;
+  void add_volume(Label label, double mm3);
 
   std::vector<Point> points_;
   std::vector<std::uint8_t> on_wall_;
@@ -168,6 +174,7 @@ class TetComplex {
   std::vector<Waiting> waiting_;
   std::vector<Triangle> faces_;
   std::vector<Sides> face_sides_;
+  std::vector<double> volumes_mm3_;  ///< by label; those of background stay 0
   std::uint32_t mark_ = 0;
   bool keeps_changes_ = false;
   std::vector<Change> changes_;

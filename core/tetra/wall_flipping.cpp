@@ -141,6 +141,11 @@ std::size_t WallFlipper::flip(std::span<const std::uint32_t> tets) {
     const auto is_fresh = [&](const Triangle& wall) { return fresh.count(ascending(wall)) > 0; };
     if (std::any_of(exchange.gone.begin(), exchange.gone.end(), is_fresh)) continue;
     const Label own = complex_.label(candidate->t);
+    const double mm3 = complex_.tet_volume_mm3(candidate->t);
+    const auto allows = [this](Label label, double gain_mm3) {
+      return volumes_.allows(label, volumes_.off_mm3(label, gain_mm3), volumes_.off_mm3(label));
+    };
+    if (!allows(own, -mm3) || !allows(candidate->other, mm3)) continue;
     complex_.relabel(candidate->t, candidate->other);
     if (candidate->other != kBackground && swap_at(complex_, candidate->t, guard_) == Swap::kNone) {
       complex_.relabel(candidate->t, own);

@@ -10,6 +10,7 @@
 #include "tetra/nearby_surface.h"
 #include "tetra/size_guard.h"
 #include "tetra/tet_complex.h"
+#include "tetra/volume_keeper.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 
@@ -23,11 +24,16 @@ class WallFlipper {
   /// middle of a new edge or triangle may be, as a part of the wished edge length, where that of the old ones
   /// is not as far.
   WallFlipper(TetComplex& complex, const SurfaceMesh& reference, const SizingField& sizing,
-              const SizeGuard& guard, double envelope)
-      : complex_(complex), reference_(reference), sizing_(sizing), guard_(guard), envelope_(envelope) {}
+              const SizeGuard& guard, double envelope, const VolumeKeeper& volumes)
+      : complex_(complex),
+        reference_(reference),
+        sizing_(sizing),
+        guard_(guard),
+        envelope_(envelope),
+        volumes_(volumes) {}
 
   /// Of these tets those whose going over lets the lowest quality rise there, one after the other; how many.
-  /// The topology of every label stays.
+  /// The topology of every label stays, and by `volumes` its volume.
   std::size_t flip(std::span<const std::uint32_t> tets);
 
  private:
@@ -50,6 +56,7 @@ class WallFlipper {
   const SizingField& sizing_;
   const SizeGuard& guard_;
   double envelope_;
+  const VolumeKeeper& volumes_;
   std::vector<std::uint32_t> star_;
 };
 

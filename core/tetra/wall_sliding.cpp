@@ -68,13 +68,15 @@ bool is_connected(std::vector<std::array<std::uint32_t, 2>> walls) {
 }  // namespace
 
 WallSlider::WallSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
-                       const SizingField& sizing, double envelope, const WallLayers& layers)
+                       const SizingField& sizing, double envelope, const WallLayers& layers,
+                       const VolumeKeeper& volumes)
     : complex_(complex),
       smoother_(smoother),
       reference_(reference),
       sizing_(sizing),
       envelope_(envelope),
-      layers_(layers) {
+      layers_(layers),
+      volumes_(volumes) {
   for (std::uint32_t v = 0; v < complex.point_count(); ++v) start_.push_back(complex.point(v));
   held_.assign(start_.size(), 0);
 }
@@ -130,7 +132,11 @@ bool WallSlider::is_of_layers(const BoundaryKind& kind) const {
 }
 
 bool WallSlider::keeps_offset(const BoundaryKind& kind) const {
-  return is_of_layers(kind) && layers_.parent(kind[0][0]) != layers_.parent(kind[0][1]);
+  if (is_of_layers(kind)) return layers_.parent(kind[0][0]) != layers_.parent(kind[0][1]);
+  return !std::all_of(kind.begin(), kind.end(), [this](const Sides& sides) {
+    return volumes_.allows(sides[0], volumes_.off_mm3(sides[0])) &&
+           volumes_.allows(sides[1], volumes_.off_mm3(sides[1]));
+  });
 }
 
 void WallSlider::approach(std::span<const std::uint32_t> vertices) {
@@ -153,14 +159,26 @@ bool WallSlider::slide(std::uint32_t vertex, double enough, double most_misfit) 
   const std::optional<Seat> seat = nearby_ && !held_[vertex] ? seat_of(vertex) : std::nullopt;
   const ClosestPointTree* surface = seat ? nearby_->of(seat->kind) : nullptr;
   if (surface == nullptr) return false;
-  const Point& at = complex_.point(vertex);
+  const Point at = complex_.point(vertex);
   const double distance = surface->closest(at).distance_mm, allowed = envelope_ * sizing_.at(at);
   if (distance > std::max(kFarthest * seat->shortest_edge, allowed)) return false;
   const double reach = kReach * seat->shortest_edge;
   const Envelope envelope(*surface, at, start_[vertex], std::max(distance, allowed), reach);
   const Offset offset(*surface, at, start_[vertex], reach);
   const Track& track = keeps_offset(seat->kind) ? static_cast<const Track&>(offset) : envelope;
-  return smoother_.smooth(vertex, enough, kSteps, &track, most_misfit);
+  std::vector<double> off;
+  for (const auto& [own, other] : seat->kind) {
+    off.push_back(volumes_.off_mm3(own));
+    off.push_back(volumes_.off_mm3(other));
+  }
+  if (!smoother_.smooth(vertex, enough, kSteps, &track, most_misfit)) return false;
+  auto was_off = off.begin();
+  bool allowed_by_volumes = true;
+  for (const auto& sides : seat->kind)
+    for (const Label label : sides)
+      allowed_by_volumes &= volumes_.allows(label, volumes_.off_mm3(label), *was_off++);
+  if (!allowed_by_volumes) complex_.move_point(vertex, at, star_);
+  return allowed_by_volumes;
 }
 
 bool WallSlider::hold_where_walls_meet(const TetComplex::Mark& since) {

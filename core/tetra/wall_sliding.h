@@ -10,6 +10,7 @@
 #include "tetra/nearby_surface.h"
 #include "tetra/tet_complex.h"
 #include "tetra/vertex_smoothing.h"
+#include "tetra/volume_keeper.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 
@@ -20,10 +21,11 @@ namespace voxtet::tetra {
 class WallSlider {
  public:
   /// `reference` is the label surface; its sides are those of the walls. `envelope`: how far from it vertices
-  /// may go, as a part of the wished edge length. Around `layers`, but not on the sheets between them, so
-  /// many slide that a label would lose volume: there each stays as far from the label surface as it was.
+  /// may go, as a part of the wished edge length. Where a label would not keep its volume by `volumes`, and
+  /// around `layers`, but not on the sheets between them, each stays as far from the label surface as it was.
   WallSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
-             const SizingField& sizing, double envelope, const WallLayers& layers);
+             const SizingField& sizing, double envelope, const WallLayers& layers,
+             const VolumeKeeper& volumes);
 
   /// Finds the label surface near these vertices: needed before they, or others among them, slide.
   void approach(std::span<const std::uint32_t> vertices);
@@ -53,6 +55,7 @@ class WallSlider {
   const SizingField& sizing_;
   double envelope_;
   const WallLayers& layers_;
+  const VolumeKeeper& volumes_;
   std::vector<Point> start_;               ///< of each vertex there was at first
   std::vector<std::uint32_t> wall_count_;  ///< walls at each of them when it was approached
   std::vector<std::uint8_t> held_;         ///< 1: slides no more

@@ -33,7 +33,8 @@ struct Workshop {
         guard(sizing),
         smoother(complex, guard),
         inserter(complex, guard),
-        slider(complex, smoother, reference, sizing, envelope, layers),
+        volumes(complex, layers, 1),
+        slider(complex, smoother, reference, sizing, envelope, layers, volumes),
         improver(complex, guard, smoother, inserter, slider, counts) {
     std::vector<std::uint32_t> all(complex.point_count());
     for (std::uint32_t v = 0; v < all.size(); ++v) all[v] = v;
@@ -63,6 +64,7 @@ struct Workshop {
   SizeGuard guard;
   VertexSmoother smoother;
   VertexInserter inserter;
+  VolumeKeeper volumes;
   WallSlider slider;
   OperationCounts counts;
   CompoundImprover improver;

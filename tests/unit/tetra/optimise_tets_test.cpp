@@ -191,6 +191,21 @@ TEST(OptimiseTets, KeepsSlidingVerticesInTheEnvelope) {
   EXPECT_GT(moved, 10U);
 }
 
+TEST(OptimiseTets, KeepsTheVolumeOfAThinWall) {
+  SurfaceMesh shell = test::sphere({0, 0, 0}, 10, 3, 1, 0);
+  test::append(shell, test::sphere({0, 0, 0}, 9.2, 3, 2, 1));
+  const SizingField sizing = test::uniform_sizing(1.6);
+  const TetMesh before = filled(shell, sizing), after = optimise(before, shell, sizing);
+  test::check_tets(after);
+  const std::map<Label, double> was = volumes(before), is = volumes(after);
+  ASSERT_EQ(was.size(), 2U);
+  for (const auto& [label, mm3] : was) EXPECT_NEAR(is.at(label), mm3, 0.001 * mm3) << label;
+  EXPECT_GT(test::smallest_dihedral_deg(after), test::smallest_dihedral_deg(before));
+  EXPECT_NE(std::vector<Eigen::Vector3d>(after.points.begin(), after.points.begin() + 600),
+            std::vector<Eigen::Vector3d>(before.points.begin(), before.points.begin() + 600))
+      << "none slides";
+}
+
 TEST(OptimiseTets, KeepsJunctionsOnTheirCurves) {
   const TetMesh before = test::kuhn_cube(6);
   const SurfaceMesh reference{before.points, before.faces, before.face_sides};

@@ -46,12 +46,15 @@ struct Flipped {
   TetMesh mesh;
 };
 
-Flipped flipped(const TetMesh& mesh, double envelope) {
+/// Such a tet is much of so small a mesh: volumes may change by `limit` of what they are.
+Flipped flipped(const TetMesh& mesh, double envelope, double limit = 1) {
   const SizingField sizing = test::uniform_sizing(kEdge);
   const SizeGuard guard(sizing);
   const SurfaceMesh reference{mesh.points, mesh.faces, mesh.face_sides};
   TetComplex complex(mesh);
-  WallFlipper flipper(complex, reference, sizing, guard, envelope);
+  const WallLayers layers;
+  const VolumeKeeper volumes(complex, layers, limit);
+  WallFlipper flipper(complex, reference, sizing, guard, envelope, volumes);
   const std::size_t flips = flipper.flip(std::vector<std::uint32_t>{0});
   return {flips, std::move(complex).release()};
 }
@@ -79,6 +82,13 @@ TEST(WallFlipping, GivesAFlatTetToTheLabelAboveWhereAnEdgeGoes) {
 TEST(WallFlipping, StaysInTheEnvelope) {
   EXPECT_EQ(flipped(flat_on_top(false), 0.02).flips, 0U);
   EXPECT_EQ(flipped(flat_on_top(true), 0.02).flips, 0U);
+}
+
+TEST(WallFlipping, KeepsVolumes) {
+  for (const bool lid : {false, true}) {
+    EXPECT_EQ(flipped(flat_on_top(lid), 0.1, 0.01).flips, 0U);
+    EXPECT_EQ(flipped(flat_on_top(lid), 0.1, 0.5).flips, 1U);
+  }
 }
 
 TEST(WallFlipping, LeavesAnEdgeThatThreeLabelsShare) {
