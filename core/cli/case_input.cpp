@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "io/files.h"
 #include "recipe/link.h"
@@ -124,7 +125,11 @@ Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
   if (options.edge_mm) json["sizing"]["edge_mm"] = *options.edge_mm;
   const Result<nlohmann::json> edges = to_edges("--edge-label", options.edge_labels);
   if (!edges) return edges.error();
+  std::set<double> sized;
   for (const nlohmann::json& edge : *edges) {
+    if (!sized.insert(edge["label"].get<double>()).second)
+      return usage_error("cli",
+                         "--edge-label: found label " + edge["label"].dump() + " twice, expected once");
     nlohmann::json& sizes = json["sizing"]["labels"];
     std::erase_if(sizes.get_ref<nlohmann::json::array_t&>(),
                   [&](const auto& s) { return s["label"] == edge["label"]; });
@@ -150,6 +155,24 @@ Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
 }
 
 }  // namespace
+
+std::vector<NamedPath> inputs_of(const CaseOptions& options) {
+  std::vector<NamedPath> inputs;
+  for (const std::string& path : options.masks) inputs.push_back({"--mask", path});
+  for (const std::string& path : options.size_images) inputs.push_back({"--size-image", path});
+  if (is_link(options.input)) return inputs;
+  inputs.push_back({"the input", options.input});
+  const Result<Recipe> recipe = read_case(options.input);
+  if (!is_case_file(options.input) || !recipe) return inputs;
+  const std::filesystem::path folder = std::filesystem::path(options.input).parent_path();
+  const auto add = [&](const std::string& name) {
+    inputs.push_back({"the case " + options.input, (folder / name).string()});
+  };
+  if (recipe->source.file) add(recipe->source.file->name);
+  for (const MaskSize& mask : recipe->sizing.masks) add(mask.name);
+  for (const ImageSize& image : recipe->sizing.images) add(image.name);
+  return inputs;
+}
 
 Result<Recipe> read_case(const std::string& input) {
   if (is_link(input)) return recipe_of_link(input);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/check_outputs.h"
 #include "pipeline/session.h"
 #include "types/result.h"
 
@@ -22,6 +23,9 @@ struct CaseOptions {
   std::vector<std::string> size_images;  ///< --size-image
   std::vector<std::string> set;          ///< --set path=value
 };
+
+/// The files that the options name, and those that a case file among them names.
+std::vector<NamedPath> inputs_of(const CaseOptions& options);
 
 /// Recipe of a case file or link; default recipe (source still empty) for a volume.
 Result<Recipe> read_case(const std::string& input);

@@ -69,9 +69,8 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
              const Output& output) {
   if (!out.empty())
     if (Result<MeshFormat> format = mesh_format_of(out); !format) return fail(format.error());
-  for (const std::string& path : {out, report_path})
-    if (!path.empty())
-      if (Status there = check_place(path); !there) return fail(there.error());
+  if (Status there = check_outputs({{"-o", out}, {"--report", report_path}}, inputs_of(options)); !there)
+    return fail(there.error());
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
@@ -107,7 +106,7 @@ int run_field(const CaseOptions& options, const std::string& name, const std::st
   const bool vti = out.ends_with(".vti");
   if (!vti && !is_nifti_name(out))
     return fail({ErrorCode::kUsage, "cli", out + ": a field is written as .nii, .nii.gz or .vti", {}});
-  if (Status there = check_place(out); !there) return fail(there.error());
+  if (Status there = check_outputs({{"-o", out}}, inputs_of(options)); !there) return fail(there.error());
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
@@ -177,6 +176,7 @@ int run_phantom(const std::string& name, const std::vector<std::string>& set, co
 }
 
 int run_convert(const std::string& in, const std::string& out, const Output& output) {
+  if (Status there = check_outputs({{"OUTPUT", out}}, {{"INPUT", in}}); !there) return fail(there.error());
   if (mesh_format_of(in).ok()) {
     MeshArrays arrays;
     Result<TetMesh> mesh = read_tet_mesh_file(in, &arrays);
@@ -198,6 +198,9 @@ int run_convert(const std::string& in, const std::string& out, const Output& out
 }
 
 int run_url(const std::string& input, const std::string& base) {
+  if (!is_link(input) && !input.ends_with(".json"))
+    return fail(
+        {ErrorCode::kUsage, "cli", input + ": expected a case file (.json) or a link with #c1= or #j=", {}});
   Result<Recipe> recipe = read_case(input);
   if (!recipe) return fail(recipe.error());
   if (is_link(input))
@@ -256,6 +259,11 @@ int run_verify(const CaseOptions& options, const Output& output) {
   return same ? kExitOk : kExitDiffers;
 }
 
+/// An empty text is what is left of a shell's variable that is not set.
+const CLI::Validator not_empty(
+    [](const std::string& text) { return text.empty() ? std::string("found '', expected a value") : ""; },
+    "");
+
 void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
                       const std::string& input_name) {
   command
@@ -270,7 +278,7 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
       ->type_name("LABELS");
   command.add_option("--look-up", options.look_up, "labels to look up at each tetrahedron, as 5,6")
       ->delimiter(',');
-  command.add_option("--edge-mm", options.edge_mm, "edge length, mm");
+  command.add_option("--edge-mm", options.edge_mm, "edge length, mm")->check(not_empty);
   command.add_option("--edge-label", options.edge_labels, "edge length inside a label, as 5=0.8");
   command.add_option("--mask", options.masks, "label volume painted over the input, sized by --mask-edge");
   command.add_option("--mask-edge", options.mask_edges, "edge length inside a label of the masks, as 1=0.8");
@@ -297,8 +305,9 @@ int run_cli(int argc, const char* const* argv) {
 
   CLI::App* mesh = app.add_subcommand("mesh", "mesh a volume or a case");
   add_case_options(*mesh, options, output, "VOLUME|CASE.json");
-  mesh->add_option("-o,--output", out, "mesh file: .vtu .msh .mesh .carp .inp .feb .xdmf .stl .ply");
-  mesh->add_option("--report", report, "write the report as JSON to this file");
+  mesh->add_option("-o,--output", out, "mesh file: .vtu .msh .mesh .carp .inp .feb .xdmf .stl .ply")
+      ->check(not_empty);
+  mesh->add_option("--report", report, "write the report as JSON to this file")->check(not_empty);
   mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")
       ->check(CLI::IsMember({"ras", "lps"}));
   mesh->callback([&] { code = run_mesh(options, out, report, output); });

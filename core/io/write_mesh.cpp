@@ -131,6 +131,15 @@ Result<MeshFormat> mesh_format_of(const std::string& path) {
       ErrorCode::kUsage, kMeshWriter, path + ": ending \"" + ending + "\", expected one of" + known, {}};
 }
 
+std::vector<std::string> files_of_mesh(const std::string& path) {
+  const Result<MeshFormat> format = mesh_format_of(path);
+  if (!format) return {path};
+  const std::string base = path.substr(0, path.size() - mesh_ending_of(path).size());
+  if (*format == MeshFormat::kCarp) return {base + ".pts", base + ".elem", base + ".lon"};
+  if (*format == MeshFormat::kXdmf) return {base + ".xdmf", base + ".h5"};
+  return {path};
+}
+
 std::string_view mesh_ending_of(std::string_view path) {
   const std::size_t name = path.find_last_of("/\\");
   const std::size_t dot = path.rfind('.');

@@ -57,6 +57,9 @@ std::string mesh_name_of(std::string_view path);
 Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat format,
                                                const WriteMeshOptions& options);
 
+/// The files that write_files() always makes of a mesh for a path; any other path is one file.
+std::vector<std::string> files_of_mesh(const std::string& path);
+
 /// STL, PLY, VTU (triangles with cell arrays `label_behind`, `label_front`) of a surface. Errors: kUsage for
 /// others.
 Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFormat format,

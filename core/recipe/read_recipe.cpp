@@ -185,6 +185,8 @@ Result<Recipe> parse_recipe(std::string_view text) {
     return parse_recipe(json::parse(text, bounded));
   } catch (const json::parse_error& error) {
     return usage_error("recipe", std::string("not valid JSON: ") + error.what());
+  } catch (const json::out_of_range& error) {
+    return usage_error("recipe", std::string("a number is out of range: ") + error.what());
   } catch (const FieldError& error) {
     return usage_error("recipe", error.what());
   }

@@ -287,6 +287,43 @@ TEST_F(CliTest, ForecastsAndRefusesBeyondALimit) {
   EXPECT_EQ(run({"mesh", at("case.json"), "--set", "limits.tets=2000"}), kExitOk);
 }
 
+TEST_F(CliTest, WritesOverNothingThatItReads) {
+  write("case.json", kSphere);
+  ASSERT_EQ(run({"phantom", "sphere", "--set", "radius_mm=6", "-o", at("ball.nii")}), kExitOk);
+  write("of_file.json", R"({"source":{"file":{"name":"ball.nii","sha256":""}}})");
+  const Bytes before = *read_file(at("ball.nii"));
+  const std::size_t count = files();
+  const auto refused = [&](const std::vector<std::string>& words) {
+    EXPECT_EQ(run(words), kExitUsage) << words.back();
+    EXPECT_EQ(*read_file(at("ball.nii")), before);
+    EXPECT_EQ(files(), count);
+  };
+  refused({"mesh", at("ball.nii"), "--report", at("ball.nii")});
+  refused({"mesh", at("ball.nii"), "--report", (folder_ / "." / "ball.nii").string()});
+  refused({"mesh", at("of_file.json"), "--report", at("ball.nii")});
+  refused({"mesh", at("case.json"), "--report", at("case.json")});
+  refused({"field", at("ball.nii"), "-o", at("ball.nii")});
+  refused({"field", at("case.json"), "--size-image", at("ball.nii"), "-o", at("ball.nii")});
+  refused({"field", at("case.json"), "--mask", at("ball.nii"), "-o", at("ball.nii")});
+  refused({"convert", at("ball.nii"), at("ball.nii")});
+  refused({"mesh", at("case.json"), "-o", at("a.vtu"), "--report", at("a.vtu")});
+  refused({"mesh", at("case.json"), "-o", at("a.carp"), "--report", at("a.elem")});
+  EXPECT_EQ(run({"mesh", at("case.json"), "-o", at("a.vtu"), "--report", at("a.json")}), kExitOk);
+  EXPECT_EQ(run({"mesh", at("case.json"), "-o", at("a.vtu"), "--report", at("a.json")}), kExitOk) << "again";
+}
+
+TEST_F(CliTest, RefusesWhatIsMissingDoubledOrTooLarge) {
+  write("case.json", kSphere);
+  EXPECT_EQ(run({"mesh", at("case.json"), "-o", ""}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--report", ""}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--edge-mm", ""}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--edge-label", "1=1", "--edge-label", "1=2"}), kExitUsage);
+  write("large.json", R"({"sizing":{"edge_mm":1e999}})");
+  EXPECT_EQ(run({"mesh", at("large.json")}), kExitUsage);
+  EXPECT_EQ(run({"url", at("case.nii")}), kExitUsage);
+  EXPECT_EQ(run({"url", at("case.json")}), kExitOk);
+}
+
 TEST_F(CliTest, ReportsTheLayersOfAWall) {
   write("case.json",
         R"({"source":{"phantom":{"kind":"shell","radius_mm":14,"inner_radius_mm":8,"spacing_mm":[1,1,1]}},)"

@@ -1,0 +1,44 @@
+#include "cli/check_outputs.h"
+
+#include <filesystem>
+
+#include "io/files.h"
+#include "io/write_mesh.h"
+
+namespace voxtet {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One file under two names, or one name of a file to be. Devices can be written more than once.
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  std::error_code failed;
+  if (fs::exists(a, failed) && fs::exists(b, failed))
+    return fs::is_regular_file(a, failed) && fs::equivalent(a, b, failed);
+  const fs::path whole_a = fs::weakly_canonical(a, failed), whole_b = fs::weakly_canonical(b, failed);
+  return !whole_a.empty() && whole_a == whole_b;
+}
+
+}  // namespace
+
+Status check_outputs(const std::vector<NamedPath>& outputs, const std::vector<NamedPath>& inputs) {
+  std::vector<NamedPath> taken;
+  for (const NamedPath& input : inputs)
+    if (!input.path.empty()) taken.push_back(input);
+  for (const NamedPath& output : outputs) {
+    if (output.path.empty()) continue;
+    std::vector<NamedPath> own;
+    for (const std::string& path : files_of_mesh(output.path)) own.push_back({output.word, path});
+    for (const NamedPath& file : own) {
+      for (const NamedPath& other : taken)
+        if (is_same_file(file.path, other.path))
+          return usage_error("cli", file.word + ": " + file.path + " is also the file of " + other.word +
+                                        ", expected another one");
+      if (Status there = check_place(file.path); !there) return there;
+    }
+    taken.insert(taken.end(), own.begin(), own.end());
+  }
+  return std::monostate{};
+}
+
+}  // namespace voxtet

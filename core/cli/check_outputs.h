@@ -1,0 +1,21 @@
+// Nothing that a command reads is written over by it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "types/result.h"
+
+namespace voxtet {
+
+/// A file that a command reads or writes, and the word by which the user named it ("-o", "--mask", "input").
+struct NamedPath {
+  std::string word, path;
+};
+
+/// Whether every output can be written and is neither an input nor another output; empty paths are none. A
+/// mesh file stands for all files that its format always makes. Before anything is read: a run may take long.
+/// Errors: kUsage naming both words and the file, or those of check_place().
+Status check_outputs(const std::vector<NamedPath>& outputs, const std::vector<NamedPath>& inputs);
+
+}  // namespace voxtet
