@@ -1,4 +1,5 @@
-// A second opinion on self-intersections: exact, by CGAL's predicates, and apart from core/geometry.
+// A second opinion on self-intersections: exact, by CGAL's predicates, apart from self_intersections.h. For
+// checks of what should hold by construction: it is slow.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -11,7 +12,7 @@
 
 #include "types/surface_mesh.h"
 
-namespace voxtet::test {
+namespace voxtet {
 
 class ExactTriangles {
  public:
@@ -98,4 +99,4 @@ inline std::size_t count_self_intersections(const SurfaceMesh& surface) {
   return found;
 }
 
-}  // namespace voxtet::test
+}  // namespace voxtet

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "geometry/closest_point.h"
-#include "geometry/self_intersections.h"
+#include "geometry/exact_intersections.h"
 #include "geometry/surface_measures.h"
 #include "geometry/triangle_intersection.h"
 #include "geometry/triangle_measures.h"
@@ -282,27 +282,26 @@ bool ComplexEditor::gap_allowed(std::size_t i, const Corners& corners, const Eig
   });
 }
 
-/// Another path than the checks take: everything around, CGAL's own intersections.
+/// Another path than the checks take: every triangle is looked at, and by CGAL's predicates.
 void ComplexEditor::verify_from_scratch() {
-  FloatBox all = hash_->box(slots_.front());
-  for (const std::uint32_t t : slots_) all.extend(hash_->box(t));
-  hash_->find(all, near_);
+  const auto box_in = [this](std::uint32_t t) { return box_of(mesh_.corners(mesh_.triangle(t))); };
+  FloatBox all = box_in(slots_.front());
+  for (const std::uint32_t t : slots_) all.extend(box_in(t));
   SurfaceMesh around;
   std::vector<std::uint32_t> vertices;
-  for (const std::uint32_t t : near_)
+  for (std::uint32_t t = 0; t < mesh_.slot_count(); ++t) {
+    if (!mesh_.alive(t) || !box_in(t).meets(all)) continue;
+    around.triangles.push_back(mesh_.triangle(t));
     for (const std::uint32_t v : mesh_.triangle(t)) vertices.push_back(v);
+  }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   for (const std::uint32_t v : vertices) around.points.push_back(mesh_.point(v));
-  for (const std::uint32_t t : near_) {
-    Triangle corners = mesh_.triangle(t);
+  for (Triangle& corners : around.triangles)
     for (std::uint32_t& v : corners)
       v = static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
                                      vertices.begin());
-    around.triangles.push_back(corners);
-    around.sides.push_back(mesh_.sides()[mesh_.pair(t)]);
-  }
-  violations_ += find_self_intersections(around).size();
+  violations_ += count_self_intersections(around);
 }
 
 }  // namespace voxtet::remesh

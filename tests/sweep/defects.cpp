@@ -4,12 +4,12 @@
 #include <map>
 #include <regex>
 
+#include "geometry/exact_intersections.h"
 #include "geometry/label_topology.h"
 #include "geometry/surface_measures.h"
 #include "support/caught_failures.h"
 #include "support/check_surface.h"
 #include "support/check_tets.h"
-#include "support/exact_intersections.h"
 #include "tetra/check_surface.h"
 #include "volume/select_labels.h"
 
@@ -46,7 +46,7 @@ void find_surface_defects(const std::string& stage, const SurfaceMesh& surface,
     if (points) defects.push_back({stage, "point", std::to_string(points) + " points"});
     if (edges + points == 0) defects.push_back({stage, "unsound", fault});
   }
-  if (const std::size_t pairs = test::count_self_intersections(surface))
+  if (const std::size_t pairs = count_self_intersections(surface))
     defects.push_back({stage, "intersection", std::to_string(pairs) + " pairs of triangles"});
   if (const Status apart = check_overlaps(surface, EdgeGroups(surface)); !apart)
     defects.push_back({stage, "overlap", apart.error().message});

@@ -15,7 +15,7 @@ struct Defect {
 
 /// Every label's boundary closed with two triangles an edge ("edge") and one fan a point ("point"), nothing
 /// else wrong with the complex ("unsound"), no triangles that meet apart from their common corners
-/// ("intersection", by support/exact_intersections.h), no labels that overlap ("overlap").
+/// ("intersection", by exact_intersections.h), no labels that overlap ("overlap").
 void find_surface_defects(const std::string& stage, const SurfaceMesh& surface, std::vector<Defect>& defects);
 
 /// Positive tetrahedra, their faces closed around every label, the volume and the topology of each label

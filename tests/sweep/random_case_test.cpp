@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/exact_intersections.h"
 #include "geometry/self_intersections.h"
-#include "support/exact_intersections.h"
 #include "support/test_random.h"
 #include "support/test_surfaces.h"
 
@@ -55,15 +55,15 @@ SurfaceMesh triangle_soup(std::uint64_t seed) {
 TEST(ExactIntersections, AgreesWithTheSearchOfTheCore) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const SurfaceMesh soup = triangle_soup(seed);
-    EXPECT_EQ(test::count_self_intersections(soup), find_self_intersections(soup).size()) << "seed " << seed;
+    EXPECT_EQ(count_self_intersections(soup), find_self_intersections(soup).size()) << "seed " << seed;
   }
 }
 
 TEST(ExactIntersections, FindsNoneInASphereAndSomeWhereTwoCross) {
   SurfaceMesh surface = test::sphere({0, 0, 0}, 5, 3, 1, 0);
-  EXPECT_EQ(test::count_self_intersections(surface), 0U);
+  EXPECT_EQ(count_self_intersections(surface), 0U);
   test::append(surface, test::sphere({1, 0.1, 0.2}, 5, 3, 2, 0));
-  EXPECT_GT(test::count_self_intersections(surface), 20U);
+  EXPECT_GT(count_self_intersections(surface), 20U);
 }
 
 TEST(ExactIntersections, CountsTrianglesWithoutAnArea) {
@@ -72,7 +72,7 @@ TEST(ExactIntersections, CountsTrianglesWithoutAnArea) {
   const auto n = static_cast<std::uint32_t>(surface.points.size());
   surface.triangles.push_back({n - 3, n - 2, n - 1});
   surface.sides.push_back({1, 0});
-  EXPECT_EQ(test::count_self_intersections(surface), 1U);
+  EXPECT_EQ(count_self_intersections(surface), 1U);
 }
 
 }  // namespace

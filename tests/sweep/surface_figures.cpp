@@ -5,11 +5,11 @@
 #include <cstdio>
 
 #include "geometry/compare_topology.h"
+#include "geometry/exact_intersections.h"
 #include "geometry/label_topology.h"
 #include "geometry/triangle_measures.h"
 #include "quality/summarise.h"
 #include "quality/surface_distance.h"
-#include "support/exact_intersections.h"
 #include "sweep/defects.h"
 #include "tetra/check_surface.h"
 
@@ -66,8 +66,8 @@ void compare_ledgers(const Session& session, SurfaceFigures& out) {
 SurfaceFigures measure_surface(const Session& session) {
   SurfaceFigures out;
   const SurfaceMesh &adapted = *session.remeshed(), &labels = *session.smooth();
-  out.smooth_intersections = test::count_self_intersections(labels);
-  out.intersections = test::count_self_intersections(adapted);
+  out.smooth_intersections = count_self_intersections(labels);
+  out.intersections = count_self_intersections(adapted);
   measure_triangles(adapted, out);
   measure_edges(adapted, *session.sizing(), out);
   const double voxel = session.volume()->smallest_spacing_mm();

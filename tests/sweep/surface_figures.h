@@ -13,7 +13,7 @@ namespace voxtet::sweep {
 /// samples a quarter of a voxel apart: nothing is farther than max + uncertainty.
 struct SurfaceFigures {
   std::size_t triangles = 0;
-  std::size_t smooth_intersections = 0, intersections = 0;  ///< pairs, by support/exact_intersections.h
+  std::size_t smooth_intersections = 0, intersections = 0;  ///< pairs, by exact_intersections.h
   double mean_distance = 0, max_distance = 0;               ///< adapted surface to label surface
   double mean_back = 0, max_back = 0, uncertainty = 0;      ///< and the way back
   double min_angle_deg = 0, share_below_25 = 0, mean_radius_ratio = 0;

@@ -167,6 +167,36 @@ TEST(ComplexEditor, TurnsNoBumpOfThreeFacetsInsideOut) {
   EXPECT_EQ(editor.mesh().point(3).z(), 2.5);
 }
 
+/// Moves every vertex a little, with verification; what that finds.
+std::uint64_t violations_found(const SurfaceMesh& surface) {
+  const ComplexMesh mesh(surface);
+  const SizingField sizing = test::uniform_sizing(2);
+  ComplexEditor editor(mesh, mesh, same_complex(mesh), sizing);
+  editor.limits.reach_mm = 100;
+  editor.limits.verify = true;
+  editor.set_cell(2);
+  std::size_t accepted = 0;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    Change change;
+    for (const std::uint32_t t : editor.mesh().star(v)) {
+      change.removed.push_back(t);
+      change.added.push_back({editor.mesh().triangle(t), editor.mesh().pair(t)});
+    }
+    change.moved = v;
+    change.position = editor.mesh().point(v) + Eigen::Vector3d(1e-4, 2e-4, -1e-4);
+    accepted += editor.attempt(change, Demand::kAllowed);
+  }
+  EXPECT_GT(accepted, 100U);
+  return editor.violations();
+}
+
+TEST(ComplexEditor, FindsWhatMeetsWhenItVerifies) {
+  SurfaceMesh two = test::sphere({0, 0, 0}, 5, 3, 1, 0);
+  EXPECT_EQ(violations_found(two), 0U);
+  test::append(two, test::sphere({9.5, 0.3, 0.2}, 5, 3, 1, 0));
+  EXPECT_GT(violations_found(two), 0U) << "spheres that cross";
+}
+
 TEST(EditTrials, PutBackEveryTriangleWhereItWas) {
   const SurfaceMesh heart = label_surface(test::heart_volume(20, 18, 18));
   const SizingField sizing = test::uniform_sizing(3);
