@@ -150,7 +150,14 @@ std::string broken_topology(const TopologyLedger& wanted, const TopologyLedger& 
   }
   if (!lost.empty()) return "lost label " + lost;
   if (!pinched.empty()) return "left the boundary touching itself of label " + pinched;
-  return keep == KeepTopology::kAll ? "changed pieces, holes or contacts of labels" : "";
+  if (keep != KeepTopology::kAll) return {};
+  constexpr std::size_t kNamed = 3;
+  const std::vector<TopologyDifference> differences = compare_topology(wanted, found);
+  std::string changed = "changed the topology of labels: ";
+  for (std::size_t i = 0; i < std::min(kNamed, differences.size()); ++i)
+    changed += (i ? ", " : "") + in_words(differences[i]);
+  if (differences.size() > kNamed) changed += " and " + std::to_string(differences.size() - kNamed) + " more";
+  return changed;
 }
 
 AdaptParams adapt_params(const LabelVolume& volume, const RemeshParams& params) {

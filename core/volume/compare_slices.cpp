@@ -61,7 +61,7 @@ void compare_slices(const LabelVolume& before, const LabelVolume& after, const R
                                    parts_after = count_components(after.size, after.labels);
   const std::vector<std::int64_t> euler = euler_numbers(before), euler_after = euler_numbers(after);
   double largest = 0;
-  std::string topology, grown, split;
+  std::string topology, grown, worse;
   for (std::size_t label = 1; label < mm3.size(); ++label) {
     if (mm3[label] <= 0) continue;
     const std::string name = "label " + std::to_string(label);
@@ -69,16 +69,21 @@ void compare_slices(const LabelVolume& before, const LabelVolume& after, const R
     largest = std::max(largest, std::abs(share));
     if (std::abs(share) > kVolumeChange) add(grown, name + " by " + shown(100 * share, "%+.2f") + " %");
     const std::string counts = std::to_string(parts[label]) + " to " + std::to_string(parts_after[label]);
-    if (parts_after[label] > parts[label]) add(split, name + " (" + counts + ")");
-    if (parts_after[label] != parts[label] || euler_after[label] != euler[label])
-      add(topology, name + " " + counts + " and " + std::to_string(euler[label]) + " to " +
-                        std::to_string(euler_after[label]));
+    const std::string numbers = name + " " + counts + " and " + std::to_string(euler[label]) + " to " +
+                                std::to_string(euler_after[label]);
+    if (parts_after[label] != parts[label] || euler_after[label] != euler[label]) add(topology, numbers);
+    // Tunnels less cavities. Fewer of them are no loss: slices that are apart enclose gaps that nobody has.
+    const std::int64_t tunnels = parts[label] - euler[label],
+                       tunnels_after = parts_after[label] - euler_after[label];
+    if (parts_after[label] > parts[label] || tunnels_after > tunnels) add(worse, numbers);
   }
   ctx.note("volume", "thick slices interpolated: " + grid_of(before) + " to " + grid_of(after) +
                          "; label volumes kept within " + shown(100 * largest, "%.2f") + " %");
   if (!topology.empty()) ctx.note("volume", "components and Euler number after interpolation: " + topology);
   if (!grown.empty()) ctx.warn("volume", "interpolation changed the volume of " + grown);
-  if (!split.empty()) ctx.warn("volume", "interpolation split " + split + " into more components");
+  if (!worse.empty())
+    ctx.warn("volume",
+             "interpolation split labels or opened tunnels in them, components and Euler number: " + worse);
 }
 
 }  // namespace voxtet::slices

@@ -32,6 +32,12 @@ constexpr double kVolumeError = 0.002;
 constexpr int kRounds = 6;
 constexpr double kMaxVoxels = 1 << 30;
 
+/// Whatever the ratio asked for, spacings that differ by rounding alone are no slices and pixels.
+bool is_thick(double spacing, double smallest, double ratio) {
+  constexpr double kLeastRatio = 1.01;
+  return spacing > std::max(ratio, kLeastRatio) * smallest;
+}
+
 /// Odd, at least 3, nearest to the ratio of the spacings (the lower of equals).
 int planes_per_slice(double ratio) {
   constexpr double kRounding = 1e-3;
@@ -232,14 +238,14 @@ Error too_many_voxels(const Eigen::Vector3d& spacing, double voxels) {
 }  // namespace
 
 bool has_thick_slices(const LabelVolume& volume, double ratio) {
-  return ratio > 0 && volume.spacing_mm().maxCoeff() > ratio * volume.smallest_spacing_mm();
+  return ratio > 0 && is_thick(volume.spacing_mm().maxCoeff(), volume.smallest_spacing_mm(), ratio);
 }
 
 Result<LabelVolume> interpolate_slices(const LabelVolume& volume, double ratio, const RunContext& ctx) {
   LabelVolume out = volume;
   const Eigen::Vector3d spacing = volume.spacing_mm();
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(spacing[axis] > ratio * spacing.minCoeff())) continue;
+    if (!is_thick(spacing[axis], spacing.minCoeff(), ratio)) continue;
     const double ratio_here = spacing[axis] / spacing.minCoeff();
     if (ratio_here * static_cast<double>(out.voxel_count()) > kMaxVoxels)
       return too_many_voxels(spacing, ratio_here * static_cast<double>(out.voxel_count()));

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/label_components.h"
@@ -48,6 +49,18 @@ std::vector<std::vector<std::size_t>> small_components(const LabelVolume& volume
   return voxels;
 }
 
+/// Whether a component, its voxels ascending, has become part of a larger one.
+bool has_grown(const LabelVolume& volume, const std::vector<std::size_t>& component) {
+  const Label own = volume.labels[component.front()];
+  bool grown = false;
+  for (const std::size_t voxel : component)
+    for_face_neighbours(volume.size, voxel, [&](std::size_t other, std::size_t) {
+      grown = grown ||
+              (volume.labels[other] == own && !std::binary_search(component.begin(), component.end(), other));
+    });
+  return grown;
+}
+
 struct Removed {
   std::size_t components = 0, voxels = 0, largest = 0;
 };
@@ -62,15 +75,23 @@ LabelVolume remove_specks(const LabelVolume& volume, const SpeckLimits& limits, 
   LabelVolume out = volume;
   const std::array<double, 3> areas = face_areas(volume);
   std::map<Label, Removed> removed;
-  for (const std::vector<std::size_t>& voxels : small_components(volume, limits)) {
-    const Label own = volume.labels[voxels.front()];
-    const Label other = neighbour_by_area(volume.size, out.labels, voxels, areas);
-    if (other == own) continue;
-    for (const std::size_t voxel : voxels) out.labels[voxel] = other;
-    Removed& sum = removed.try_emplace(own).first->second;
-    ++sum.components;
-    sum.voxels += voxels.size();
-    sum.largest = std::max(sum.largest, voxels.size());
+  // A component that another one has become part of is looked at again, as what it is then.
+  for (bool again = true; std::exchange(again, false);) {
+    for (const std::vector<std::size_t>& voxels : small_components(out, limits)) {
+      const Label own = out.labels[voxels.front()];
+      if (has_grown(out, voxels)) {
+        again = true;
+        continue;
+      }
+      const Label other = neighbour_by_area(out.size, out.labels, voxels, areas);
+      if (other == own) continue;
+      for (const std::size_t voxel : voxels) out.labels[voxel] = other;
+      again = true;
+      Removed& sum = removed.try_emplace(own).first->second;
+      ++sum.components;
+      sum.voxels += voxels.size();
+      sum.largest = std::max(sum.largest, voxels.size());
+    }
   }
   std::vector<bool> left(65536, false);
   for (const Label label : out.labels) left[label] = true;

@@ -77,7 +77,7 @@ TEST(RemeshMethods, KeepEveryPieceHandleAndContactOnDemand) {
     EXPECT_TRUE(find_self_intersections(all.surface, 1).empty()) << seed;
     EXPECT_TRUE(test::is_valid_surface(all.surface)) << seed;
     fallen += all.warned_of(kFellBack);
-    changed += all.warned_of("changed pieces, holes or contacts of labels");
+    changed += all.warned_of("changed the topology of labels");
     EXPECT_EQ(all.notes, all.warned_of(kFellBack) ? kRemeshNote : kDelaunayNote);
   }
   EXPECT_GT(fallen, 0);

@@ -13,6 +13,7 @@
 #include "support/data.h"
 #include "support/label_bodies.h"
 #include "support/random_labels.h"
+#include "volume/compare_slices.h"
 
 namespace voxtet {
 namespace {
@@ -105,6 +106,16 @@ TEST(ThickSlices, AreThoseAboveTheRatio) {
   EXPECT_FALSE(has_thick_slices(volume, 2));
   EXPECT_TRUE(has_thick_slices(volume, 1.9));
   EXPECT_FALSE(has_thick_slices(volume, 0));
+}
+
+TEST(InterpolateSlices, TakesNoPixelsForThickSlices) {
+  const LabelVolume even = with_spacing(test::heart_volume(20, 18, 18), 1.4, 1.4 * (1 + 1e-6), 1.4);
+  for (const double ratio : {0.1, 0.5, 1.0}) EXPECT_FALSE(has_thick_slices(even, ratio)) << ratio;
+  const LabelVolume slices = with_spacing(test::heart_volume(20, 18, 8), 1.4, 1.4 * (1 + 1e-6), 3.5);
+  const LabelVolume out = interpolated(slices, 1);
+  EXPECT_EQ(out.size[0], 20);
+  EXPECT_EQ(out.size[1], 18);
+  EXPECT_GT(out.size[2], 8);
 }
 
 TEST(InterpolateSlices, CoversTheSameSpaceWithAnOddNumberOfPlanes) {
@@ -250,6 +261,29 @@ TEST(InterpolateSlices, SaysWhatItDid) {
             std::string::npos)
       << notes[0];
   EXPECT_TRUE(warnings.empty()) << warnings[0];
+}
+
+TEST(InterpolateSlices, WarnsOfTunnelsThatItOpens) {
+  const auto tube = [](bool open) {
+    return with_spacing(make_volume(9, 9, 3,
+                                    [open](int i, int j, int) {
+                                      const bool rim = i > 0 && j > 0 && i < 8 && j < 8;
+                                      const bool bore = i > 2 && i < 6 && j > 2 && j < 6;
+                                      return rim && !(open && bore) ? 1 : 0;
+                                    }),
+                        1, 1, 4);
+  };
+  std::vector<std::string> warnings;
+  RunContext ctx;
+  ctx.on_warning = [&](const std::string&, const std::string& text) { warnings.push_back(text); };
+  slices::compare_slices(tube(true), tube(false), ctx);
+  for (const std::string& text : warnings) EXPECT_EQ(text.find("tunnels"), std::string::npos) << text;
+  warnings.clear();
+  slices::compare_slices(tube(false), tube(true), ctx);
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NE(warnings.back().find("tunnels in them, components and Euler number: label 1 1 to 1 and 1 to 0"),
+            std::string::npos)
+      << warnings.back();
 }
 
 TEST(InterpolateSlices, RefusesToMakeVoxelsWithoutEnd) {

@@ -55,6 +55,21 @@ TEST(RemoveSpecks, GivesSpecksAndHolesToTheirSurroundingsAndReportsThem) {
   EXPECT_NE(heard.warnings[0].find("label 3 was removed altogether"), std::string::npos);
 }
 
+TEST(RemoveSpecks, LeavesNothingOfSpecksInsideOfSpecks) {
+  // One voxel of 3 inside 26 of 2, and two specks side by side.
+  const LabelVolume volume = make_volume(14, 9, 9, [](int i, int j, int k) {
+    if (i == 3 && j == 4 && k == 4) return 3;
+    if (i >= 2 && i <= 4 && j >= 3 && j <= 5 && k >= 3 && k <= 5) return 2;
+    if (j == 4 && k == 4 && (i == 9 || i == 10)) return i == 9 ? 4 : 5;
+    return 1;
+  });
+  Heard heard;
+  EXPECT_EQ(remove_specks(volume, {30, 0}, heard.ctx).labels, std::vector<Label>(volume.labels.size(), 1));
+  const LabelVolume out = remove_specks(volume, {10, 0}, heard.ctx);
+  EXPECT_EQ(out.at(3, 4, 4), 2);
+  EXPECT_EQ(out.at(2, 4, 4), 2);
+}
+
 TEST(RemoveSpecks, KeepsWhatIsLargeEnough) {
   Heard heard;
   const LabelVolume out = remove_specks(halves(), {2, 0}, heard.ctx);
