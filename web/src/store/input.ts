@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { VolumeSummary } from '../engine/contract';
+import type { Recipe, VolumeSummary } from '../engine/contract';
 
 /** The label volume that the case stands on, once it has been read or generated. */
 export const volume = signal<VolumeSummary | null>(null);
@@ -17,3 +17,9 @@ export const voxelMm = computed(() => {
   const known = volume.value;
   return Math.min(...((known?.prepared ?? known)?.spacing_mm ?? [1]));
 });
+
+/** Names of the files that a case is made from. */
+export function filesOf({ source, sizing }: Recipe): string[] {
+  const all = [...(source.file ? [source.file] : []), ...sizing.masks, ...sizing.images];
+  return all.map(({ name }) => name);
+}
