@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "geometry/closest_point.h"
-#include "geometry/exact_intersections.h"
 #include "geometry/surface_measures.h"
 #include "geometry/triangle_intersection.h"
 #include "geometry/triangle_measures.h"
@@ -76,6 +75,7 @@ bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t h
     sizes_[change.moved] = sizing_.at(change.position);
     if (hint != kNone) hints_[change.moved] = hint;
   }
+  if (limits.verify && !verifier_) verifier_.emplace(mesh_);
   commit(change, false);
   if (trying_) {
     trial_.back().back.removed = slots_;
@@ -84,7 +84,7 @@ bool ComplexEditor::attempt(const Change& change, Demand demand, std::uint32_t h
   } else {
     note_changed(slots_);
   }
-  if (limits.verify) verify_from_scratch();
+  if (limits.verify) violations_ += verifier_->intersections_around(mesh_, slots_);
   return true;
 }
 
@@ -280,28 +280,6 @@ bool ComplexEditor::gap_allowed(std::size_t i, const Corners& corners, const Eig
   return std::any_of(old_corners_.begin(), old_corners_.end(), [&](const Corners& old) {
     return now >= corner_distance2(old, corners) * gap_growth_ * gap_growth_;
   });
-}
-
-/// Another path than the checks take: every triangle is looked at, and by CGAL's predicates.
-void ComplexEditor::verify_from_scratch() {
-  const auto box_in = [this](std::uint32_t t) { return box_of(mesh_.corners(mesh_.triangle(t))); };
-  FloatBox all = box_in(slots_.front());
-  for (const std::uint32_t t : slots_) all.extend(box_in(t));
-  SurfaceMesh around;
-  std::vector<std::uint32_t> vertices;
-  for (std::uint32_t t = 0; t < mesh_.slot_count(); ++t) {
-    if (!mesh_.alive(t) || !box_in(t).meets(all)) continue;
-    around.triangles.push_back(mesh_.triangle(t));
-    for (const std::uint32_t v : mesh_.triangle(t)) vertices.push_back(v);
-  }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  for (const std::uint32_t v : vertices) around.points.push_back(mesh_.point(v));
-  for (Triangle& corners : around.triangles)
-    for (std::uint32_t& v : corners)
-      v = static_cast<std::uint32_t>(std::lower_bound(vertices.begin(), vertices.end(), v) -
-                                     vertices.begin());
-  violations_ += count_self_intersections(around);
 }
 
 }  // namespace voxtet::remesh

@@ -11,6 +11,7 @@
 
 #include "remesh/change.h"
 #include "remesh/complex_mesh.h"
+#include "remesh/complex_verifier.h"
 #include "remesh/correspondence.h"
 #include "remesh/empty_balls.h"
 #include "remesh/reference_complex.h"
@@ -162,7 +163,6 @@ class ComplexEditor {
   void commit(const Change& change, bool backwards);
   void place(const Change& change, std::size_t i);
   void note_changed(const std::vector<std::uint32_t>& triangles);
-  void verify_from_scratch();
 
   ComplexMesh mesh_;
   ReferenceComplex reference_;
@@ -175,6 +175,7 @@ class ComplexEditor {
   std::vector<Eigen::Vector3d> normals_;
   std::vector<EmptyBalls> balls_;  ///< by slot, before any other vertex is known
   std::array<std::uint64_t, kReasonCount> refusals_{};
+  std::optional<ComplexVerifier> verifier_;
   std::uint64_t violations_ = 0;
   /// Of triangles as they are, by slot, on the lattice of that spacing; distance2 < 0 where not known.
   mutable std::vector<Breach> breaches_;
