@@ -17,7 +17,7 @@ class VolumeKeeper {
  public:
   /// The volumes to keep are those of now; `limit`: the part by which each may be off. Of a label that has
   /// layers these have none of their own to keep. Complex and layers must outlive this.
-  VolumeKeeper(const TetComplex& complex, const WallLayers& layers, double limit = 0.001)
+  VolumeKeeper(const TetComplex& complex, const WallLayers& layers, double limit = 0.002)
       : complex_(complex), limit_(limit) {
     for (std::size_t l = 0; l < complex.label_end(); ++l) {
       const auto label = static_cast<Label>(l);

@@ -199,7 +199,7 @@ TEST(OptimiseTets, KeepsTheVolumeOfAThinWall) {
   test::check_tets(after);
   const std::map<Label, double> was = volumes(before), is = volumes(after);
   ASSERT_EQ(was.size(), 2U);
-  for (const auto& [label, mm3] : was) EXPECT_NEAR(is.at(label), mm3, 0.001 * mm3) << label;
+  for (const auto& [label, mm3] : was) EXPECT_NEAR(is.at(label), mm3, 0.002 * mm3) << label;
   EXPECT_GT(test::smallest_dihedral_deg(after), test::smallest_dihedral_deg(before));
   EXPECT_NE(std::vector<Eigen::Vector3d>(after.points.begin(), after.points.begin() + 600),
             std::vector<Eigen::Vector3d>(before.points.begin(), before.points.begin() + 600))
