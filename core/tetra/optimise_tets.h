@@ -26,14 +26,14 @@ struct OptimiseParams {
 /// around it. In the end vertices move where their edges are nearer to their wishes, as far as no tet falls
 /// below `min_dihedral_deg` or becomes worse than the worst around. The faces between labels keep their
 /// triangles and points, but for points that slide inside a face between two labels or along a curve where
-/// faces meet, and edges that flip inside a face; no label gains or loses more than 0.2 % of its
-/// volume by these. Points keep their order; some inside of a label go, new ones come last. New edges are
-/// between 0.4 and 1.9 times the wish of `sizing`, or nearer to that than the farthest of those they replace
-/// or that moved with them; those of an inserted vertex, and those around tets that need several operations,
-/// may be 1.5 times farther. No more than one vertex for every ten, or 200, is inserted. All volumes stay
-/// positive, by exact predicates. In layers, vertices are inserted only where tets stay below 25 degrees
-/// after all else. `reference` is the label surface, with the sides of the mesh's faces. ctx.note says what
-/// was done. Errors: kCancelled; kOutOfMemory.
+/// faces meet, and edges that flip inside a face; no label without layers gains or loses more
+/// than 0.2 % of its volume by these. Points keep their order; some inside of a label go, new ones come last.
+/// New edges are between 0.4 and 1.9 times the wish of `sizing`, or nearer to that than the farthest of those
+/// they replace or that moved with them; those of an inserted vertex, and those around tets that need several
+/// operations, may be 1.5 times farther. No more than one vertex for every ten, or 200, is inserted. All
+/// volumes stay positive, by exact predicates. In layers, vertices are inserted only where tets stay below 25
+/// degrees after all else. `reference` is the label surface, with the sides of the mesh's faces. ctx.note
+/// says what was done. Errors: kCancelled; kOutOfMemory.
 Result<TetMesh> optimise_tets(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
                               const OptimiseParams& params, RunContext& ctx, const WallLayers& layers = {});
 
