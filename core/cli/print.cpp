@@ -53,9 +53,10 @@ void print_fidelity(const nlohmann::json& fidelity, std::FILE* out) {
                  f["median_edge_mm"].get<double>(), f["wished_edge_mm"].get<double>());
   for (const char* direction : {"mesh_to_surface", "surface_to_mesh"}) {
     const auto& d = fidelity[direction];
-    std::fprintf(out, "distance %-16s mean %.3f  rms %.3f  p95 %.3f  max %.3f (+- %.3f) mm\n", direction,
-                 d["mean_mm"].get<double>(), d["rms_mm"].get<double>(), d["p95_mm"].get<double>(),
-                 d["max_mm"].get<double>(), d["uncertainty_mm"].get<double>());
+    std::fprintf(
+        out, "distance %-16s mean %.3f  rms %.3f  p95 %.3f  max %.3f (+ %.3f) mm, samples %.2f mm apart\n",
+        direction, d["mean_mm"].get<double>(), d["rms_mm"].get<double>(), d["p95_mm"].get<double>(),
+        d["max_mm"].get<double>(), d["uncertainty_mm"].get<double>(), d["spacing_mm"].get<double>());
   }
   print_topology(fidelity["topology"], out);
 }

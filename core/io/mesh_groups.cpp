@@ -9,6 +9,7 @@ namespace {
 constexpr std::size_t kLongestName = 60;
 constexpr std::size_t kLongestWord = 32;
 constexpr std::uint32_t kNoGroup = 0xffffffff;
+constexpr const char* kBackgroundName = "background";
 
 std::string plain_name(const std::string& name) {
   std::string result;
@@ -94,7 +95,7 @@ std::vector<std::string> group_names(const std::vector<Label>& labels, const std
   }
   const std::vector<std::string> plain = names;
   for (std::size_t i = 0; i < names.size(); ++i)
-    if (std::count(plain.begin(), plain.end(), plain[i]) > 1)
+    if (plain[i] == kBackgroundName || std::count(plain.begin(), plain.end(), plain[i]) > 1)
       names[i] += " (" + std::to_string(labels[i]) + ")";
   return names;
 }
@@ -102,7 +103,7 @@ std::vector<std::string> group_names(const std::vector<Label>& labels, const std
 std::string pair_name(const Sides& pair, const std::vector<Label>& labels,
                       const std::vector<std::string>& names) {
   const auto name_of = [&](Label label) -> std::string {
-    if (label == kBackground) return "background";
+    if (label == kBackground) return kBackgroundName;
     const auto at = std::lower_bound(labels.begin(), labels.end(), label);
     if (at == labels.end() || *at != label) return "label " + std::to_string(label);
     return names[static_cast<std::size_t>(at - labels.begin())];
@@ -111,7 +112,7 @@ std::string pair_name(const Sides& pair, const std::vector<Label>& labels,
 }
 
 std::string word_name(Label label, const std::vector<LabelInfo>& infos) {
-  if (label == kBackground) return "background";
+  if (label == kBackground) return kBackgroundName;
   std::string word;
   for (const LabelInfo& info : infos)
     if (info.label == label) word = plain_word(info.name);

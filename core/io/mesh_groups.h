@@ -30,7 +30,8 @@ std::vector<std::vector<std::uint32_t>> group_members(std::span<const std::uint3
                                                       std::size_t groups);
 
 /// One name per label of `labels`, in that order: the name of `infos` without quotes, bars and control
-/// characters, cut to 60 bytes; "label 5" where there is none; "name (5)" where two labels share a name.
+/// characters, cut to 60 bytes; "label 5" where there is none; "name (5)" where two labels share a name, or
+/// one has that of the background.
 std::vector<std::string> group_names(const std::vector<Label>& labels, const std::vector<LabelInfo>& infos);
 
 /// "LV myocardium|background" from the names that group_names gave.

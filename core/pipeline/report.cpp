@@ -31,8 +31,13 @@ json colour_json(const LabelInfo& info) {
 }
 
 json distance_json(const DistanceSummary& d) {
-  return {{"samples", d.samples}, {"mean_mm", d.mean_mm}, {"rms_mm", d.rms_mm},
-          {"p95_mm", d.p95_mm},   {"max_mm", d.max_mm},   {"uncertainty_mm", d.uncertainty_mm}};
+  return {{"samples", d.samples},
+          {"spacing_mm", d.spacing_mm},
+          {"mean_mm", d.mean_mm},
+          {"rms_mm", d.rms_mm},
+          {"p95_mm", d.p95_mm},
+          {"max_mm", d.max_mm},
+          {"uncertainty_mm", d.uncertainty_mm}};
 }
 
 json metric_json(const MetricSummary& m) {

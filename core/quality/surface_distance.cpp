@@ -132,6 +132,7 @@ class DirectedDistance {
       const Eigen::Vector3d &a = corners[v[0]].point, &b = corners[v[1]].point, &c = corners[v[2]].point;
       const double longest = longest_edge_mm({a, b, c});
       const int n = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
+      spacing_ = std::max(spacing_, longest / n);
       const double weight = triangle_area_mm2(a, b, c) / (3.0 * n * n);
       for (const std::uint32_t corner : v) weights[corner] += weight;
       if (n == 1) {
@@ -227,6 +228,7 @@ class DirectedDistance {
     }
     if (found_.empty()) return out;
     out.samples = found_.size();
+    out.spacing_mm = spacing_;
     out.mean_mm = area > 0 ? sum / area : 0;
     out.rms_mm = area > 0 ? std::sqrt(squares / area) : 0;
     out.max_mm = largest_;
@@ -249,6 +251,7 @@ class DirectedDistance {
   std::atomic<bool>& cancelled_;
   std::vector<std::pair<float, float>> found_;  ///< distance, weight
   std::vector<Piece> open_;                     ///< heap, largest bound first
+  double spacing_ = 0;                          ///< longest edge of the lattices
   double largest_ = 0;                          ///< found so far
   double bound_ = 0;                            ///< of the pieces no longer open
   std::uint32_t hint_ = 0, queries_ = 0, next_id_ = 0;

@@ -171,7 +171,7 @@ Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingPa
     lower_by_thickness(sources.walls[w], params.thickness[w], field, base);
   for (std::size_t i = 0; i < sources.images.size(); ++i)
     if (Status done = lower_by_image(volume, *sources.images[i], "sizing.images[" + std::to_string(i) + "]",
-                                     field, base, ctx);
+                                     params, field, base, ctx);
         !done)
       return done.error();
   add_label_sizes(volume, params, base, field);

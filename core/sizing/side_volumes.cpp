@@ -119,11 +119,13 @@ Status lower_by_mask(const LabelVolume& mask, const MaskSize& wish, const std::s
 }
 
 Status lower_by_image(const LabelVolume& volume, const ScalarVolume& image, const std::string& name,
-                      const SizingField& grid, std::vector<float>& sizes, RunContext& ctx) {
+                      const SizingParams& params, const SizingField& grid, std::vector<float>& sizes,
+                      RunContext& ctx) {
   if (const auto error = find_image_error(image, name)) return *error;
   const Eigen::Matrix4d to_image = image.index_to_mm.inverse() * grid.index_to_mm;
   const Eigen::Matrix4d to_volume = volume.index_to_mm.inverse() * grid.index_to_mm;
   std::size_t labelled = 0, wished = 0;
+  double smallest = kFar, largest = 0;
   for_points(grid, [&](std::size_t at, const Eigen::Vector4d& index) {
     std::size_t voxel = 0;
     const bool counts =
@@ -131,19 +133,29 @@ Status lower_by_image(const LabelVolume& volume, const ScalarVolume& image, cons
     labelled += counts;
     const double size = size_at(image, mapped(to_image, index));
     if (!(size > 0)) return;
-    wished += counts;
+    if (counts) {
+      ++wished;
+      smallest = std::min(smallest, size);
+      largest = std::max(largest, size);
+    }
     sizes[at] = std::min(sizes[at], static_cast<float>(size));
   });
   if (wished == 0)
     return refuse(ErrorCode::kBadInput, name,
                   "the image has no size in any labelled voxel; expected one that covers what is meshed");
-  if (wished < labelled) {
+  const auto warn = [&](const char* format, auto... numbers) {
     std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(),
-                  ": the image has no size in %.2f %% of the labelled voxels; edge_mm stands there",
-                  100.0 * static_cast<double>(labelled - wished) / static_cast<double>(labelled));
+    std::snprintf(text.data(), text.size(), format, numbers...);
     ctx.warn(kSizingStage, name + text.data());
-  }
+  };
+  if (wished < labelled)
+    warn(": the image has no size in %.2f %% of the labelled voxels; edge_mm stands there",
+         100.0 * static_cast<double>(labelled - wished) / static_cast<double>(labelled));
+  if (smallest < params.edge_min_mm)
+    warn(": sizes go down to %g mm, below sizing.edge_min_mm, which holds: %g mm", smallest,
+         params.edge_min_mm);
+  if (largest > params.edge_max_mm)
+    warn(": sizes go up to %g mm, above sizing.edge_max_mm, which holds: %g mm", largest, params.edge_max_mm);
   return std::monostate{};
 }
 

@@ -15,9 +15,11 @@ Status lower_by_mask(const LabelVolume& mask, const MaskSize& wish, const std::s
                      SizingField& field);
 
 /// Lowers `sizes` (mm, one a point of the grid) to what the image says, trilinear among its voxels that wish
-/// something. Errors: kBadInput for values that are no sizes, and for an image that wishes nothing at any
-/// labelled voxel of the volume; one that does so at some of them is warned of.
+/// something. Warned of: an image that wishes nothing at some labelled voxels of the volume, and one that
+/// wishes less than edge_min_mm or more than edge_max_mm there. Errors: kBadInput for values that are no
+/// sizes, and for an image that wishes nothing at any labelled voxel.
 Status lower_by_image(const LabelVolume& volume, const ScalarVolume& image, const std::string& name,
-                      const SizingField& grid, std::vector<float>& sizes, RunContext& ctx);
+                      const SizingParams& params, const SizingField& grid, std::vector<float>& sizes,
+                      RunContext& ctx);
 
 }  // namespace voxtet

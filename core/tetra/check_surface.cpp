@@ -31,18 +31,6 @@ bool is_flat(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Ve
   return !((b - a).cross(c - a).norm() > kFlat * longest);
 }
 
-/// The marked triangles, no more than kMaxPlaces of them.
-ErrorPlace places_of(const SurfaceMesh& surface, const std::vector<bool>& marked) {
-  ErrorPlace where;
-  for (std::uint32_t t = 0; t < marked.size() && where.elements.size() < kMaxPlaces; ++t) {
-    if (!marked[t]) continue;
-    const auto [a, b, c] = surface.triangles[t];
-    where.elements.push_back(t);
-    where.points.push_back((surface.points[a] + surface.points[b] + surface.points[c]) / 3);
-  }
-  return where;
-}
-
 double degrees_of(double cosine) {
   return std::acos(std::clamp(cosine, -1.0, 1.0)) * kDegreesPerRadian;
 }
@@ -144,7 +132,7 @@ Status check_triangles(const SurfaceMesh& surface) {
     if (!p.allFinite()) return meshing_error("a point of the surface is not finite");
 
   std::vector<bool> used(n, false);
-  ErrorPlace flat;
+  std::vector<bool> flat(surface.triangles.size(), false);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const auto [a, b, c] = surface.triangles[t];
     if (a >= n || b >= n || c >= n)
@@ -159,14 +147,11 @@ Status check_triangles(const SurfaceMesh& surface) {
     used[a] = used[b] = used[c] = true;
     if (a != b && b != c && c != a && !is_flat(surface.points[a], surface.points[b], surface.points[c]))
       continue;
-    if (flat.elements.size() < kMaxPlaces) {
-      flat.elements.push_back(t);
-      flat.points.push_back((surface.points[a] + surface.points[b] + surface.points[c]) / 3);
-    }
+    flat[t] = true;
   }
-  if (!flat.elements.empty())
-    return meshing_error(std::to_string(flat.elements.size()) + " triangles of the surface have no area",
-                         flat);
+  if (FaultyTriangles found(surface, flat); found.count > 0)
+    return meshing_error(std::to_string(found.count) + " triangles of the surface have no area",
+                         std::move(found.where));
   const auto unused = std::find(used.begin(), used.end(), false);
   if (unused != used.end())
     return meshing_error(
@@ -204,10 +189,11 @@ Status check_intersections(const SurfaceMesh& surface) {
   if (pairs.empty()) return std::monostate{};
   std::vector<bool> meets(surface.triangles.size(), false);
   for (const auto& [a, b] : pairs) meets[a] = meets[b] = true;
-  ErrorPlace where = places_of(surface, meets);
-  std::string message = "the surface intersects itself: " + std::to_string(where.elements.size()) +
-                        " triangles do; it must be free of intersections";
-  return meshing_error(std::move(message), where);
+  FaultyTriangles found(surface, meets);
+  return meshing_error(
+      "the surface intersects itself: " + std::string(pairs.size() < kMaxPlaces ? "" : "at least ") +
+          std::to_string(found.count) + " triangles do; it must be free of intersections",
+      std::move(found.where));
 }
 
 Status check_overlaps(const SurfaceMesh& surface, const EdgeGroups& edges) {
@@ -273,7 +259,7 @@ ErrorPlace find_narrow_places(const SurfaceMesh& surface, const EdgeGroups& edge
     });
     mark(sharpest_corner, sharpest_edge);
   }
-  return places_of(surface, narrow);
+  return FaultyTriangles(surface, narrow).where;
 }
 
 }  // namespace voxtet

@@ -22,10 +22,6 @@ using tetra::TriangleIndex;
 constexpr double kFillTolerance = 1e-9;
 /// Rounding of a volume that is the sum of cones from afar, relative to the sum of their sizes.
 constexpr double kConeRounding = 1e-13;
-Eigen::Vector3d centroid(const SurfaceMesh& surface, std::uint32_t t) {
-  const auto [a, b, c] = surface.triangles[t];
-  return (surface.points[a] + surface.points[b] + surface.points[c]) / 3;
-}
 
 /// Calls visit(tet, triangle, behind) for every face of a tet that is a triangle of the surface; behind: the
 /// tet lies where sides[0] stands.
@@ -65,34 +61,28 @@ Result<std::vector<std::uint32_t>> labels_of_regions(const SurfaceMesh& surface,
   const std::uint32_t regions = *std::max_element(filled.regions.begin(), filled.regions.end()) + 1;
   std::vector<std::uint32_t> label(regions, kNone);
   std::vector<std::uint8_t> behind_count(surface.triangles.size(), 0), front_count(behind_count);
-  ErrorPlace leaks;
+  std::vector<bool> leaks(surface.triangles.size(), false);
   for_each_boundary_face(surface, filled.tets, [&](std::uint32_t tet, std::uint32_t t, bool behind) {
     const Label side = surface.sides[t][behind ? 0 : 1];
     std::uint8_t& count = behind ? behind_count[t] : front_count[t];
     if (count < 2) ++count;
     std::uint32_t& known = label[filled.regions[tet]];
     if (known == kNone) known = side;
-    if ((known != side || side == kBackground) && leaks.points.size() < kMaxPlaces) {
-      leaks.points.push_back(centroid(surface, t));
-      leaks.elements.push_back(t);
-    }
+    if (known != side || side == kBackground) leaks[t] = true;
   });
-  if (!leaks.points.empty())
-    return meshing_error("one connected part of the mesh touches two labels (" +
-                             std::to_string(leaks.points.size()) + " triangles)",
-                         leaks);
-  ErrorPlace missing;
+  if (FaultyTriangles found(surface, leaks); found.count > 0)
+    return meshing_error(
+        "one connected part of the mesh touches two labels (" + std::to_string(found.count) + " triangles)",
+        std::move(found.where));
+  std::vector<bool> missing(surface.triangles.size(), false);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const int wanted_in_front = surface.sides[t][1] == kBackground ? 0 : 1;
-    if (behind_count[t] == 1 && front_count[t] == wanted_in_front) continue;
-    if (missing.points.size() >= kMaxPlaces) break;
-    missing.points.push_back(centroid(surface, t));
-    missing.elements.push_back(t);
+    missing[t] = behind_count[t] != 1 || front_count[t] != wanted_in_front;
   }
-  if (!missing.points.empty())
-    return meshing_error(std::to_string(missing.points.size()) +
-                             " triangles of the surface are not faces of the tetrahedra beside them",
-                         missing);
+  if (FaultyTriangles found(surface, missing); found.count > 0)
+    return meshing_error(
+        std::to_string(found.count) + " triangles of the surface are not faces of the tetrahedra beside them",
+        std::move(found.where));
   return label;
 }
 
@@ -107,14 +97,13 @@ Error flat_error(const SurfaceMesh& surface, const TetMesh& mesh, const std::vec
   std::vector<bool> corner(mesh.points.size(), false);
   for (const std::uint32_t t : flat)
     for (const std::uint32_t v : mesh.tets[t]) corner[v] = true;
-  ErrorPlace where;
-  for (std::uint32_t t = 0; t < surface.triangles.size() && where.elements.size() < kMaxPlaces; ++t) {
+  std::vector<bool> beside(surface.triangles.size());
+  for (std::size_t t = 0; t < beside.size(); ++t) {
     const auto [a, b, c] = surface.triangles[t];
-    if (corner[a] + corner[b] + corner[c] < 2) continue;
-    where.elements.push_back(t);
-    where.points.push_back(centroid(surface, t));
+    beside[t] = corner[a] + corner[b] + corner[c] >= 2;
   }
-  return meshing_error(std::to_string(flat.size()) + " tetrahedra have no volume", where);
+  return meshing_error(std::to_string(flat.size()) + " tetrahedra have no volume",
+                       FaultyTriangles(surface, beside).where);
 }
 
 Result<Volumes> measure(const SurfaceMesh& surface, const TetMesh& mesh) {

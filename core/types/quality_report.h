@@ -28,10 +28,12 @@ struct MetricSummary {
   std::vector<std::uint32_t> worst;
 };
 
-/// Distances from samples on one surface to another, mm. No point between samples is farther than
-/// `max_mm + uncertainty_mm`.
+/// Distances from samples on one surface to another, mm. A distance changes by no more than the way gone:
+/// mean, rms and p95 are those of the whole surface to within `spacing_mm`, the longest edge of the samples'
+/// lattices. No point between samples is farther than `max_mm + uncertainty_mm`.
 struct DistanceSummary {
   std::uint64_t samples = 0;
+  double spacing_mm = 0;
   double mean_mm = 0, rms_mm = 0, p95_mm = 0, max_mm = 0, uncertainty_mm = 0;
 };
 

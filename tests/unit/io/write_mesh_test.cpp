@@ -155,6 +155,8 @@ TEST(GroupNames, AreDistinctAndShort) {
   EXPECT_EQ(names[1], "wall (2)");
   EXPECT_EQ(names[2], long_name.substr(0, 59));
   EXPECT_EQ(names[3], "label 4");
+  // A segment that is called as the sides without a label are.
+  EXPECT_EQ(group_names({1, 2}, {{1, "background", {}}, {2, "wall", {}}})[0], "background (1)");
 }
 
 TEST(WriteTetMesh, WritesOpenCarpInMicrometres) {

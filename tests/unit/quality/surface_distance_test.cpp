@@ -30,6 +30,8 @@ TEST(MeasureDistances, KnowsTheGapBetweenConcentricSpheres) {
     EXPECT_LE(d.max_mm, 1 + 0.05);
     EXPECT_GE(d.max_mm + d.uncertainty_mm, 1) << "a corner of the one lies above a corner of the other";
     EXPECT_GT(d.samples, 4 * M_PI * 100 / (0.2 * 0.2) / 2);
+    EXPECT_LE(d.spacing_mm, 0.2);
+    EXPECT_GT(d.spacing_mm, 0.1);
   }
 }
 
@@ -42,6 +44,22 @@ TEST(MeasureDistances, FindsTheLargestBetweenSamplesWithinTheTolerance) {
   EXPECT_NEAR(found.forth.max_mm, 10 * (1 - 0.7946544723), 0.01);
   EXPECT_LE(found.forth.uncertainty_mm, 0.01);
   EXPECT_NEAR(found.back.max_mm, 10 * (1 - 0.7946544723), 0.01);
+}
+
+TEST(MeasureDistances, SaysHowFarApartItsSamplesAreAndIsNoFartherOff) {
+  // Beyond 250,000 samples the lattice is coarser than asked for.
+  const SurfaceMesh inner = sphere({0, 0, 0}, 10, 3, 1, 0), outer = sphere({0, 0, 0}, 12, 3, 1, 0);
+  const DistanceSummary fine = distances(inner, outer, {0.01, 0.05}).forth;
+  EXPECT_LE(fine.samples, 260'000U);
+  EXPECT_GT(fine.spacing_mm, 0.05);
+  for (const double spacing : {0.5, 1.0, 99.0}) {
+    const DistanceSummary coarse = distances(inner, outer, {spacing, 0.05}).forth;
+    EXPECT_LE(coarse.spacing_mm, spacing);
+    const double room = coarse.spacing_mm + fine.spacing_mm;
+    EXPECT_NEAR(coarse.mean_mm, fine.mean_mm, room);
+    EXPECT_NEAR(coarse.rms_mm, fine.rms_mm, room);
+    EXPECT_NEAR(coarse.p95_mm, fine.p95_mm, room);
+  }
 }
 
 TEST(MeasureDistances, OfEqualSurfacesAreNoneAndSure) {

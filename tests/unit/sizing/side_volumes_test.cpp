@@ -129,6 +129,24 @@ TEST(ImageSize, WhereItHasNoSizeTheGlobalOneStandsAndIsWarnedOf) {
       << side.warnings[0];
 }
 
+TEST(ImageSize, BeyondTheBoundsIsWarnedOf) {
+  const ScalarVolume image = ramp();  // 2 to 3.9 mm in the volume
+  Side side{{}, {&image}, {}};
+  SizingParams params;
+  params.edge_mm = 3;
+  params.edge_min_mm = 2.5;
+  params.edge_max_mm = 3.5;
+  const SizingField field = build(params, side).value();
+  EXPECT_NEAR(field.at({0, 9, 9}), 2.5, 1e-5);
+  EXPECT_NEAR(field.at({19, 9, 9}), 3.5, 1e-5);
+  ASSERT_EQ(side.warnings.size(), 2U);
+  EXPECT_NE(side.warnings[0].find("sizing.images[0]: sizes go down to 2 mm, below sizing.edge_min_mm"),
+            std::string::npos)
+      << side.warnings[0];
+  EXPECT_NE(side.warnings[1].find("mm, above sizing.edge_max_mm, which holds: 3.5 mm"), std::string::npos)
+      << side.warnings[1];
+}
+
 TEST(ImageSize, RefusesSizesThatAreNone) {
   ScalarVolume image = ramp();
   Side side{{}, {&image}, {}};

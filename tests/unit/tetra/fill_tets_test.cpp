@@ -198,6 +198,25 @@ TEST(FillTets, RefusesASelfIntersectingSurfaceAndNamesTheTriangles) {
   for (const Eigen::Vector3d& p : mesh.error().where.points) EXPECT_NEAR(p.x(), 3, 2.5);
 }
 
+TEST(FillTets, CountsAllFaultyTrianglesThoughItNamesTheFirstThousand) {
+  SurfaceMesh flat;
+  flat.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  flat.triangles.assign(1500, {0, 1, 2});
+  flat.sides.assign(1500, {1, 0});
+  const auto mesh = fill(flat, uniform_sizing(1));
+  ASSERT_FALSE(mesh.ok());
+  EXPECT_EQ(mesh.error().message, "1500 triangles of the surface have no area");
+  EXPECT_EQ(mesh.error().where.elements.size(), 1000U);
+
+  // The search for triangles that meet ends after so many pairs: no count that looks like all of them.
+  SurfaceMesh spheres;
+  for (int i = 0; i < 40; ++i) append(spheres, sphere({0.1 * i, 0.07 * i, 0.03 * i}, 5, 2, 1, 0));
+  const auto crossing = fill(spheres, uniform_sizing(1));
+  ASSERT_FALSE(crossing.ok());
+  EXPECT_EQ(crossing.error().message.find("the surface intersects itself: at least "), 0U)
+      << crossing.error().message;
+}
+
 TEST(FillTets, RefusesWhatIsInsideOutAndNamesTheTriangles) {
   EXPECT_TRUE(fill(test::stacked_tetrahedra(3), uniform_sizing(3)).ok());
   const SurfaceMesh surface = test::stacked_tetrahedra(-3);

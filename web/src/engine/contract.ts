@@ -122,6 +122,7 @@ export interface TopologyComparison {
 
 export interface DistanceSummary {
   samples: number;
+  spacing_mm: number;
   mean_mm: number;
   rms_mm: number;
   p95_mm: number;

@@ -34,7 +34,15 @@ describe('percent', () => {
 });
 
 describe('distanceText', () => {
-  const found = { samples: 9, mean_mm: 0.0631, rms_mm: 0.08, p95_mm: 0.184, max_mm: 0.8541, uncertainty_mm: 0.05 };
+  const found = {
+    samples: 9,
+    spacing_mm: 0.25,
+    mean_mm: 0.0631,
+    rms_mm: 0.08,
+    p95_mm: 0.184,
+    max_mm: 0.8541,
+    uncertainty_mm: 0.05,
+  };
 
   it('gives the largest as a range where the search left one', () => {
     expect(distanceText(found)).toBe('mean 0.0631 mm, 95 % below 0.184 mm, largest 0.854 to 0.904 mm');

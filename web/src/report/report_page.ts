@@ -132,7 +132,8 @@ export function reportPage(
   ]);
   const distances = (['mesh_to_surface', 'surface_to_mesh'] as const).map((way) => {
     const one = found.fidelity[way];
-    return [way.replaceAll('_', ' '), ...[one.mean_mm, one.rms_mm, one.p95_mm, one.max_mm].map(number)];
+    const values = [one.mean_mm, one.rms_mm, one.p95_mm, one.max_mm, one.max_mm + one.uncertainty_mm, one.spacing_mm];
+    return [way.replaceAll('_', ' '), ...values.map(number)];
   });
   const stages = found.stages.map((stage) => [
     stage.name,
@@ -155,7 +156,7 @@ ${warnings && `<h2>Warnings</h2><ul>${warnings}</ul>`}
 <h2>Fidelity to the labels</h2>
 ${table(['Label', 'Tetrahedra', 'Voxels, ml', 'Mesh, ml', 'Error, %', 'Dice', 'Edge / wished, mm'], labels, 6)}
 <p></p>
-${table(['Distance, mm', 'Mean', 'RMS', '95 %', 'Largest'], distances, 4)}
+${table(['Distance, mm', 'Mean', 'RMS', '95 %', 'Largest found', 'None above', 'Sample spacing'], distances, 6)}
 <h2>Measures</h2>
 ${table(['Measure', 'Min', '1 %', 'Median', '99 %', 'Max', 'Mean'], measures, 6)}
 <h2>Stages</h2>

@@ -316,6 +316,7 @@ class Session {
   report() {
     const distance = {
       samples: 10,
+      spacing_mm: 0.5,
       mean_mm: 0.1,
       rms_mm: 0.1,
       p95_mm: 0.2,
