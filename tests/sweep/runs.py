@@ -82,9 +82,11 @@ def mesh(volume, mesh_file, edge_mm, options, arguments=()):
 
 
 def check(mesh_file, volume, options, labels=None):
-    """The independent check's findings; `failures` is its list, with a word where it did not come to an end."""
+    """The independent check's findings, of the mesh alone where `volume` is None; `failures` is its list, with a
+    word where it did not come to an end."""
+    beside = ["--volume", volume] if volume else []
     wanted = ["--labels", ",".join(map(str, labels))] if labels else []
-    done = run([sys.executable, options.check, mesh_file, "--volume", volume, *wanted], options.timeout)
+    done = run([sys.executable, options.check, mesh_file, *beside, *wanted], options.timeout)
     try:
         found = json.loads(done["out"])
     except ValueError:
