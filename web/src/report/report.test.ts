@@ -36,6 +36,12 @@ describe('the report as a page', () => {
     expect(page.match(/<svg/g)).toHaveLength(4);
   });
 
+  it('says how sure its distances are', () => {
+    const words = page.replace(/<[^>]*>/g, ' ').replace(/\s+/g, ' ');
+    expect(words).toContain('Distance, mm Mean RMS 95 % Largest found None above Sample spacing');
+    expect(words).toContain('mesh to surface 0.1 0.1 0.2 0.3 0.31 0.5');
+  });
+
   it('lets no text become markup, and needs nothing from elsewhere', () => {
     expect(page).toContain('Heart &lt;1&gt; &amp; &quot;co&quot;');
     expect(page).not.toMatch(/<script|<link|src="http/);

@@ -132,7 +132,8 @@ export function reportPage(
   ]);
   const distances = (['mesh_to_surface', 'surface_to_mesh'] as const).map((way) => {
     const one = found.fidelity[way];
-    const values = [one.mean_mm, one.rms_mm, one.p95_mm, one.max_mm, one.max_mm + one.uncertainty_mm, one.spacing_mm];
+    const largest = [one.max_mm, one.max_mm + one.uncertainty_mm];
+    const values = [one.mean_mm, one.rms_mm, one.p95_mm, ...largest, one.spacing_mm];
     return [way.replaceAll('_', ' '), ...values.map(number)];
   });
   const stages = found.stages.map((stage) => [
