@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/test_surfaces.h"
@@ -47,19 +48,21 @@ TEST(MeasureDistances, FindsTheLargestBetweenSamplesWithinTheTolerance) {
 }
 
 TEST(MeasureDistances, SaysHowFarApartItsSamplesAreAndIsNoFartherOff) {
-  // Beyond 250,000 samples the lattice is coarser than asked for.
-  const SurfaceMesh inner = sphere({0, 0, 0}, 10, 3, 1, 0), outer = sphere({0, 0, 0}, 12, 3, 1, 0);
-  const DistanceSummary fine = distances(inner, outer, {0.01, 0.05}).forth;
-  EXPECT_LE(fine.samples, 260'000U);
-  EXPECT_GT(fine.spacing_mm, 0.05);
-  for (const double spacing : {0.5, 1.0, 99.0}) {
-    const DistanceSummary coarse = distances(inner, outer, {spacing, 0.05}).forth;
-    EXPECT_LE(coarse.spacing_mm, spacing);
+  // Corners of the icosahedron lie on the sphere, all else of it does not: few samples are far off.
+  const SurfaceMesh icosahedron = sphere({0, 0, 0}, 10, 0, 1, 0), ball = sphere({0, 0, 0}, 10, 5, 1, 0);
+  const DistanceSummary fine = distances(icosahedron, ball, {0.1, 0.05}).forth;
+  EXPECT_LE(fine.spacing_mm, 0.1);
+  for (const double spacing : {1.0, 4.0, 99.0}) {
+    const DistanceSummary coarse = distances(icosahedron, ball, {spacing, 0.05}).forth;
+    EXPECT_LE(coarse.spacing_mm, std::min(spacing, 10.6)) << "an edge is 10.51 mm long";
     const double room = coarse.spacing_mm + fine.spacing_mm;
     EXPECT_NEAR(coarse.mean_mm, fine.mean_mm, room);
     EXPECT_NEAR(coarse.rms_mm, fine.rms_mm, room);
     EXPECT_NEAR(coarse.p95_mm, fine.p95_mm, room);
+    if (spacing == 99) EXPECT_GT(fine.mean_mm, 5 * fine.spacing_mm) << "what corners alone do not see";
   }
+  // Beyond 250,000 samples the lattice is coarser than asked for.
+  EXPECT_GT(distances(icosahedron, ball, {0.01, 0.05}).forth.spacing_mm, 0.05);
 }
 
 TEST(MeasureDistances, OfEqualSurfacesAreNoneAndSure) {
