@@ -12,6 +12,7 @@
 #include "io/read_volume.h"
 #include "io/write_mesh.h"
 #include "lookup/look_up_labels.h"
+#include "pipeline/engine_version.h"
 #include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"

@@ -15,6 +15,7 @@
 #include "io/write_volume.h"
 #include "io/write_vti.h"
 #include "lookup/look_up_labels.h"
+#include "pipeline/engine_version.h"
 #include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
@@ -242,9 +243,10 @@ int run_verify(const CaseOptions& options, const Output& output) {
   if (Status done = session.run(Stage::kOptimise, ctx); !done) return fail_run(done.error(), output);
   const std::string digest = digest_of(*session.mesh());
   const bool same = digest == expected->digest;
-  const std::string other =
-      expected->engine.empty() || expected->engine == engine_version() ? "" : "made with another engine, ";
-  const std::string verdict = same ? "reproduced" : other + "differs";
+  const bool same_engine = expected->engine.empty() || expected->engine == engine_version();
+  const std::string verdict = same          ? "reproduced"
+                              : same_engine ? "differs"
+                                            : "made with another engine";
   if (output.as_json)
     print_json({{"verdict", verdict},
                 {"digest", digest},
@@ -254,7 +256,9 @@ int run_verify(const CaseOptions& options, const Output& output) {
                 {"engine", engine_version()},
                 {"expected_engine", expected->engine}});
   else
-    std::printf("%s\n  digest %s, expected %s\n  tets %zu, expected %u\n", verdict.c_str(), digest.c_str(),
+    std::printf("%s\n  engine %s, expected %s\n  digest %s, expected %s\n  tets %zu, expected %u\n",
+                verdict.c_str(), engine_version().c_str(),
+                expected->engine.empty() ? "any" : expected->engine.c_str(), digest.c_str(),
                 expected->digest.c_str(), session.mesh()->tets.size(), expected->tets);
   return same ? kExitOk : kExitDiffers;
 }

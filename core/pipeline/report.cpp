@@ -7,6 +7,7 @@
 
 #include "geometry/compare_topology.h"
 #include "geometry/digest.h"
+#include "pipeline/engine_version.h"
 #include "volume/select_labels.h"
 
 namespace voxtet {

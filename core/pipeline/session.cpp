@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "geometry/digest.h"
+#include "pipeline/engine_version.h"
 #include "pipeline/memory.h"
 
 namespace voxtet {
@@ -33,10 +34,6 @@ void collect(Stage stage, std::vector<Stage>& order) {
 }
 
 }  // namespace
-
-std::string engine_version() {
-  return VOXTET_VERSION;
-}
 
 Result<Stage> stage_of(std::string_view name) {
   std::string names;
@@ -144,10 +141,8 @@ Status Session::run(Stage last, RunContext& ctx) {
     if (!is_current(static_cast<Stage>(i))) forget(static_cast<Stage>(i));
   for (const Stage stage : order) {
     StageRecord& record = records_[static_cast<std::size_t>(stage)];
-    record.cached = !record.key.empty();
-    if (record.cached) continue;
-    if (ctx.cancelled()) return cancelled_error("session");
     const std::string name(kStageNames[static_cast<std::size_t>(stage)]);
+    record.cached = !record.key.empty();
     std::vector<std::string> warnings, notes;
     RunContext watched = ctx;
     watched.on_warning = [&](const std::string& from, const std::string& message) {
@@ -158,10 +153,13 @@ Status Session::run(Stage last, RunContext& ctx) {
       notes.push_back(message);
       ctx.note(from, message);
     };
-    watched.progress(name, 0);
-    reset_peak_memory();
     const auto start = std::chrono::steady_clock::now();
     try {
+      if (Status admitted = admit(stage, watched); !admitted) return admitted;
+      if (record.cached) continue;
+      if (ctx.cancelled()) return cancelled_error("session");
+      watched.progress(name, 0);
+      reset_peak_memory();
       if (Status done = run_stage(stage, watched); !done) {
         forget(stage);
         return done;

@@ -26,9 +26,6 @@
 
 namespace voxtet {
 
-/// Version of the engine, as it stands in reports and links.
-std::string engine_version();
-
 enum class Stage { kVolume, kSurface, kSmooth, kSizing, kRemesh, kTetra, kOptimise, kLookup, kQuality };
 inline constexpr int kStageCount = 9;
 inline constexpr std::array<std::string_view, kStageCount> kStageNames{
@@ -109,6 +106,9 @@ class Session {
  private:
   std::string key_of(Stage stage) const;
   std::string key_of_walls() const;
+  /// What must hold before a stage is run or its earlier result is given: what it makes would be in vain for
+  /// these fields of the recipe, which are in no result's key. Asked once for each key of the answer.
+  Status admit(Stage stage, RunContext& ctx);
   Status run_stage(Stage stage, RunContext& ctx);
   /// Numbers of the walls whose layers are to be exact.
   std::vector<std::size_t> exact_walls() const;
@@ -147,6 +147,7 @@ class Session {
   std::optional<LabelLookUp> lookup_;
   std::optional<QualityReport> quality_;
   std::array<StageRecord, kStageCount> records_;
+  std::array<std::string, kStageCount> admitted_;  ///< by stage: the key that admit() has let pass
 };
 
 }  // namespace voxtet

@@ -79,8 +79,6 @@ Status Session::run_volume(RunContext& ctx) {
 }
 
 Status Session::run_surface(RunContext& ctx) {
-  // Before a mesh is made for it.
-  if (Status can_look_up = check_look_up(*source_, recipe_.lookup); !can_look_up) return can_look_up;
   if (recipe_.surface.method == ExtractMethod::kMarchingCubes)
     if (const std::size_t labels = count_labels(*volume()).size(); labels > 1)
       return usage_error("surface",
@@ -135,7 +133,6 @@ std::vector<LayeredWall> Session::layered(const std::vector<std::size_t>& walls)
 }
 
 Status Session::run_remesh(RunContext& ctx) {
-  if (Status within = check_limits(*this, ctx); !within) return within;
   const std::vector<std::size_t> exact = exact_walls();
   layers_ = WallLayers(*volume(), layered(exact));
   if (layers_.lacks_labels())
@@ -215,6 +212,20 @@ Status Session::run_quality(RunContext& ctx) {
   if (measured)
     for (std::size_t w = 0; w < wished.size(); ++w) warn_about_layers(wished[w], quality_->layers[w], ctx);
   return measured;
+}
+
+Status Session::admit(Stage stage, RunContext& ctx) {
+  if (stage != Stage::kSurface && stage != Stage::kRemesh) return std::monostate{};
+  const nlohmann::json recipe = recipe_to_json(recipe_);
+  const std::string key = stage == Stage::kSurface
+                              ? key_of(Stage::kVolume) + recipe["lookup"].dump()
+                              : key_of(Stage::kSizing) + recipe["remesh"].dump() + recipe["limits"].dump();
+  std::string& admitted = admitted_[static_cast<std::size_t>(stage)];
+  if (admitted == key) return std::monostate{};
+  Status passes =
+      stage == Stage::kSurface ? check_look_up(*source_, recipe_.lookup) : check_limits(*this, ctx);
+  if (passes) admitted = key;
+  return passes;
 }
 
 Status Session::run_stage(Stage stage, RunContext& ctx) {

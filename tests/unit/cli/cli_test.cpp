@@ -16,6 +16,7 @@
 #include "geometry/adjacency.h"
 #include "io/files.h"
 #include "io/read_mesh.h"
+#include "pipeline/engine_version.h"
 #include "recipe/link.h"
 #include "support/check_tets.h"
 
@@ -164,6 +165,26 @@ TEST_F(CliTest, VerifiesThePromisedDigest) {
     EXPECT_EQ(run({"verify", at("other.json")}), kExitBadInput) << poor;
   }
   EXPECT_EQ(run({"verify", link_fragment(*parse_recipe(promise))}), kExitOk);
+}
+
+TEST_F(CliTest, TellsACaseOfAnotherEngineFromOneThatDiffers) {
+  json promise = json::parse(kSphere);
+  const auto verdict = [&](const std::string& engine, const std::string& digest) {
+    promise["expected"] = {{"engine", engine}, {"digest", digest}, {"tets", 1}};
+    write("case.json", promise.dump());
+    testing::internal::CaptureStdout();
+    const int code = run({"verify", at("case.json"), "--json"});
+    const json told = json::parse(testing::internal::GetCapturedStdout());
+    EXPECT_EQ(code, told["verdict"] == "reproduced" ? kExitOk : kExitDiffers);
+    EXPECT_EQ(told["engine"], engine_version());
+    EXPECT_EQ(told["expected_engine"], engine);
+    return told;
+  };
+  const std::string other(64, 'a');
+  EXPECT_EQ(verdict("0.1.0", other)["verdict"], "made with another engine");
+  EXPECT_EQ(verdict(engine_version(), other)["verdict"], "differs");
+  const std::string found = verdict("", other)["digest"];
+  EXPECT_EQ(verdict("0.1.0", found)["verdict"], "reproduced") << "the same bytes, whoever made them";
 }
 
 TEST_F(CliTest, StopsAtTheTimeLimitWith6) {

@@ -183,13 +183,16 @@ TEST(Limits, RefuseBeforeMeshingAndNameTheEdgeLengthThatFits) {
   recipe.limits.memory_mb = 1;
   recipe.limits.seconds = 1e-3;
   ASSERT_TRUE(session.set_recipe(recipe).ok());
-  EXPECT_TRUE(session.run(Stage::kRemesh, ctx).ok()) << "what is there needs no forecast";
-  recipe.sizing.edge_mm += 0.1;
-  ASSERT_TRUE(session.set_recipe(recipe).ok());
-  const Status both = session.run(Stage::kRemesh, ctx);
-  ASSERT_FALSE(both.ok());
+  const Status both = session.run(Stage::kOptimise, ctx);
+  ASSERT_FALSE(both.ok()) << "a surface made within looser limits is not handed out past tighter ones";
+  EXPECT_EQ(both.error().code, ErrorCode::kOutOfMemory);
+  EXPECT_NE(session.remeshed(), nullptr) << "what is made stays";
   EXPECT_NE(both.error().message.find("limits.memory_mb"), std::string::npos) << both.error().message;
   EXPECT_NE(both.error().message.find("limits.seconds"), std::string::npos);
+  recipe.limits = {};
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  ASSERT_TRUE(session.run(Stage::kRemesh, ctx).ok());
+  EXPECT_TRUE(session.record(Stage::kRemesh).cached);
 }
 
 TEST(Limits, RefuseWhatCannotBeAddressed) {

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "geometry/digest.h"
 #include "io/write_volume.h"
+#include "pipeline/engine_version.h"
 #include "pipeline/report.h"
 #include "support/check_tets.h"
 
@@ -19,6 +22,11 @@ Recipe small_case() {
   phantom.rotation_deg = {20, 30, 40};
   recipe.sizing.edge_mm = 3;
   return recipe;
+}
+
+TEST(EngineVersion, IsTheReleaseAndADigestOfTheSources) {
+  EXPECT_TRUE(std::regex_match(engine_version(), std::regex("[0-9]+\\.[0-9]+\\.[0-9]+\\+[0-9a-f]{12}")))
+      << engine_version();
 }
 
 TEST(Session, TakesAVolumeToAMeasuredMesh) {
@@ -154,10 +162,10 @@ TEST(Session, RefusesToLookUpALabelThatTheImageDoesNotHold) {
   Session session;
   Recipe recipe = small_case();
   RunContext ctx;
-  const auto expect_refused = [&] {
+  const auto expect_refused = [&](Stage last = Stage::kQuality) {
     recipe.lookup.labels = {77};
     session.set_recipe(recipe);
-    const Status done = session.run(Stage::kQuality, ctx);
+    const Status done = session.run(last, ctx);
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().code, ErrorCode::kUsage);
     EXPECT_EQ(done.error().stage, "lookup");
@@ -169,6 +177,8 @@ TEST(Session, RefusesToLookUpALabelThatTheImageDoesNotHold) {
   ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
   expect_refused();
   EXPECT_NE(session.mesh(), nullptr) << "what is made stays";
+  expect_refused(Stage::kOptimise);
+  expect_refused(Stage::kSurface);
 }
 
 TEST(Session, TreatsAFileLikeThePhantomItWasWrittenFrom) {
