@@ -1,0 +1,52 @@
+// A named array of values on a mesh or an image: the one shape of every result that has a value for each
+// element.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace voxtet {
+
+/// What the values of a field belong to, one group of components for each.
+enum class On { kVoxels, kTriangles, kPoints, kTets, kFaces };
+
+/// How the values of a field are read, and so how a viewer colours them.
+enum class Scale {
+  kSequential,  ///< from little to much
+  kDiverging,   ///< as much below 0 as above it
+  kWhole,       ///< few whole numbers, in order
+  kLabel,       ///< labels of the image
+};
+
+/// `values` holds `components` numbers for each element, those of one element together. Not a number: the
+/// element has no value. Labels are exact as float.
+struct Field {
+  std::string name;  ///< a word of letters, digits and underscores, as it stands in files: "min_dihedral_deg"
+  std::string title;  ///< for people: "Smallest dihedral angle"
+  std::string unit;   ///< "mm", "deg", "ms", "log2"; "1" for a ratio or a count
+  On on = On::kTets;
+  Scale scale = Scale::kSequential;
+  int components = 1;
+  std::vector<float> values;
+};
+
+/// One frame of a result that lives in time.
+struct Snapshot {
+  double time_ms = 0;
+  std::vector<Field> fields;
+};
+
+inline bool is_field_name(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+inline bool all_finite(const std::vector<float>& values) {
+  return std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
+}
+
+}  // namespace voxtet
