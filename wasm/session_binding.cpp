@@ -3,22 +3,21 @@
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
+#include <deque>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 
 #include "geometry/parallel.h"
 #include "io/read_volume.h"
 #include "io/write_mesh.h"
-#include "lookup/look_up_labels.h"
-#include "pipeline/engine_version.h"
-#include "pipeline/field_volume.h"
+#include "pipeline/exported_fields.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
-#include "quality/measure_quality.h"
-#include "quality/surface_distance.h"
+#include "pipeline/stage_arrays.h"
 
 namespace voxtet {
 namespace {
@@ -37,16 +36,11 @@ Bytes to_bytes(const val& typed_array) {
   return emscripten::convertJSArrayToNumberVector<std::uint8_t>(typed_array);
 }
 
-template <class T>
-val view_of(const T* data, std::size_t count) {
-  return val(emscripten::typed_memory_view(count, data));
-}
-
 Result<MeshFormat> format_of(const std::string& name) {
   return mesh_format_of(name == "medit" ? "x.mesh" : "x." + name);
 }
 
-std::vector<float> to_float(const std::vector<Eigen::Vector3d>& points) {
+std::vector<float> to_float(std::span<const Eigen::Vector3d> points) {
   std::vector<float> out(3 * points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t d = 0; d < 3; ++d)
@@ -84,9 +78,7 @@ class HeldFile {
 
 class SessionBinding {
  public:
-  std::string schema() const {
-    return json{{"version", engine_version()}, {"fields", recipe_schema()}}.dump();
-  }
+  std::string schema() const { return schema_json().dump(); }
   std::string defaults() const { return recipe_to_json(Recipe{}).dump(); }
   std::string report() const { return report_json(session_).dump(); }
 
@@ -112,16 +104,65 @@ class SessionBinding {
     return reply({{"recipe", recipe_to_json(*recipe)}, {"minimal", recipe_to_json(*recipe, true)}});
   }
 
-  std::string run(const std::string& stage_name, const val& on_progress) {
-    Result<Stage> last = stage_of(stage_name);
+  /// Plans a run up to a stage; advance() works on it, end() gives it up and keeps what is complete.
+  std::string begin(const std::string& stage_name) {
+    const Result<Stage> last = stage_of(stage_name);
     if (!last) return reply(last.error());
+    session_.begin(*last);
+    last_ = *last;
+    return reply(nullptr);
+  }
+
+  /// Works for some `budget_ms`; a stage that cannot be cut is done whole. {done, stage, fraction}, and when
+  /// done the summary of the stage that was begun.
+  std::string advance(double budget_ms, const val& on_progress) {
     RunContext ctx = context();
     if (!on_progress.isUndefined() && !on_progress.isNull())
       ctx.on_progress = [&](const std::string& stage, double fraction) { on_progress(stage, fraction); };
-    if (Status done = session_.run(*last, ctx); !done) return reply(done.error());
-    json stage = stage_json(session_, *last);
-    stage["key"] = session_.record(*last).key;
-    return reply(stage);
+    ctx.on_snapshot = [this](const Snapshot& frame) { snapshots_.push_back(frame); };
+    const Result<RunProgress> progress = session_.advance(budget_ms, ctx);
+    if (!progress) return reply(progress.error());
+    json out{{"done", progress->done}, {"stage", name_of(progress->stage)}, {"fraction", progress->fraction}};
+    if (progress->done) {
+      out["summary"] = stage_json(session_, last_);
+      out["summary"]["key"] = session_.record(last_).key;
+    }
+    return reply(out);
+  }
+
+  void end() { session_.end(); }
+
+  /// The arrays of a stage's result.
+  std::string describe(const std::string& stage_name) const {
+    const Result<Stage> stage = stage_of(stage_name);
+    if (!stage) return reply(stage.error());
+    json list = json::array();
+    for (const StageArray& array : arrays_of(*stage)) list.push_back(array_json(array));
+    return reply(list);
+  }
+
+  /// A view of one of them; undefined where there is none of the name.
+  val array(const std::string& stage_name, const std::string& name) {
+    const Result<Stage> stage = stage_of(stage_name);
+    if (stage)
+      for (const StageArray& array : arrays_of(*stage))
+        if (array.name == name)
+          return std::visit([this](const auto& values) { return view_of(values); }, array.values);
+    return val::undefined();
+  }
+
+  /// {time_ms, fields} of the earliest frame that has not been taken, whose values snapshot_array() gives
+  /// until the next is taken; null where there is none.
+  std::string take_snapshot() {
+    if (snapshots_.empty()) return reply(nullptr);
+    snapshot_ = std::move(snapshots_.front());
+    snapshots_.pop_front();
+    return reply(snapshot_json(snapshot_));
+  }
+
+  val snapshot_array(const std::string& name) const {
+    const Field* field = find_field(snapshot_.fields, name);
+    return field ? view_of(std::span<const float>(field->values)) : val::undefined();
   }
 
   /// What meshing will take; with `elements` > 0 also the edge lengths that give so many tetrahedra, as
@@ -134,48 +175,18 @@ class SessionBinding {
     return found ? reply(*found) : reply(found.error());
   }
 
-  val view(const std::string& stage, const std::string& array) {
-    Result<Stage> which = stage_of(stage);
-    if (!which) return val::undefined();
-    switch (*which) {
-      case Stage::kVolume:
-        if (const LabelVolume* v = session_.source_volume(); v && array == "labels")
-          return view_of(v->labels.data(), v->labels.size());
-        break;
-      case Stage::kSurface: return surface_view(session_.surface(), array);
-      case Stage::kSmooth: return surface_view(session_.smooth(), array);
-      case Stage::kRemesh: return surface_view(session_.remeshed(), array);
-      case Stage::kSizing:
-        if (const SizingField* s = session_.sizing(); s && array == "h_mm")
-          return view_of(s->h_mm.data(), s->h_mm.size());
-        if (array == "thickness_mm" && !session_.walls().empty())
-          if (Result<ScalarVolume> field = field_volume(session_, "thickness"); field)
-            return keep_view(floats_, std::move(field->values));
-        break;
-      case Stage::kTetra: break;
-      case Stage::kOptimise: return mesh_view(array);
-      case Stage::kLookup:
-        if (session_.lookup())
-          for (CellData& data : cell_data_of(*session_.lookup()))
-            if (data.name == array) return keep_view(floats_, std::move(data.values));
-        break;
-      case Stage::kQuality: return quality_view(array);
-    }
-    return val::undefined();
-  }
-
   /// `name`: of the files without their endings.
-  std::string export_mesh(const std::string& format, const std::string& space, const std::string& name) {
+  std::string export_mesh(const std::string& format, const std::string& space, const std::string& name,
+                          bool measures) {
     exported_.clear();
     if (!session_.mesh())
       return reply(Error{ErrorCode::kUsage, "export", "no mesh yet: run the stage optimise", {}});
     Result<MeshFormat> which = format_of(format);
     if (!which) return reply(which.error());
     const PatientSpace patient = space == "lps" ? PatientSpace::kLps : PatientSpace::kRas;
-    Result<std::vector<OutputFile>> files = write_tet_mesh(
-        *session_.mesh(), *which,
-        {patient, session_.volume()->infos,
-         session_.lookup() ? cell_data_of(*session_.lookup()) : std::vector<CellData>{}, name});
+    Result<std::vector<OutputFile>> files =
+        write_tet_mesh(*session_.mesh(), *which,
+                       {patient, session_.volume()->infos, exported_fields(session_, measures), name});
     if (!files) return reply(files.error());
     exported_ = std::move(files).value();
     json list = json::array();
@@ -186,7 +197,7 @@ class SessionBinding {
 
   val export_bytes(int index) {
     const OutputFile& file = exported_.at(static_cast<std::size_t>(index));
-    return view_of(file.bytes.data(), file.bytes.size());
+    return view_of(std::span<const std::uint8_t>(file.bytes));
   }
 
  private:
@@ -198,7 +209,7 @@ class SessionBinding {
 
   std::string load_mask(const VolumeFile& file) {
     if (Status loaded = session_.load_mask(file); !loaded) return reply(loaded.error());
-    const auto& [mask, digest] = session_.masks().at(file.name);
+    const auto& [mask, digest] = session_.files().masks.at(file.name);
     std::vector<bool> found(std::numeric_limits<Label>::max() + std::size_t{1});
     for (const Label label : mask.labels) found[label] = true;
     json labels = json::array();
@@ -209,75 +220,31 @@ class SessionBinding {
 
   std::string load_size_image(const VolumeFile& file) {
     if (Status loaded = session_.load_size_image(file); !loaded) return reply(loaded.error());
-    const std::string& digest = session_.size_images().at(file.name).digest;
+    const std::string& digest = session_.files().images.at(file.name).digest;
     return reply({{"name", file.name}, {"digest", digest}, {"labels", json::array()}});
   }
 
-  /// Keeps what was made for a view alive until the next one is asked for.
+  StageArrays arrays_of(Stage stage) const {
+    StageArrays arrays;
+    const StageResult* result = session_.current(stage);
+    if (result && spec_of(stage).arrays) spec_of(stage).arrays(result->value, arrays);
+    return arrays;
+  }
+
+  /// Points in single precision live until the next are asked for.
+  val view_of(std::span<const Eigen::Vector3d> points) {
+    floats_ = to_float(points);
+    return view_of(std::span<const float>(floats_));
+  }
   template <class T>
-  val keep_view(std::vector<T>& slot, std::vector<T>&& values) {
-    slot = std::move(values);
-    return view_of(slot.data(), slot.size());
-  }
-
-  val surface_view(const SurfaceMesh* surface, const std::string& array) {
-    if (!surface) return val::undefined();
-    if (array == "points") return keep_view(floats_, to_float(surface->points));
-    if (array == "triangles")
-      return view_of(reinterpret_cast<const std::uint32_t*>(surface->triangles.data()),
-                     3 * surface->triangles.size());
-    if (array == "sides")
-      return view_of(reinterpret_cast<const std::uint16_t*>(surface->sides.data()),
-                     2 * surface->sides.size());
-    return val::undefined();
-  }
-
-  val mesh_view(const std::string& array) {
-    const TetMesh* mesh = session_.mesh();
-    if (!mesh) return val::undefined();
-    if (array == "points") return keep_view(floats_, to_float(mesh->points));
-    if (array == "tets")
-      return view_of(reinterpret_cast<const std::uint32_t*>(mesh->tets.data()), 4 * mesh->tets.size());
-    if (array == "labels") return view_of(mesh->labels.data(), mesh->labels.size());
-    if (array == "faces")
-      return view_of(reinterpret_cast<const std::uint32_t*>(mesh->faces.data()), 3 * mesh->faces.size());
-    if (array == "face_sides")
-      return view_of(reinterpret_cast<const std::uint16_t*>(mesh->face_sides.data()),
-                     2 * mesh->face_sides.size());
-    return val::undefined();
-  }
-
-  val quality_view(const std::string& array) {
-    if (!session_.mesh()) return val::undefined();
-    if (array == "distance_mm") return keep_view(floats_, distances_to_labels());
-    if (array == "layer" || array == "layers_across") return layer_view(array == "layer");
-    TetMeasures m = measure_tets(*session_.mesh(), session_.sizing());
-    if (array == "min_dihedral_deg") return keep_view(floats_, std::move(m.min_dihedral_deg));
-    if (array == "max_dihedral_deg") return keep_view(floats_, std::move(m.max_dihedral_deg));
-    if (array == "radius_ratio") return keep_view(floats_, std::move(m.radius_ratio));
-    if (array == "mean_ratio") return keep_view(floats_, std::move(m.mean_ratio));
-    if (array == "aspect_ratio") return keep_view(floats_, std::move(m.aspect_ratio));
-    if (array == "edge_mm") return keep_view(floats_, std::move(m.edge_mm));
-    if (array == "size_log2") return keep_view(floats_, std::move(m.size_log2));
-    return val::undefined();
-  }
-
-  val layer_view(bool own) const {
-    const QualityReport* quality = session_.quality();
-    if (!quality || quality->layers.empty()) return val::undefined();
-    const std::vector<float>& layers = own ? quality->layer_map.layer : quality->layer_map.layers_across;
-    return view_of(layers.data(), layers.size());
-  }
-
-  /// Of the mesh's points, mm; -1 inside.
-  std::vector<float> distances_to_labels() const {
-    const TetMesh& mesh = *session_.mesh();
-    const SurfaceMesh& surface = *session_.smooth();
-    return distances_of_points({mesh.points, mesh.faces, mesh.face_sides},
-                               {surface.points, surface.triangles, surface.sides});
+  static val view_of(std::span<const T> values) {
+    return val(emscripten::typed_memory_view(values.size(), values.data()));
   }
 
   Session session_;
+  Stage last_ = Stage::kVolume;     ///< that begin() named
+  std::deque<Snapshot> snapshots_;  ///< that were not taken
+  Snapshot snapshot_;
   std::vector<OutputFile> exported_;
   std::vector<float> floats_;
 };
@@ -294,9 +261,14 @@ EMSCRIPTEN_BINDINGS(voxtet) {
       .function("loadVolume", &SessionBinding::load_volume)
       .function("loadSideVolume", &SessionBinding::load_side_volume)
       .function("setRecipe", &SessionBinding::set_recipe)
-      .function("run", &SessionBinding::run)
+      .function("begin", &SessionBinding::begin)
+      .function("advance", &SessionBinding::advance)
+      .function("end", &SessionBinding::end)
+      .function("describe", &SessionBinding::describe)
+      .function("array", &SessionBinding::array)
+      .function("takeSnapshot", &SessionBinding::take_snapshot)
+      .function("snapshotArray", &SessionBinding::snapshot_array)
       .function("forecast", &SessionBinding::forecast)
-      .function("view", &SessionBinding::view)
       .function("exportMesh", &SessionBinding::export_mesh)
       .function("exportBytes", &SessionBinding::export_bytes)
       .function("report", &SessionBinding::report);

@@ -16,6 +16,7 @@
 #include "io/write_vti.h"
 #include "lookup/look_up_labels.h"
 #include "pipeline/engine_version.h"
+#include "pipeline/exported_fields.h"
 #include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
@@ -55,7 +56,7 @@ bool is_nifti_name(const std::string& path) {
   return path.ends_with(".nii") || path.ends_with(".nii.gz");
 }
 
-int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::vector<CellData> cell_data,
+int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::vector<Field> cell_data,
                 const std::string& path, const Output& output) {
   Result<MeshFormat> format = mesh_format_of(path);
   if (!format) return fail(format.error());
@@ -67,7 +68,7 @@ int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::v
 }
 
 int run_mesh(const CaseOptions& options, const std::string& out, const std::string& report_path,
-             const Output& output) {
+             bool measures, const Output& output) {
   if (!out.empty())
     if (Result<MeshFormat> format = mesh_format_of(out); !format) return fail(format.error());
   if (Status there = check_outputs({{"-o", out}, {"--report", report_path}}, inputs_of(options)); !there)
@@ -86,7 +87,7 @@ int run_mesh(const CaseOptions& options, const std::string& out, const std::stri
   }
   if (!out.empty())
     if (const int code = export_mesh(*session.mesh(), session.volume()->infos,
-                                     cell_data_of(*session.lookup()), out, output);
+                                     exported_fields(session, measures), out, output);
         code != kExitOk)
       return code;
   const json report = report_json(session);
@@ -244,9 +245,7 @@ int run_verify(const CaseOptions& options, const Output& output) {
   const std::string digest = digest_of(*session.mesh());
   const bool same = digest == expected->digest;
   const bool same_engine = expected->engine.empty() || expected->engine == engine_version();
-  const std::string verdict = same          ? "reproduced"
-                              : same_engine ? "differs"
-                                            : "made with another engine";
+  const std::string verdict = same ? "reproduced" : same_engine ? "differs" : "made with another engine";
   if (output.as_json)
     print_json({{"verdict", verdict},
                 {"digest", digest},
@@ -312,9 +311,11 @@ int run_cli(int argc, const char* const* argv) {
   mesh->add_option("-o,--output", out, "mesh file: .vtu .msh .mesh .carp .inp .feb .xdmf .stl .ply")
       ->check(not_empty);
   mesh->add_option("--report", report, "write the report as JSON to this file")->check(not_empty);
+  bool measures = false;
+  mesh->add_flag("--measures", measures, "write the measures of tetrahedra into the mesh file too");
   mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")
       ->check(CLI::IsMember({"ras", "lps"}));
-  mesh->callback([&] { code = run_mesh(options, out, report, output); });
+  mesh->callback([&] { code = run_mesh(options, out, report, measures, output); });
 
   CLI::App* field =
       app.add_subcommand("field", "write edge length, wall thickness or wall potential as an image");
@@ -361,7 +362,7 @@ int run_cli(int argc, const char* const* argv) {
   url->callback([&] { code = run_url(in, base); });
 
   CLI::App* schema = app.add_subcommand("schema", "the fields of a case, as JSON");
-  schema->callback([&] { print_json({{"version", engine_version()}, {"fields", recipe_schema()}}); });
+  schema->callback([&] { print_json(schema_json()); });
 
   try {
     app.parse(argc, argv);

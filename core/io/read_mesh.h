@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/read_volume.h"
-#include "types/cell_data.h"
+#include "types/field.h"
 #include "types/result.h"
 #include "types/tet_mesh.h"
 
@@ -13,7 +13,7 @@ namespace voxtet {
 
 /// What a file says of its tetrahedra beside their labels.
 struct MeshArrays {
-  std::vector<CellData> cell_data;  ///< as many values as the mesh has tetrahedra
+  std::vector<Field> cell_data;  ///< as many values as the mesh has tetrahedra
   std::vector<std::string>
       left_out;  ///< names of arrays that are not a finite number each, or not in every piece
 };

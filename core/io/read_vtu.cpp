@@ -27,11 +27,11 @@ class PieceReader {
     return std::monostate{};
   }
 
-  /// The cell arrays that every piece has; the names of those that are no CellData.
+  /// The cell arrays that every piece has; the names of those that are no field.
   MeshArrays arrays() {
     MeshArrays out;
-    for (CellData& data : cell_data_)
-      if (data.values.size() == mesh.tets.size() && is_cell_data_name(data.name) && all_finite(data.values))
+    for (Field& data : cell_data_)
+      if (data.values.size() == mesh.tets.size() && is_field_name(data.name) && all_finite(data.values))
         out.cell_data.push_back(std::move(data));
       else
         out.left_out.push_back(data.name);
@@ -130,7 +130,7 @@ class PieceReader {
     for (const VtuArray& array : piece.arrays) {
       if (array.section != "CellData" || array.name == "label") continue;
       auto data = std::find_if(cell_data_.begin(), cell_data_.end(),
-                               [&](const CellData& known) { return known.name == array.name; });
+                               [&](const Field& known) { return known.name == array.name; });
       if (data == cell_data_.end()) data = cell_data_.insert(data, {std::string(array.name), {}});
       std::vector<float>& values = data->values;
       if (values.size() != first_tet || !(array.components.empty() || array.components == "1")) continue;
@@ -141,7 +141,7 @@ class PieceReader {
   }
 
   VtuArrays arrays_;
-  std::vector<CellData> cell_data_;
+  std::vector<Field> cell_data_;
   std::vector<std::size_t> tet_cells_;  ///< those of the last piece
   std::uint64_t cell_count_ = 0;        ///< of the last piece
 };

@@ -70,7 +70,7 @@ void write_surfaces(ByteWriter& out, const TetMesh& mesh, const std::vector<Face
   }
 }
 
-Bytes write_distribution(const CellData& data) {
+Bytes write_distribution(const Field& data) {
   ByteWriter out(24 * data.values.size() + 128);
   out.text("** " + data.name + ": data lines of *DISTRIBUTION, LOCATION=ELEMENT\n, 0\n");
   for (std::size_t t = 0; t < data.values.size(); ++t) {
@@ -93,7 +93,7 @@ Result<std::vector<OutputFile>> write_abaqus(const TetMesh& mesh, const WriteMes
   write_elements(out, mesh, options.infos);
   write_surfaces(out, mesh, *owners, options.infos);
   std::vector<OutputFile> files{{".inp", out.take()}};
-  for (const CellData& data : options.cell_data)
+  for (const Field& data : options.cell_data)
     files.push_back({"." + data.name + ".inp", write_distribution(data)});
   return files;
 }

@@ -58,7 +58,7 @@ std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& 
   std::vector<OutputFile> files{{".pts", write_points(mesh, options.space)},
                                 {".elem", write_elements(mesh)},
                                 {".lon", write_fibres(mesh)}};
-  for (const CellData& data : options.cell_data)
+  for (const Field& data : options.cell_data)
     files.push_back({"." + data.name + ".dat", write_values(data.values)});
   return files;
 }

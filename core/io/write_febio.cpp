@@ -78,7 +78,7 @@ void write_surfaces(ByteWriter& out, const TetMesh& mesh, const std::vector<Labe
   }
 }
 
-void write_cell_data(ByteWriter& out, const std::vector<Part>& parts, const CellData& data) {
+void write_cell_data(ByteWriter& out, const std::vector<Part>& parts, const Field& data) {
   for (const Part& part : parts) {
     out.text("<ElementData name=\"" + data.name + "\" elem_set=\"" + part.name + "\">\n");
     for (std::size_t i = 0; i < part.tets.size(); ++i) {
@@ -113,7 +113,7 @@ Bytes write_febio(const TetMesh& mesh, const WriteMeshOptions& options) {
   out.text("</MeshDomains>\n");
   if (!options.cell_data.empty()) {
     out.text("<MeshData>\n");
-    for (const CellData& data : options.cell_data) write_cell_data(out, parts, data);
+    for (const Field& data : options.cell_data) write_cell_data(out, parts, data);
     out.text("</MeshData>\n");
   }
   out.text("</febio_spec>\n");

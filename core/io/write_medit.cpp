@@ -29,11 +29,11 @@ void write_legend(ByteWriter& out, const TetMesh& mesh, const FaceGroups& faces,
     out.text("# triangles " + std::to_string(i + 1) + " " + pair_name(faces.pairs[i], labels, names) + "\n");
 }
 
-Bytes write_solution(const std::vector<CellData>& cell_data) {
+Bytes write_solution(const std::vector<Field>& cell_data) {
   const std::size_t tets = cell_data.front().values.size();
   ByteWriter out(20 * tets * cell_data.size() + 4096);
   out.text("MeshVersionFormatted 2\nDimension\n3\n# fields");
-  for (const CellData& data : cell_data) out.text(" " + data.name);
+  for (const Field& data : cell_data) out.text(" " + data.name);
   out.text("\nSolAtTetrahedra\n" + std::to_string(tets) + "\n" + std::to_string(cell_data.size()));
   for (std::size_t i = 0; i < cell_data.size(); ++i) out.text(" 1");
   out.text("\n");

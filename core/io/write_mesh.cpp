@@ -104,9 +104,9 @@ std::optional<Error> check_mesh(const TetMesh& mesh) {
   return check_elements(mesh.points, mesh.faces, mesh.face_sides.size(), "faces");
 }
 
-std::optional<Error> check_cell_data(const std::vector<CellData>& cell_data, std::size_t tets) {
-  for (const CellData& data : cell_data) {
-    if (!is_cell_data_name(data.name))
+std::optional<Error> check_cell_data(const std::vector<Field>& cell_data, std::size_t tets) {
+  for (const Field& data : cell_data) {
+    if (!is_field_name(data.name))
       return broken("cell data \"" + data.name + "\": expected a name of letters, digits and _");
     if (data.values.size() != tets)
       return broken("cell data " + data.name + ": " + std::to_string(data.values.size()) + " values for " +

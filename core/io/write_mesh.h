@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/read_volume.h"
-#include "types/cell_data.h"
+#include "types/field.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/surface_mesh.h"
@@ -20,7 +20,7 @@ enum class PatientSpace { kRas, kLps };
 struct WriteMeshOptions {
   PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
   std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
-  std::vector<CellData> cell_data{};        ///< written with the tetrahedra; not with surfaces
+  std::vector<Field> cell_data{};           ///< written with the tetrahedra; not with surfaces
   std::string name = "mesh";                ///< of the files without their endings, where one names another
 };
 

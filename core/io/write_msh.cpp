@@ -168,11 +168,11 @@ void write_format(ByteWriter& out) {
   out.text("\n$EndMeshFormat\n");
 }
 
-Bytes write_cell_data(const std::vector<CellData>& cell_data) {
+Bytes write_cell_data(const std::vector<Field>& cell_data) {
   const std::size_t tets = cell_data.front().values.size();
   ByteWriter out(cell_data.size() * (12 * tets + 128) + 64);
   write_format(out);
-  for (const CellData& data : cell_data) {
+  for (const Field& data : cell_data) {
     // One string tag: the name; one real: the time; three integers: step, components, elements.
     out.text("$ElementData\n1\n\"" + data.name + "\"\n1\n0\n3\n0\n1\n" + std::to_string(tets) + "\n");
     for (std::size_t t = 0; t < tets; ++t) {

@@ -85,13 +85,13 @@ Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
   declare_grid<4>(header, mesh.points.size(), mesh.tets.size());
   header.open("CellData Scalars=\"label\"");
   header.array("Int32", "label", 4 * mesh.tets.size());
-  for (const CellData& data : options.cell_data) header.array("Float32", data.name, 4 * data.values.size());
+  for (const Field& data : options.cell_data) header.array("Float32", data.name, 4 * data.values.size());
   header.open("/CellData");
   ByteWriter out = header.finish();
   append_grid(out, mesh.points, options.space, mesh.tets, kVtkTetra);
   out.raw(std::uint64_t{4 * mesh.labels.size()});
   for (const Label label : mesh.labels) out.raw(std::int32_t{label});
-  for (const CellData& data : options.cell_data) {
+  for (const Field& data : options.cell_data) {
     out.raw(std::uint64_t{4 * data.values.size()});
     for (const float value : data.values) out.raw(value);
   }

@@ -40,12 +40,11 @@ std::string data_item(const Hdf5Array& array, const std::string& file) {
 }
 
 /// The arrays of the .h5: points, tets, and then the cell attributes.
-std::vector<Hdf5Array> arrays_of(const TetMesh& mesh, const std::vector<CellData>& cell_data) {
+std::vector<Hdf5Array> arrays_of(const TetMesh& mesh, const std::vector<Field>& cell_data) {
   std::vector<Hdf5Array> arrays{{"points", Hdf5Type::kFloat64, {mesh.points.size(), 3}},
                                 {"tets", Hdf5Type::kInt32, {mesh.tets.size(), 4}},
                                 {"label", Hdf5Type::kInt32, {mesh.tets.size()}}};
-  for (const CellData& data : cell_data)
-    arrays.push_back({data.name, Hdf5Type::kFloat32, {mesh.tets.size()}});
+  for (const Field& data : cell_data) arrays.push_back({data.name, Hdf5Type::kFloat32, {mesh.tets.size()}});
   return arrays;
 }
 
@@ -59,7 +58,7 @@ Bytes write_numbers(const TetMesh& mesh, const WriteMeshOptions& options,
   for (const Tet& tet : mesh.tets)
     for (const std::uint32_t corner : tet) out.raw(static_cast<std::int32_t>(corner));
   for (const Label label : mesh.labels) out.raw(std::int32_t{label});
-  for (const CellData& data : options.cell_data)
+  for (const Field& data : options.cell_data)
     for (const float value : data.values) out.raw(value);
   return out.take();
 }

@@ -183,11 +183,28 @@ double dice_of(Label label, const std::vector<Label>& voxels, const std::vector<
 }
 
 /// Adds what tet `t` has of the label to its volumes.
-void add_tet(LookedUpLabel& asked, const LabelLookUp& found, std::size_t t, double mm3, float fraction) {
-  asked.fraction[t] = fraction;
+/// Fields of a mesh's tetrahedra, all 0.
+std::vector<Field> blank_fields(const std::vector<LookedUpLabel>& labels, std::size_t tets) {
+  const std::vector<float> blank(tets, 0);
+  std::vector<Field> fields{
+      {"centroid_label", "Label at the centroid", "1", On::kTets, Scale::kLabel, 1, blank},
+      {"majority_label", "Majority label", "1", On::kTets, Scale::kLabel, 1, blank}};
+  for (const LookedUpLabel& asked : labels) {
+    const std::string number = std::to_string(asked.label);
+    fields.push_back(
+        {"fraction_" + number, "Share of label " + number, "1", On::kTets, Scale::kSequential, 1, blank});
+  }
+  return fields;
+}
+
+void add_tet(LookedUpLabel& asked, Label centroid, Label majority, double mm3, float fraction) {
   asked.fraction_mm3 += static_cast<double>(fraction) * mm3;
-  if (found.centroid[t] == asked.label) asked.centroid_mm3 += mm3;
-  if (found.majority[t] == asked.label) asked.majority_mm3 += mm3;
+  if (centroid == asked.label) asked.centroid_mm3 += mm3;
+  if (majority == asked.label) asked.majority_mm3 += mm3;
+}
+
+std::vector<Label> as_labels(const std::vector<float>& values) {
+  return {values.begin(), values.end()};
 }
 
 Status look_up_tets(const TetMesh& mesh, const LabelVolume& volume, const LookUpParams& params,
@@ -213,11 +230,15 @@ Status look_up_tets(const TetMesh& mesh, const LabelVolume& volume, const LookUp
     for (const Barycentric& w : samples)
       tally.add(voxels.at(w[0] * index[0] + w[1] * index[1] + w[2] * index[2] + w[3] * index[3]));
     tally.keep(counted);
-    found.centroid[t] = voxels.at((index[0] + index[1] + index[2] + index[3]) / 4);
-    found.majority[t] = tally.majority(found.centroid[t]);
-    for (LookedUpLabel& asked : found.labels)
-      add_tet(asked, found, t, mm3,
-              static_cast<float>(tally.count(asked.label)) / static_cast<float>(tally.total()));
+    const Label centroid = voxels.at((index[0] + index[1] + index[2] + index[3]) / 4);
+    const Label majority = tally.majority(centroid);
+    found.fields[0].values[t] = centroid;
+    found.fields[1].values[t] = majority;
+    for (std::size_t i = 0; i < found.labels.size(); ++i) {
+      float& fraction = found.fields[2 + i].values[t];
+      fraction = static_cast<float>(tally.count(found.labels[i].label)) / static_cast<float>(tally.total());
+      add_tet(found.labels[i], centroid, majority, mm3, fraction);
+    }
   }
   return std::monostate{};
 }
@@ -239,29 +260,17 @@ Result<LabelLookUp> look_up_labels(const TetMesh& mesh, const LabelVolume& volum
   Result<std::vector<LookedUpLabel>> asked = asked_labels(volume, params);
   if (!asked) return asked.error();
   found.labels = *std::move(asked);
-  found.centroid.resize(mesh.tets.size());
-  found.majority.resize(mesh.tets.size());
-  for (LookedUpLabel& label : found.labels) label.fraction.resize(mesh.tets.size());
+  found.fields = blank_fields(found.labels, mesh.tets.size());
   if (Status done = look_up_tets(mesh, volume, params, ctx, found); !done) return done.error();
 
-  const std::vector<Label> by_centroid = rasterise(mesh, found.centroid, volume);
-  const std::vector<Label> by_majority = rasterise(mesh, found.majority, volume);
+  const std::vector<Label> by_centroid = rasterise(mesh, as_labels(found.centroid()), volume);
+  const std::vector<Label> by_majority = rasterise(mesh, as_labels(found.majority()), volume);
   for (LookedUpLabel& label : found.labels) {
     label.centroid_dice = dice_of(label.label, volume.labels, by_centroid);
     label.majority_dice = dice_of(label.label, volume.labels, by_majority);
   }
   ctx.progress(kStage, 1);
   return found;
-}
-
-std::vector<CellData> cell_data_of(const LabelLookUp& found) {
-  std::vector<CellData> data;
-  if (found.labels.empty()) return data;
-  data.push_back({"centroid_label", {found.centroid.begin(), found.centroid.end()}});
-  data.push_back({"majority_label", {found.majority.begin(), found.majority.end()}});
-  for (const LookedUpLabel& label : found.labels)
-    data.push_back({"fraction_" + std::to_string(label.label), label.fraction});
-  return data;
 }
 
 }  // namespace voxtet

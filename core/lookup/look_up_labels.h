@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "types/cell_data.h"
 #include "types/label_lookup.h"
 #include "types/label_volume.h"
 #include "types/result.h"
@@ -35,8 +34,5 @@ Result<LabelLookUp> look_up_labels(const TetMesh& mesh, const LabelVolume& volum
 
 /// What look_up_labels refuses before it needs a mesh.
 Status check_look_up(const LabelVolume& volume, const LookUpParams& params);
-
-/// `centroid_label`, `majority_label`, and `fraction_5` for label 5; none where nothing was looked up.
-std::vector<CellData> cell_data_of(const LabelLookUp& found);
 
 }  // namespace voxtet

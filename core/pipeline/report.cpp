@@ -2,34 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <map>
 
 #include "geometry/compare_topology.h"
-#include "geometry/digest.h"
 #include "pipeline/engine_version.h"
-#include "volume/select_labels.h"
+#include "pipeline/value_json.h"
 
 namespace voxtet {
 namespace {
 
 using nlohmann::json;
-
-json matrix_json(const Eigen::Matrix4d& m) {
-  json out = json::array();
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) out.push_back(m(row, column));
-  return out;
-}
-
-json colour_json(const LabelInfo& info) {
-  if (info.colour[0] < 0) return nullptr;
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(info.colour[0] * 255 + 0.5F) & 255U,
-                static_cast<unsigned>(info.colour[1] * 255 + 0.5F) & 255U,
-                static_cast<unsigned>(info.colour[2] * 255 + 0.5F) & 255U);
-  return text;
-}
 
 json distance_json(const DistanceSummary& d) {
   return {{"samples", d.samples},
@@ -139,89 +121,22 @@ json lookup_json(const LabelLookUp& found) {
   return labels;
 }
 
-json surface_counts(const SurfaceMesh& surface) {
-  return {{"points", surface.points.size()}, {"triangles", surface.triangles.size()}};
-}
-
-json mesh_counts(const TetMesh& mesh) {
-  return {{"points", mesh.points.size()}, {"tets", mesh.tets.size()}, {"faces", mesh.faces.size()}};
-}
-
-json counts_json(const Session& session, Stage stage) {
-  switch (stage) {
-    case Stage::kVolume: {
-      json counts = volume_json(session);
-      const Eigen::Vector3d spacing = session.volume()->spacing_mm();
-      counts["prepared"] = {{"size", session.volume()->size},
-                            {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
-      return counts;
-    }
-    case Stage::kSurface: return surface_counts(*session.surface());
-    case Stage::kSmooth: return surface_counts(*session.smooth());
-    case Stage::kRemesh: return surface_counts(*session.remeshed());
-    case Stage::kSizing: {
-      const SizingField& field = *session.sizing();
-      const auto [low, high] = std::minmax_element(field.h_mm.begin(), field.h_mm.end());
-      return {{"size", field.size},
-              {"index_to_mm", matrix_json(field.index_to_mm)},
-              {"min_mm", *low},
-              {"max_mm", *high}};
-    }
-    case Stage::kTetra: return mesh_counts(*session.filled());
-    case Stage::kOptimise: return mesh_counts(*session.mesh());
-    case Stage::kLookup: return {{"labels", session.lookup()->labels.size()}};
-    case Stage::kQuality: return json::object();
-  }
-  return json::object();
-}
-
-std::string result_digest(const Session& session, Stage stage) {
-  switch (stage) {
-    case Stage::kVolume:
-      return session.volume() == session.source_volume() ? session.source_digest()
-                                                         : digest_of(*session.volume());
-    case Stage::kSurface: return digest_of(*session.surface());
-    case Stage::kSmooth: return digest_of(*session.smooth());
-    case Stage::kRemesh: return digest_of(*session.remeshed());
-    case Stage::kTetra: return digest_of(*session.filled());
-    case Stage::kOptimise: return digest_of(*session.mesh());
-    default: return session.record(stage).key;
-  }
-}
-
 }  // namespace
 
 json volume_json(const Session& session) {
-  const LabelVolume& volume = *session.source_volume();
-  const Eigen::Vector3d spacing = volume.spacing_mm();
-  json labels = json::array();
-  for (const auto& [label, count] : count_labels(volume)) {
-    json entry{
-        {"label", label}, {"name", "label " + std::to_string(label)}, {"colour", nullptr}, {"voxels", count}};
-    for (const LabelInfo& info : volume.infos) {
-      if (info.label != label) continue;
-      if (!info.name.empty()) entry["name"] = info.name;
-      entry["colour"] = colour_json(info);
-    }
-    labels.push_back(std::move(entry));
-  }
+  json out = volume_json(*session.source_volume(), session.source_digest());
   const Source& source = session.recipe().source;
-  return {{"name", source.file ? source.file->name : "phantom"},
-          {"size", volume.size},
-          {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
-          {"index_to_mm", matrix_json(volume.index_to_mm)},
-          {"digest", session.source_digest()},
-          {"labels", labels}};
+  out["name"] = source.file ? source.file->name : "phantom";
+  return out;
 }
 
 json stage_json(const Session& session, Stage stage) {
-  const StageRecord& record = session.record(stage);
-  return {{"name", kStageNames[static_cast<std::size_t>(stage)]},
-          {"seconds", record.seconds},
-          {"cached", record.cached},
-          {"peak_mb", record.peak_mb},
-          {"notes", record.notes},
-          {"counts", counts_json(session, stage)}};
+  const StageResult& result = *session.current(stage);
+  json counts = stage == Stage::kVolume ? volume_json(session) : json::object();
+  counts.update(spec_of(stage).counts(result.value));
+  return {{"name", spec_of(stage).name},     {"seconds", result.record.seconds},
+          {"cached", session.cached(stage)}, {"peak_mb", result.record.peak_mb},
+          {"notes", result.record.notes},    {"counts", counts}};
 }
 
 json quality_json(const QualityReport& report) {
@@ -242,13 +157,13 @@ json report_json(const Session& session) {
            {"stages", json::array()},
            {"warnings", session.warnings()}};
   if (session.volume()) out["source"] = volume_json(session);
-  for (int i = 0; i < kStageCount; ++i) {
-    const auto stage = static_cast<Stage>(i);
-    if (session.record(stage).key.empty()) continue;
-    out["stages"].push_back(stage_json(session, stage));
-    const std::string digest = result_digest(session, stage);
+  for (const StageSpec& spec : stage_table()) {
+    const StageResult* result = session.current(spec.stage);
+    if (!result) continue;
+    out["stages"].push_back(stage_json(session, spec.stage));
+    const std::string digest = spec.digest ? spec.digest(result->value) : result->record.key;
     out["stages"].back()["digest"] = digest;
-    if (stage == Stage::kTetra || stage == Stage::kOptimise) out["digest"] = digest;
+    if (spec.stage == Stage::kTetra || spec.stage == Stage::kOptimise) out["digest"] = digest;
   }
   if (session.mesh()) {
     out["tets"] = session.mesh()->tets.size();
@@ -263,13 +178,21 @@ json report_json(const Session& session) {
   return out;
 }
 
+json schema_json() {
+  return {{"version", engine_version()}, {"fields", recipe_schema()}, {"stages", stages_schema()}};
+}
+
 json error_json(const Error& error) {
   json points = json::array();
   for (const Eigen::Vector3d& p : error.where.points) points.push_back({p.x(), p.y(), p.z()});
   return {{"code", to_string(error.code)},
           {"stage", error.stage},
           {"message", error.message},
-          {"where", {{"points", points}, {"elements", error.where.elements}}}};
+          {"where",
+           {{"points", points},
+            {"elements", error.where.elements},
+            {"stage", error.where.stage},
+            {"on", name_of(error.where.on)}}}};
 }
 
 }  // namespace voxtet

@@ -15,13 +15,16 @@ nlohmann::json report_json(const Session& session);
 nlohmann::json volume_json(const Session& session);
 
 /// One entry of "stages" but for its digest, which takes time: name, seconds, cached, peak_mb, notes,
-/// counts.
+/// counts. Needs the stage's result.
 nlohmann::json stage_json(const Session& session, Stage stage);
 
 /// metrics, checklist and verdict of a report on its own (for `voxtet check`).
 nlohmann::json quality_json(const QualityReport& report);
 
-/// {code, stage, message, where}.
+/// What the app and its types are made from: version, fields of the recipe, stages.
+nlohmann::json schema_json();
+
+/// {code, stage, message, where: {points, elements, stage, on}}.
 nlohmann::json error_json(const Error& error);
 
 }  // namespace voxtet

@@ -1,57 +1,40 @@
 #include "pipeline/session.h"
 
 #include <algorithm>
-#include <chrono>
+#include <limits>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "geometry/digest.h"
-#include "pipeline/engine_version.h"
 #include "pipeline/memory.h"
+#include "pipeline/side_sizes.h"
 
 namespace voxtet {
 namespace {
 
-/// Stages whose results a stage reads.
-std::vector<Stage> inputs_of(Stage stage) {
-  switch (stage) {
-    case Stage::kVolume: return {};
-    case Stage::kSurface: return {Stage::kVolume};
-    case Stage::kSmooth: return {Stage::kSurface};
-    case Stage::kSizing: return {Stage::kVolume, Stage::kSmooth};
-    case Stage::kRemesh: return {Stage::kVolume, Stage::kSmooth, Stage::kSizing};
-    case Stage::kTetra: return {Stage::kRemesh, Stage::kSizing};
-    case Stage::kOptimise: return {Stage::kSmooth, Stage::kSizing, Stage::kTetra};
-    case Stage::kLookup: return {Stage::kVolume, Stage::kOptimise};
-    case Stage::kQuality: return {Stage::kSmooth, Stage::kOptimise, Stage::kLookup};
-  }
-  return {};
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// `stage` after everything that it needs.
 void collect(Stage stage, std::vector<Stage>& order) {
-  for (const Stage input : inputs_of(stage)) collect(input, order);
+  for (const Stage input : spec_of(stage).inputs) collect(input, order);
   if (std::find(order.begin(), order.end(), stage) == order.end()) order.push_back(stage);
 }
 
 }  // namespace
 
-Result<Stage> stage_of(std::string_view name) {
-  std::string names;
-  for (int i = 0; i < kStageCount; ++i) {
-    if (kStageNames[static_cast<std::size_t>(i)] == name) return static_cast<Stage>(i);
-    names += (names.empty() ? "" : ", ") + std::string(kStageNames[static_cast<std::size_t>(i)]);
-  }
-  return Error{
-      ErrorCode::kUsage, "session", "no stage '" + std::string(name) + "'; the stages are " + names, {}};
-}
-
 Status Session::load_volume(const VolumeFile& file) {
   Result<LabelVolume> read = read_volume(file);
   if (!read) return read.error();
-  file_volume_ = std::make_shared<const LabelVolume>(std::move(read).value());
-  file_digest_ = digest_of(*file_volume_);
+  files_.volume = std::make_shared<const LabelVolume>(std::move(read).value());
+  files_.digest = digest_of(*files_.volume);
   recipe_.source = {};
-  recipe_.source.file = FileSource{file.name, file_digest_};
+  recipe_.source.file = FileSource{file.name, files_.digest};
+  files_changed();
   return std::monostate{};
 }
 
@@ -59,7 +42,8 @@ Status Session::load_mask(const VolumeFile& file) {
   Result<LabelVolume> read = read_volume(file);
   if (!read) return read.error();
   std::string digest = digest_of(*read);
-  masks_[file.name] = {std::move(read).value(), std::move(digest)};
+  files_.masks[file.name] = {std::move(read).value(), std::move(digest)};
+  files_changed();
   return std::monostate{};
 }
 
@@ -67,122 +51,214 @@ Status Session::load_size_image(const VolumeFile& file) {
   Result<ScalarVolume> read = read_scalar_volume(file);
   if (!read) return read.error();
   std::string digest = digest_of(*read);
-  images_[file.name] = {std::move(read).value(), std::move(digest)};
+  files_.images[file.name] = {std::move(read).value(), std::move(digest)};
+  files_changed();
   return std::monostate{};
+}
+
+void Session::files_changed() {
+  end();
+  update_keys();
+}
+
+void Session::update_keys() {
+  keys_ = keys_of(recipe_, files_);
 }
 
 Status Session::set_recipe(const Recipe& recipe) {
   const std::optional<FileSource>& file = recipe.source.file;
-  if (file && file_volume_ && !file->sha256.empty() && file->sha256 != file_digest_)
+  if (file && files_.volume && !file->sha256.empty() && file->sha256 != files_.digest)
     return Error{ErrorCode::kBadInput,
                  "session",
                  "source.file: the case was made with '" + file->name + "' of digest " +
-                     file->sha256.substr(0, 12) + "..., the volume loaded has " + file_digest_.substr(0, 12) +
-                     "...: these are different volumes",
+                     file->sha256.substr(0, 12) + "..., the volume loaded has " +
+                     files_.digest.substr(0, 12) + "...: these are different volumes",
                  {}};
+  end();
   recipe_ = recipe;
+  update_keys();
   return std::monostate{};
 }
 
-std::string Session::key_of(Stage stage) const {
-  const nlohmann::json recipe = recipe_to_json(recipe_);
-  const std::string name(kStageNames[static_cast<std::size_t>(stage)]);
-  Sha256 sha;
-  sha.update(engine_version() + name);
-  if (stage == Stage::kVolume) {
-    sha.update(recipe_.source.phantom ? recipe["source"]["phantom"].dump() : file_digest_);
-    sha.update(recipe["labels"].dump() + recipe["merge"].dump() + recipe["volume"].dump());
-  } else {
-    for (const Stage input : inputs_of(stage)) sha.update(key_of(input));
-    sha.update(recipe[name].dump());
-  }
-  if (stage == Stage::kSizing) {
-    for (const MaskSize& mask : recipe_.sizing.masks)
-      if (const auto found = masks_.find(mask.name); found != masks_.end()) sha.update(found->second.digest);
-    for (const ImageSize& image : recipe_.sizing.images)
-      if (const auto found = images_.find(image.name); found != images_.end())
-        sha.update(found->second.digest);
-  }
-  return sha.hex();
+const LabelVolume* Session::source_volume() const {
+  const VolumeResult* found = result<VolumeResult>(Stage::kVolume);
+  return found ? found->source.get() : nullptr;
 }
 
-void Session::forget(Stage stage) {
-  switch (stage) {
-    case Stage::kVolume: source_.reset(), volume_ = {}; break;
-    case Stage::kSurface: surface_.reset(); break;
-    case Stage::kSmooth: smooth_.reset(), walls_.clear(), walls_key_.clear(); break;
-    case Stage::kSizing: sizing_.reset(); break;
-    case Stage::kRemesh: remeshed_.reset(), layered_surface_.reset(), layers_ = {}; break;
-    case Stage::kTetra: filled_.reset(), layered_tets_.reset(); break;
-    case Stage::kOptimise: optimised_.reset(); break;
-    case Stage::kLookup: lookup_.reset(); break;
-    case Stage::kQuality: quality_.reset(); break;
-  }
-  records_[static_cast<std::size_t>(stage)] = {};
+std::string Session::source_digest() const {
+  const VolumeResult* found = result<VolumeResult>(Stage::kVolume);
+  return found ? found->digest : "";
 }
 
-std::string Session::key_of_walls() const {
-  Sha256 sha;
-  sha.update(key_of(Stage::kSmooth));
-  for (const ThicknessSize& wish : recipe_.sizing.thickness)
-    sha.update(nlohmann::json{wish.wall, wish.inner, wish.layering}.dump());
-  return sha.hex();
+const LabelVolume* Session::selected_volume() const {
+  const VolumeResult* found = result<VolumeResult>(Stage::kVolume);
+  return found ? found->prepared.selected.get() : nullptr;
 }
 
-bool Session::may_size() const {
-  return smooth_ && walls_key_ == key_of_walls();
+const LabelVolume* Session::volume() const {
+  const VolumeResult* found = result<VolumeResult>(Stage::kVolume);
+  return found ? found->prepared.prepared.get() : nullptr;
 }
 
-Status Session::run(Stage last, RunContext& ctx) {
-  std::vector<Stage> order;
-  collect(last, order);
-  // What the recipe no longer describes goes, so that results never mix two cases.
-  for (int i = 0; i < kStageCount; ++i)
-    if (!is_current(static_cast<Stage>(i))) forget(static_cast<Stage>(i));
-  for (const Stage stage : order) {
-    StageRecord& record = records_[static_cast<std::size_t>(stage)];
-    const std::string name(kStageNames[static_cast<std::size_t>(stage)]);
-    record.cached = !record.key.empty();
-    std::vector<std::string> warnings, notes;
-    RunContext watched = ctx;
-    watched.on_warning = [&](const std::string& from, const std::string& message) {
-      warnings.push_back(from + ": " + message);
-      ctx.warn(from, message);
-    };
-    watched.on_note = [&](const std::string& from, const std::string& message) {
-      notes.push_back(message);
-      ctx.note(from, message);
-    };
-    const auto start = std::chrono::steady_clock::now();
-    try {
-      if (Status admitted = admit(stage, watched); !admitted) return admitted;
-      if (record.cached) continue;
-      if (ctx.cancelled()) return cancelled_error("session");
-      watched.progress(name, 0);
-      reset_peak_memory();
-      if (Status done = run_stage(stage, watched); !done) {
-        forget(stage);
-        return done;
-      }
-    } catch (const std::bad_alloc&) {
-      return Error{ErrorCode::kOutOfMemory, name, "out of memory in stage " + name, {}};
-    } catch (const std::exception& error) {
-      return Error{ErrorCode::kInternal, name, "stage " + name + " failed: " + error.what(), {}};
-    }
-    record = {
-        key_of(stage),       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
-        peak_memory_mb(),    false,
-        std::move(warnings), std::move(notes)};
-    watched.progress(name, 1);
-  }
-  return std::monostate{};
+const Walls& Session::walls() const {
+  static const Walls none;
+  const auto* found = result<WallsResult>(Stage::kWalls);
+  return found ? found->walls : none;
+}
+
+const SurfaceMesh* Session::remeshed() const {
+  const auto* found = result<Layered<SurfaceMesh>>(Stage::kRemesh);
+  return found ? &found->mesh : nullptr;
+}
+
+const TetMesh* Session::filled() const {
+  const auto* found = result<Layered<TetMesh>>(Stage::kTetra);
+  return found ? &found->mesh : nullptr;
+}
+
+const TetMesh* Session::mesh() const {
+  const TetMesh* optimised = result<TetMesh>(Stage::kOptimise);
+  return optimised ? optimised : filled();
+}
+
+Result<SizingField> Session::size_by(const SizingParams& sizing, RunContext& ctx) const {
+  return build_sizing_field_of(files_, sizing, *volume(), *smooth(), walls(), ctx);
+}
+
+const StageRecord& Session::record(Stage stage) const {
+  static const StageRecord none;
+  const StageResult* found = current(stage);
+  return found ? found->record : none;
+}
+
+bool Session::cached(Stage stage) const {
+  return cached_[static_cast<std::size_t>(stage)];
 }
 
 std::vector<std::string> Session::warnings() const {
   std::vector<std::string> all;
-  for (const StageRecord& record : records_)
-    all.insert(all.end(), record.warnings.begin(), record.warnings.end());
+  for (const StageSpec& spec : stage_table()) {
+    const StageRecord& of_stage = record(spec.stage);
+    all.insert(all.end(), of_stage.warnings.begin(), of_stage.warnings.end());
+  }
   return all;
+}
+
+Status Session::run(Stage last, RunContext& ctx) {
+  begin(last);
+  for (;;) {
+    const Result<RunProgress> progress = advance(std::numeric_limits<double>::infinity(), ctx);
+    if (!progress) return progress.error();
+    if (progress->done) return std::monostate{};
+  }
+}
+
+void Session::begin(Stage last) {
+  end();
+  store_.trim(keys_);
+  collect(last, plan_);
+  std::reverse(plan_.begin(), plan_.end());
+}
+
+void Session::end() {
+  plan_.clear();
+  running_.reset();
+}
+
+Result<RunProgress> Session::advance(double budget_ms, RunContext& ctx) {
+  if (plan_.empty()) return usage_error("session", "nothing has begun: begin a stage first");
+  const Clock::time_point start = Clock::now();
+  RunProgress progress;
+  do {
+    progress = {false, plan_.back(), 0};
+    Result<bool> done = work_guarded(ctx);
+    if (!done) {
+      end();
+      return done.error();
+    }
+    progress.fraction = *done ? 1 : running_->task->fraction();
+    if (!*done) continue;
+    running_.reset();
+    plan_.pop_back();
+  } while (!plan_.empty() && 1000 * seconds_since(start) < budget_ms);
+  progress.done = plan_.empty();
+  return progress;
+}
+
+Status Session::admit(const StageSpec& spec, RunContext& ctx) {
+  if (!spec.admit) return std::monostate{};
+  const std::string key = admission_key(spec, recipe_to_json(recipe_), keys_);
+  std::string& admitted = admitted_[static_cast<std::size_t>(spec.stage)];
+  if (admitted == key) return std::monostate{};
+  Status passes = spec.admit(*this, ctx);
+  if (passes) admitted = key;
+  return passes;
+}
+
+StageInputs Session::inputs_of(const StageSpec& spec) const {
+  StageInputs inputs(files_);
+  for (const Stage input : spec.inputs) inputs.add(input, current(input)->value);
+  return inputs;
+}
+
+Result<bool> Session::work_guarded(RunContext& ctx) {
+  const std::string name = name_of(plan_.back());
+  try {
+    return work(ctx);
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::kOutOfMemory, name, "out of memory in stage " + name, {}};
+  } catch (const std::exception& error) {
+    return Error{ErrorCode::kInternal, name, "stage " + name + " failed: " + error.what(), {}};
+  }
+}
+
+Result<bool> Session::work(RunContext& ctx) {
+  const StageSpec& spec = spec_of(plan_.back());
+  const std::string name(spec.name);
+  const Clock::time_point start = Clock::now();
+  if (!running_) {
+    if (Status admitted = admit(spec, ctx); !admitted) return admitted.error();
+    bool& reused = cached_[static_cast<std::size_t>(spec.stage)];
+    reused = is_current(spec.stage);
+    if (reused) return true;
+    running_.emplace();
+    reset_peak_memory();
+    ctx.progress(name, 0);
+  }
+  if (ctx.cancelled()) return cancelled_error("session");
+  StageRecord& record = running_->record;
+  RunContext watched = ctx;
+  watched.on_warning = [&](const std::string& from, const std::string& message) {
+    record.warnings.push_back(from + ": " + message);
+    ctx.warn(from, message);
+  };
+  watched.on_note = [&](const std::string& from, const std::string& message) {
+    record.notes.push_back(message);
+    ctx.note(from, message);
+  };
+  if (spec.run) {
+    if (Status done = spec.run(inputs_of(spec), recipe_, running_->output, watched); !done)
+      return done.error();
+  } else {
+    if (!running_->task) {
+      Result<std::unique_ptr<StageTask>> task = spec.start(inputs_of(spec), recipe_);
+      if (!task) return task.error();
+      running_->task = std::move(task).value();
+    }
+    const Result<bool> done = running_->task->step(watched);
+    record.seconds += seconds_since(start);
+    if (!done) return done.error();
+    ctx.progress(name, running_->task->fraction());
+    if (!*done) return false;
+    running_->task->finish(running_->output);
+  }
+  if (spec.run) record.seconds = seconds_since(start);
+  record.peak_mb = peak_memory_mb();
+  record.key = keys_[static_cast<std::size_t>(spec.stage)];
+  store_.keep(spec.stage, std::make_shared<const StageResult>(StageResult{
+                              std::move(running_->output.value), running_->output.bytes, std::move(record)}));
+  ctx.progress(name, 1);
+  return true;
 }
 
 }  // namespace voxtet

@@ -1,6 +1,8 @@
 #include "quality/count_layers.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "geometry/union_find.h"
@@ -77,15 +79,16 @@ void finish(LayerShares& shares, std::uint32_t layers) {
   shares.at_least = whole > 0 ? at_least / whole : 0;
 }
 
-void map_layers(const TetMesh& mesh, const WallMesh& wall, std::uint32_t layers, LayerMap& map) {
+void map_layers(const TetMesh& mesh, const WallMesh& wall, std::uint32_t layers, std::vector<Field>& fields) {
+  std::vector<float>&layer = fields[0].values, &across = fields[1].values;
   const std::vector<std::uint32_t> from_outer = wall.edges_through_from(Part::kOuter);
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    if (!wall.holds(t) || map.layer[t] >= 0) continue;
-    map.layer[t] = static_cast<float>(1 + wall.layer_of(t, layers));
+    if (!wall.holds(t) || !std::isnan(layer[t])) continue;
+    layer[t] = static_cast<float>(1 + wall.layer_of(t, layers));
     std::uint32_t fewest = kUnreached;
     for (const std::uint32_t v : mesh.tets[t])
       if (!wall.near_side()[v]) fewest = std::min(fewest, wall.from_inner()[v] + from_outer[v]);
-    if (fewest < kUnreached) map.layers_across[t] = static_cast<float>(fewest);
+    if (fewest < kUnreached) across[t] = static_cast<float>(fewest);
   }
 }
 
@@ -94,8 +97,9 @@ void map_layers(const TetMesh& mesh, const WallMesh& wall, std::uint32_t layers,
 FoundLayers count_layers(const TetMesh& mesh, std::span<const LayeredWall> walls) {
   FoundLayers found;
   if (walls.empty()) return found;
-  found.map.layer.assign(mesh.tets.size(), -1);
-  found.map.layers_across.assign(mesh.tets.size(), -1);
+  const std::vector<float> none(mesh.tets.size(), std::numeric_limits<float>::quiet_NaN());
+  found.fields = {{"layer", "Layer, from the inner surface", "1", On::kTets, Scale::kWhole, 1, none},
+                  {"layers_across", "Layers across the wall", "1", On::kTets, Scale::kWhole, 1, none}};
   for (const LayeredWall& wall : walls) {
     const WallMesh in_mesh(mesh, wall.field);
     LayerCount count{wall.field.wall, wall.layers, {}, count_lines(in_mesh, wall.layers), {}};
@@ -103,7 +107,7 @@ FoundLayers count_layers(const TetMesh& mesh, std::span<const LayeredWall> walls
     finish(count.by_edges, wall.layers);
     finish(count.by_lines, wall.layers);
     found.counts.push_back(std::move(count));
-    map_layers(mesh, in_mesh, wall.layers, found.map);
+    map_layers(mesh, in_mesh, wall.layers, found.fields);
   }
   return found;
 }

@@ -10,10 +10,14 @@
 
 namespace voxtet {
 
-/// By wall, and where they are; no map where there are no walls.
+/// By wall; and where they are, two fields of tetrahedra, none where there are no walls. `layer`: of the
+/// layers asked for, that of the centroid by the potential, from 1. `layers_across`: the fewest edges from
+/// the inner to the outer surface by way of a corner, counted as by_edges. A tetrahedron in no wall has
+/// neither; where walls overlap the first one counts; there are no layers across where there is no such way,
+/// or a side is near every corner.
 struct FoundLayers {
   std::vector<LayerCount> counts;
-  LayerMap map;
+  std::vector<Field> fields;
 };
 
 /// Counts layers over the outer surface of each wall, in two ways that share nothing but the surface.

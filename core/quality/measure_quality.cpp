@@ -12,12 +12,12 @@
 #include "geometry/compare_topology.h"
 #include "geometry/label_topology.h"
 #include "geometry/parallel.h"
-#include "geometry/tet_measures.h"
 #include "geometry/triangle_measures.h"
 #include "quality/checklist.h"
 #include "quality/fidelity.h"
 #include "quality/summarise.h"
 #include "quality/surface_distance.h"
+#include "quality/tet_measure_table.h"
 
 namespace voxtet {
 namespace {
@@ -26,16 +26,6 @@ using Worst = MetricInfo::Worst;
 
 /// Of the largest distance, in units of the smallest voxel spacing.
 constexpr double kDistanceToleranceVoxels = 0.05;
-
-TetCorners corners_of(const TetMesh& mesh, const Tet& t) {
-  return {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};
-}
-
-double mean_of(const std::array<double, 6>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / 6;
-}
 
 Status check_params(const QualityParams& params) {
   if (params.histogram_bins < 1 || !(params.sample_spacing_voxels > 0))
@@ -82,38 +72,6 @@ Status check_mesh_arrays(const TetMesh& mesh) {
   return std::monostate{};
 }
 
-/// One value a tetrahedron in `out`, and its six dihedral angles in `all_angles` where that is given.
-void measure_tets_into(const TetMesh& mesh, const SizingField* sizing, int threads, TetMeasures& out,
-                       std::vector<float>* all_angles) {
-  for (std::vector<float>* values : {&out.min_dihedral_deg, &out.max_dihedral_deg, &out.radius_ratio,
-                                     &out.mean_ratio, &out.aspect_ratio, &out.edge_mm})
-    values->resize(mesh.tets.size());
-  if (sizing) out.size_log2.resize(mesh.tets.size());
-  if (all_angles) all_angles->resize(6 * mesh.tets.size());
-  const auto measure = [&](std::size_t i) {
-    const TetCorners corners = corners_of(mesh, mesh.tets[i]);
-    const TetShape shape = measure_tet(corners);
-    const auto [low, high] = std::minmax_element(shape.dihedral_deg.begin(), shape.dihedral_deg.end());
-    const double edge = mean_of(shape.edge_mm);
-    out.min_dihedral_deg[i] = static_cast<float>(*low);
-    out.max_dihedral_deg[i] = static_cast<float>(*high);
-    out.radius_ratio[i] = static_cast<float>(shape.radius_ratio);
-    out.mean_ratio[i] = static_cast<float>(shape.mean_ratio);
-    out.aspect_ratio[i] = static_cast<float>(shape.aspect_ratio);
-    out.edge_mm[i] = static_cast<float>(edge);
-    if (all_angles)
-      for (std::size_t k = 0; k < 6; ++k)
-        (*all_angles)[6 * i + k] = static_cast<float>(shape.dihedral_deg[k]);
-    if (!sizing) return;
-    const Eigen::Vector3d centre = (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
-    const double wish = centre.allFinite() ? sizing->at(centre) : std::numeric_limits<double>::quiet_NaN();
-    out.size_log2[i] = static_cast<float>(std::log2(edge / wish));
-  };
-  parallel_for(threads, mesh.tets.size(), [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) measure(i);
-  });
-}
-
 /// Upper end of a histogram of lengths: the largest value, rounded up to two digits.
 double nice_upper(const std::vector<float>& values) {
   const double largest = values.empty() ? 1 : *std::max_element(values.begin(), values.end());
@@ -158,6 +116,19 @@ std::vector<MetricSummary> triangle_metrics(const SurfaceMesh& before, const Sur
       summarise({"triangle_min_angle_deg", "deg", "triangles", 0, 60, Worst::kLowest}, angles_after, bins)};
 }
 
+/// Of the points of faces from the label surface: in mm and in units of the voxel's smallest spacing. Points
+/// inside have none.
+std::vector<Field> distance_fields(const TetMesh& mesh, const SurfaceMesh& surface, double voxel_mm) {
+  std::vector<float> mm = distances_of_points({mesh.points, mesh.faces, mesh.face_sides},
+                                              {surface.points, surface.triangles, surface.sides});
+  std::vector<float> voxels(mm.size());
+  for (std::size_t i = 0; i < mm.size(); ++i) voxels[i] = mm[i] / static_cast<float>(voxel_mm);
+  return {{"distance_mm", "Distance to the label surface", "mm", On::kPoints, Scale::kSequential, 1,
+           std::move(mm)},
+          {"distance_voxels", "Distance to the label surface", "voxels", On::kPoints, Scale::kSequential, 1,
+           std::move(voxels)}};
+}
+
 bool has_places(const TetMesh& mesh) {
   return std::all_of(mesh.points.begin(), mesh.points.end(),
                      [](const Eigen::Vector3d& p) { return p.allFinite(); });
@@ -177,16 +148,14 @@ QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& fa
     report.checklist = check_mesh_alone(mesh, faces, ledger, std::numeric_limits<double>::quiet_NaN());
     return report;
   }
-  TetMeasures m;
   std::vector<float> all_angles;
-  measure_tets_into(mesh, nullptr, threads, m, &all_angles);
-  const std::array<std::pair<MetricInfo, const std::vector<float>*>, 6> of_tets{
-      {{{"min_dihedral_deg", "deg", "tets", 0, 75, Worst::kLowest}, &m.min_dihedral_deg},
-       {{"max_dihedral_deg", "deg", "tets", 60, 180, Worst::kHighest}, &m.max_dihedral_deg},
-       {{"dihedral_deg", "deg", "tets", 0, 180, Worst::kNone}, &all_angles},
-       {{"radius_ratio", "1", "tets", 0, 1, Worst::kLowest}, &m.radius_ratio},
-       {{"mean_ratio", "1", "tets", 0, 1, Worst::kLowest}, &m.mean_ratio},
-       {{"aspect_ratio", "1", "tets", 1, 6, Worst::kHighest}, &m.aspect_ratio}}};
+  report.fields = measure_tets(mesh, sizing, threads, &all_angles);
+  std::vector<std::pair<MetricInfo, const std::vector<float>*>> of_tets;
+  for (const TetMeasure& row : tet_measures())
+    if (row.lo < row.hi)
+      of_tets.push_back({{row.name, row.unit, "tets", row.lo, row.hi, row.worst},
+                         &find_field(report.fields, row.name)->values});
+  of_tets.push_back({{"dihedral_deg", "deg", "tets", 0, 180, Worst::kNone}, &all_angles});
   report.metrics.resize(of_tets.size());
   std::vector<MetricSummary> of_edges;
   Tasks tasks = std::move(others);
@@ -201,12 +170,6 @@ QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& fa
 }
 
 }  // namespace
-
-TetMeasures measure_tets(const TetMesh& mesh, const SizingField* sizing) {
-  TetMeasures out;
-  measure_tets_into(mesh, sizing, 1, out, nullptr);
-  return out;
-}
 
 Result<QualityReport> measure_mesh(const TetMesh& mesh, const QualityParams& params, RunContext& ctx) {
   if (Status valid = check_params(params); !valid) return valid.error();
@@ -236,12 +199,15 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   std::vector<LabelFidelity> labels;
   TopologyLedger before;
   FoundLayers layers;
-  QualityReport report = report_of_mesh(
-      mesh, faces, &reference.sizing, bins, ctx.threads,
-      {[&] { distances.measure(0); }, [&] { distances.measure(1); },
-       [&] { labels = measure_labels(mesh, reference.labels, reference.sizing); },
-       [&] { layers = count_layers(mesh, reference.walls); }, [&] { before = label_topology(surface); },
-       [&] { of_triangles = triangle_metrics(surface, reference.adapted, bins); }});
+  std::vector<Field> distances_of_faces;
+  QualityReport report =
+      report_of_mesh(mesh, faces, &reference.sizing, bins, ctx.threads,
+                     {[&] { distances.measure(0); }, [&] { distances.measure(1); },
+                      [&] { labels = measure_labels(mesh, reference.labels, reference.sizing); },
+                      [&] { layers = count_layers(mesh, reference.walls); },
+                      [&] { distances_of_faces = distance_fields(mesh, surface, voxel); },
+                      [&] { before = label_topology(surface); },
+                      [&] { of_triangles = triangle_metrics(surface, reference.adapted, bins); }});
   if (ctx.cancelled()) return cancelled_error("quality");
   const Result<SurfaceDistances> measured = distances.result();
   if (!measured) return measured.error();
@@ -250,7 +216,8 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   std::move(of_triangles.begin(), of_triangles.end(), std::back_inserter(report.metrics));
   report.labels = std::move(labels);
   report.layers = std::move(layers.counts);
-  report.layer_map = std::move(layers.map);
+  std::move(layers.fields.begin(), layers.fields.end(), std::back_inserter(report.fields));
+  std::move(distances_of_faces.begin(), distances_of_faces.end(), std::back_inserter(report.fields));
   TopologyComparison& topology = report.topology;
   topology.before = std::move(before);
   topology.differences = compare_topology(topology.before, topology.after);

@@ -30,16 +30,6 @@ struct QualityReference {
   std::span<const LayeredWall> walls = {};  ///< whose layers are counted
 };
 
-/// Shape of each tetrahedron, one value each: what a viewer colours by.
-struct TetMeasures {
-  std::vector<float> min_dihedral_deg, max_dihedral_deg;
-  std::vector<float> radius_ratio, mean_ratio, aspect_ratio;  ///< see TetShape
-  std::vector<float> edge_mm;                                 ///< mean of its six edges
-  std::vector<float> size_log2;  ///< log2 of edge_mm over the wish at the centroid; empty without `sizing`
-};
-
-TetMeasures measure_tets(const TetMesh& mesh, const SizingField* sizing);
-
 /// All measures of the element-quality section: dihedral angles, radius ratio, mean ratio, aspect ratio, edge
 /// length against the sizing field (log2), triangle aspect ratio of `label_surface` and of `adapted`,
 /// distances both ways label by label, volume, Dice and topology per label, layers of walls, and the

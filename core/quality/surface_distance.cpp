@@ -296,7 +296,7 @@ Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleS
 }
 
 std::vector<float> distances_of_points(const TriangleSet& a, const TriangleSet& b) {
-  std::vector<float> out(a.points.size(), -1.0F);
+  std::vector<float> out(a.points.size(), std::numeric_limits<float>::quiet_NaN());
   if (b.triangles.empty()) return out;
   std::vector<std::pair<Label, std::uint32_t>> members;
   for (std::size_t t = 0; t < a.triangles.size(); ++t)
@@ -308,7 +308,7 @@ std::vector<float> distances_of_points(const TriangleSet& a, const TriangleSet& 
   Boundaries to(b);
   for (const auto& [label, v] : members) {
     const double distance = to.opposite(label).closest(a.points[v]).distance_mm;
-    out[v] = std::max(out[v], static_cast<float>(distance));
+    out[v] = std::fmax(out[v], static_cast<float>(distance));
   }
   return out;
 }

@@ -57,7 +57,8 @@ class DistanceMeasurement {
 };
 
 /// Distance (mm) of each point of `a` to `b`, label by label as in measure_distances: the largest over the
-/// labels on whose boundary it lies. -1 for points of no triangle, and for all where `b` has no triangles.
+/// labels on whose boundary it lies. Not a number for points of no triangle, and for all where `b` has no
+/// triangles.
 std::vector<float> distances_of_points(const TriangleSet& a, const TriangleSet& b);
 
 }  // namespace voxtet

@@ -263,6 +263,21 @@ void visit_fields(V& v, QualityParams& p) {
 }
 
 template <class V>
+void visit_fields(V& v, DiffusionParams& p) {
+  v.field({"from", "", 1, 65535, "Label from which heat spreads."}, p.from);
+  v.field({"diffusivity_mm2_per_ms", "mm2/ms", 1e-9, 1e9, "Diffusivity, the same everywhere."},
+          p.diffusivity_mm2_per_ms);
+  v.field({"end_ms", "ms", 1e-9, 1e9, "Time at the end."}, p.end_ms);
+  v.field({"step_ms", "ms", 1e-9, 1e9, "Time step."}, p.step_ms);
+  v.field({"frame_ms", "ms", 1e-9, 1e9, "Time between two frames."}, p.frame_ms);
+}
+
+template <class V>
+void visit_fields(V& v, PhysicsParams& p) {
+  v.optional_group({"diffusion", "", 0, 0, "Heat that spreads from a label."}, p.diffusion);
+}
+
+template <class V>
 void visit_fields(V& v, Limits& p) {
   v.field({"tets", "", 0, 1e9, "Most tetrahedra; a case forecast to have more is refused. 0: no limit."},
           p.tets);
@@ -284,6 +299,7 @@ void visit_fields(V& v, Recipe& r) {
   v.group({"optimise", "", 0, 0, "Better shapes for the tetrahedra."}, r.optimise);
   v.group({"lookup", "", 0, 0, "Labels looked up instead of meshed."}, r.lookup);
   v.group({"quality", "", 0, 0, "The evidence."}, r.quality);
+  v.optional_group({"physics", "", 0, 0, "What is simulated on the mesh."}, r.physics);
   v.group({"limits", "", 0, 0, "What meshing may take."}, r.limits);
   v.group({"expected", "", 0, 0, "What a shared case promises."}, r.expected);
 }

@@ -10,6 +10,7 @@
 
 #include "lookup/look_up_labels.h"
 #include "phantom/make_phantom.h"
+#include "physics/diffusion/diffusion.h"
 #include "quality/measure_quality.h"
 #include "remesh/remesh_surface.h"
 #include "sizing/build_sizing_field.h"
@@ -41,6 +42,11 @@ struct Limits {
   double seconds = 0;
 };
 
+/// What is simulated on the mesh.
+struct PhysicsParams {
+  std::optional<DiffusionParams> diffusion;
+};
+
 /// What a shared case promises; empty fields promise nothing.
 struct Expected {
   std::string engine;
@@ -62,6 +68,7 @@ struct Recipe {
   OptimiseParams optimise;
   LookUpParams lookup;
   QualityParams quality;
+  std::optional<PhysicsParams> physics;
   Limits limits;
   Expected expected;
 };

@@ -13,6 +13,12 @@ namespace voxtet {
 /// What the values of a field belong to, one group of components for each.
 enum class On { kVoxels, kTriangles, kPoints, kTets, kFaces };
 
+/// "voxels", "triangles", "points", "tets", "faces".
+inline std::string_view name_of(On on) {
+  constexpr std::string_view names[] = {"voxels", "triangles", "points", "tets", "faces"};
+  return names[static_cast<int>(on)];
+}
+
 /// How the values of a field are read, and so how a viewer colours them.
 enum class Scale {
   kSequential,  ///< from little to much
@@ -20,6 +26,12 @@ enum class Scale {
   kWhole,       ///< few whole numbers, in order
   kLabel,       ///< labels of the image
 };
+
+/// "sequential", "diverging", "whole", "label".
+inline std::string_view name_of(Scale scale) {
+  constexpr std::string_view names[] = {"sequential", "diverging", "whole", "label"};
+  return names[static_cast<int>(scale)];
+}
 
 /// `values` holds `components` numbers for each element, those of one element together. Not a number: the
 /// element has no value. Labels are exact as float.
@@ -38,6 +50,13 @@ struct Snapshot {
   double time_ms = 0;
   std::vector<Field> fields;
 };
+
+/// The field of a name; null where there is none.
+inline const Field* find_field(const std::vector<Field>& fields, std::string_view name) {
+  const auto found =
+      std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });
+  return found == fields.end() ? nullptr : &*found;
+}
 
 inline bool is_field_name(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {

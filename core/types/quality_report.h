@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "types/field.h"
 #include "types/label_volume.h"
 #include "types/topology_ledger.h"
 
@@ -81,14 +82,6 @@ struct LayerCount {
   std::vector<LayerPlace> places;  ///< by edges; the ten largest, the largest first
 };
 
-/// Where the layers of walls are, by tetrahedron; -1 in no wall. Where walls overlap the first one counts.
-struct LayerMap {
-  std::vector<float> layer;  ///< of the wished layers of the potential, that of the centroid, from 1
-  /// The fewest edges from the inner to the outer surface by way of a corner, counted as by_edges; -1 also
-  /// where there is no such way, or a side is near every corner.
-  std::vector<float> layers_across;
-};
-
 struct ChecklistItem {
   std::string name;  ///< e.g. "no_inverted_tets"
   bool passed = false;
@@ -102,7 +95,10 @@ struct QualityReport {
   DistanceSummary mesh_to_surface, surface_to_mesh;  ///< mesh boundary against the label surface
   TopologyComparison topology;
   std::vector<LayerCount> layers;  ///< of the walls for which a number was wished
-  LayerMap layer_map;              ///< empty where there are none
+  /// Measures of tetrahedra (quality/tet_measure_table.h); where numbers of layers were wished `layer` and
+  /// `layers_across` (quality/count_layers.h); against a label surface `distance_mm` and `distance_voxels` of
+  /// points.
+  std::vector<Field> fields;
   std::vector<ChecklistItem> checklist;
 
   bool passed() const {

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "types/field.h"
+
 namespace voxtet {
 
 /// What kind of failure an Error is. The command line turns it into an exit code, the browser into a title.
@@ -24,11 +26,13 @@ enum class ErrorCode {
 /// Stable lower-case name of a code, as it stands in JSON ("bad_input").
 std::string to_string(ErrorCode code);
 
-/// Where an error is, for a viewer to fly to. Points in mm, RAS; ids index the elements the message speaks
-/// of.
+/// Where an error is, for a viewer to fly to. Points in mm, RAS. `elements` are those of `stage`'s result
+/// that the message speaks of, of the kind `on`; none where no result that a viewer has holds them.
 struct ErrorPlace {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::uint32_t> elements;
+  std::string stage{};
+  On on = On::kTriangles;
 };
 
 struct Error {

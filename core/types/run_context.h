@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "types/field.h"
 #include "types/result.h"
 
 namespace voxtet {
@@ -20,14 +21,27 @@ struct RunContext {
   /// What a reader of the report should know though nothing is wrong: which method or rung was taken, what
   /// was removed on demand.
   std::function<void(const std::string& stage, const std::string& message)> on_note;
+  std::function<void(const Snapshot&)> on_snapshot;  ///< a frame of a result that lives in time
   int threads = 1;  ///< that a stage may use (geometry/parallel.h); never changes what it returns
 
   void progress(const std::string& stage, double fraction) const {
     if (on_progress && !is_helper_thread) on_progress(stage, fraction);
   }
+  /// The same for a part of a stage: its progress from 0 to 1 is the stage's from `from` to `to`.
+  RunContext part(double from, double to) const {
+    RunContext inner = *this;
+    if (on_progress)
+      inner.on_progress = [outer = on_progress, from, to](const std::string& stage, double fraction) {
+        outer(stage, from + (to - from) * fraction);
+      };
+    return inner;
+  }
   bool cancelled() const { return on_cancelled && !is_helper_thread && on_cancelled(); }
   void warn(const std::string& stage, const std::string& message) const {
     if (on_warning) on_warning(stage, message);
+  }
+  void snapshot(const Snapshot& frame) const {
+    if (on_snapshot) on_snapshot(frame);
   }
   void note(const std::string& stage, const std::string& message) const {
     if (on_note) on_note(stage, message);

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "types/cell_data.h"
+#include "types/field.h"
 #include "types/tet_mesh.h"
 
 namespace voxtet::test {
@@ -83,12 +83,16 @@ inline std::vector<LabelInfo> cube_infos() {
           {300, "veine \"cave\" | sup\xc3\xa9rieure", {0.1F, 0.1F, 0.8F}}};
 }
 
+inline Field tet_values(const std::string& name, std::vector<float> values) {
+  return {name, "", "1", On::kTets, Scale::kSequential, 1, std::move(values)};
+}
+
 /// Values that change from tet to tet: the label again, and i / tets.
-inline std::vector<CellData> cube_cell_data(const TetMesh& mesh) {
-  CellData fraction{"fraction_300", {}};
+inline std::vector<Field> cube_cell_data(const TetMesh& mesh) {
+  Field fraction = tet_values("fraction_300", {});
   for (std::size_t t = 0; t < mesh.tets.size(); ++t)
     fraction.values.push_back(static_cast<float>(t) / static_cast<float>(mesh.tets.size()));
-  return {{"majority_label", {mesh.labels.begin(), mesh.labels.end()}}, fraction};
+  return {tet_values("majority_label", {mesh.labels.begin(), mesh.labels.end()}), fraction};
 }
 
 }  // namespace voxtet::test

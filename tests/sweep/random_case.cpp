@@ -17,7 +17,7 @@ std::vector<Label> labels_of(const TetMesh& mesh) {
 }
 
 void judge(Stage stage, const Session& session, std::vector<Defect>& defects) {
-  const std::string name(kStageNames[static_cast<std::size_t>(stage)]);
+  const std::string name = name_of(stage);
   if (stage == Stage::kTetra) {
     find_tet_defects(*session.mesh(), *session.remeshed(), defects);
     find_lost_labels(name, session, labels_of(*session.mesh()), defects);
@@ -46,8 +46,8 @@ Result<RandomCase> run_random_case(std::uint64_t seed, const std::string& method
     if (stage > out.last) break;
     const Status done = session.run(stage, ctx);
     if (!done) {
-      out.defects.push_back({std::string(kStageNames[static_cast<std::size_t>(stage)]), "error",
-                             to_string(done.error().code) + ": " + done.error().message});
+      out.defects.push_back(
+          {name_of(stage), "error", to_string(done.error().code) + ": " + done.error().message});
       break;
     }
     judge(stage, session, out.defects);

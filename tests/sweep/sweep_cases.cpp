@@ -71,8 +71,7 @@ int main(int argc, char** argv) {
       print_figures(name, figures, failures.size());
       nlohmann::json row = figures_json(figures);
       for (const Stage stage : {Stage::kSurface, Stage::kSmooth, Stage::kSizing, Stage::kRemesh})
-        row["seconds"][std::string(kStageNames[static_cast<std::size_t>(stage)])] =
-            session.record(stage).seconds;
+        row["seconds"][name_of(stage)] = session.record(stage).seconds;
       findings.add(name, row, failures);
     }
   return findings.finish(line.json_file);

@@ -55,7 +55,7 @@ void print(const Tally& tally, const std::string& method, const std::string& dig
   std::printf("| stage | seconds |\n|---|---|\n");
   for (std::size_t i = 0; i < kStageCount; ++i)
     if (tally.seconds[i] > 0)
-      std::printf("| %s | %.1f |\n", std::string(kStageNames[i]).c_str(), tally.seconds[i]);
+      std::printf("| %s | %.1f |\n", name_of(static_cast<Stage>(i)).c_str(), tally.seconds[i]);
   std::printf("\n| volume, affine | cases | with defects |\n|---|---|---|\n");
   for (const auto& [name, counts] : tally.kinds)
     std::printf("| %s | %llu | %llu |\n", name.c_str(), static_cast<unsigned long long>(counts[0]),
@@ -92,7 +92,7 @@ Result<Tally> sweep_seeds(const Seeds& seeds, const std::string& method) {
 
 json to_json(const Tally& tally, const std::string& method, const std::string& digest, std::uint64_t first) {
   json seconds;
-  for (std::size_t i = 0; i < kStageCount; ++i) seconds[std::string(kStageNames[i])] = tally.seconds[i];
+  for (std::size_t i = 0; i < kStageCount; ++i) seconds[name_of(static_cast<Stage>(i))] = tally.seconds[i];
   return {{"method", method},         {"first_seed", first},      {"cases", tally.cases},
           {"to_tets", tally.to_tets}, {"failed", tally.failed},   {"digest", digest},
           {"seconds", seconds},       {"defects", tally.failures}};

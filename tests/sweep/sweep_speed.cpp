@@ -76,7 +76,7 @@ Result<nlohmann::json> measure(const Timed& t) {
        {Stage::kVolume, Stage::kSurface, Stage::kSmooth, Stage::kSizing, Stage::kRemesh}) {
     const Result<double> seconds = seconds_to(stage, session);
     if (!seconds) return seconds.error();
-    row[std::string(kStageNames[static_cast<std::size_t>(stage)])] = *seconds;
+    row[name_of(stage)] = *seconds;
   }
   row["label_field"] = seconds_of([&] { remesh::LabelField(*session.volume(), *session.smooth()); });
   row["megavoxels_per_s"] =

@@ -2,8 +2,8 @@
 #include <ctime>
 
 #include "geometry/digest.h"
-#include "quality/measure_quality.h"
 #include "quality/summarise.h"
+#include "quality/tet_measure_table.h"
 #include "support/data.h"
 #include "sweep/command_line.h"
 #include "sweep/findings.h"
@@ -27,13 +27,13 @@ struct Angles {
 };
 
 Angles angles_of(const TetMesh& mesh) {
-  const TetMeasures measures = measure_tets(mesh, nullptr);
-  std::vector<float> smallest = measures.min_dihedral_deg;
+  const std::vector<Field> measures = measure_tets(mesh, nullptr, 1);
+  std::vector<float> smallest = find_field(measures, "min_dihedral_deg")->values;
+  const std::vector<float>& largest = find_field(measures, "max_dihedral_deg")->values;
   double sum = 0;
   for (const float angle : smallest) sum += angle;
   return {quantile(smallest, 0), quantile(smallest, 0.001), quantile(smallest, 0.01),
-          sum / static_cast<double>(smallest.size()),
-          *std::max_element(measures.max_dihedral_deg.begin(), measures.max_dihedral_deg.end())};
+          sum / static_cast<double>(smallest.size()), *std::max_element(largest.begin(), largest.end())};
 }
 
 nlohmann::json angles_json(const Angles& a) {

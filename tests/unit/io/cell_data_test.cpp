@@ -44,7 +44,7 @@ TEST(CellData, OfVtuIsReadBack) {
   MeshArrays arrays;
   ASSERT_TRUE(read_tet_mesh({"cube.vtu", files->front().bytes, {}}, &arrays).ok());
   EXPECT_TRUE(arrays.left_out.empty());
-  const std::vector<CellData> wanted = test::cube_cell_data(mesh);
+  const std::vector<Field> wanted = test::cube_cell_data(mesh);
   ASSERT_EQ(arrays.cell_data.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     EXPECT_EQ(arrays.cell_data[i].name, wanted[i].name);
@@ -91,7 +91,7 @@ TEST(CellData, IsOneFileEachBesideOpenCarpWithOneValueALine) {
   EXPECT_EQ((*files)[4].suffix, ".fraction_300.dat");
   for (std::size_t i = 0; i < 2; ++i) {
     std::istringstream in(test::text_of((*files)[3 + i].bytes));
-    const CellData data = test::cube_cell_data(mesh)[i];
+    const Field data = test::cube_cell_data(mesh)[i];
     for (const float wanted : data.values) {
       float value = -1;
       ASSERT_TRUE(in >> value);
@@ -125,8 +125,9 @@ TEST(CellData, IsRefusedWithABadNameLengthOrValue) {
   const std::vector<float> good(mesh.tets.size(), 1);
   std::vector<float> infinite = good;
   infinite[7] = std::numeric_limits<float>::infinity();
-  for (const CellData& data : {CellData{"", good}, CellData{"a b", good}, CellData{"a\"/>", good},
-                               CellData{"../x", good}, CellData{"x", {1, 2}}, CellData{"x", infinite}}) {
+  for (const Field& data :
+       {test::tet_values("", good), test::tet_values("a b", good), test::tet_values("a\"/>", good),
+        test::tet_values("../x", good), test::tet_values("x", {1, 2}), test::tet_values("x", infinite)}) {
     const auto files = write_tet_mesh(mesh, MeshFormat::kVtu, {PatientSpace::kRas, {}, {data}});
     ASSERT_FALSE(files.ok()) << data.name;
     EXPECT_EQ(files.error().code, ErrorCode::kInternal);

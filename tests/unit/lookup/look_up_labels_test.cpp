@@ -51,8 +51,8 @@ double volume_of(const TetMesh& mesh, std::size_t t) {
 TEST(LookUpLabels, GivesNothingWhereNothingIsAsked) {
   const auto found = look_up(test::kuhn_cube(2), cube_volume([](auto&) { return true; }), {});
   ASSERT_TRUE(found.ok());
-  EXPECT_TRUE(found->labels.empty() && found->centroid.empty() && found->majority.empty());
-  EXPECT_TRUE(cell_data_of(*found).empty());
+  EXPECT_TRUE(found->labels.empty());
+  EXPECT_TRUE(found->fields.empty());
 }
 
 TEST(LookUpLabels, IsExactWhereVoxelFacesAreTetFaces) {
@@ -65,9 +65,9 @@ TEST(LookUpLabels, IsExactWhereVoxelFacesAreTetFaces) {
     double z = 0;
     for (const std::uint32_t v : mesh.tets[t]) z += mesh.points[v].z() / 4;
     const bool above = z > 5;
-    EXPECT_EQ(label.fraction[t], above ? 1 : 0);
-    EXPECT_EQ(found->centroid[t], above ? 5 : 1);
-    EXPECT_EQ(found->majority[t], above ? 5 : 1);
+    EXPECT_EQ(found->fraction(0)[t], above ? 1 : 0);
+    EXPECT_EQ(found->centroid()[t], above ? 5 : 1);
+    EXPECT_EQ(found->majority()[t], above ? 5 : 1);
   }
   for (const double mm3 : {label.voxel_mm3, label.fraction_mm3, label.centroid_mm3, label.majority_mm3})
     EXPECT_NEAR(mm3, 500, 1e-9);
@@ -84,8 +84,8 @@ TEST(LookUpLabels, GivesTheVolumeFractionOfATetCutByAPlane) {
   const LabelVolume volume = cube_volume([](const auto& p) { return p.x() > 5; });
   const auto found = look_up(mesh, volume, {1, 5}, 4, 4096);
   ASSERT_TRUE(found.ok());
-  EXPECT_NEAR(found->labels[1].fraction[0], 0.125, 0.01);
-  EXPECT_EQ(found->majority[0], 1);
+  EXPECT_NEAR(found->fraction(1)[0], 0.125, 0.01);
+  EXPECT_EQ(found->majority()[0], 1);
 }
 
 TEST(LookUpLabels, CutsATetIntoPartsOfEqualVolumeAsSymmetricAsKuhns) {
@@ -99,7 +99,7 @@ TEST(LookUpLabels, CutsATetIntoPartsOfEqualVolumeAsSymmetricAsKuhns) {
     const LabelVolume volume = cube_volume([](const auto& p) { return p.z() > 2; });
     const auto found = look_up(mesh, volume, {1, 5}, 64, 64);
     ASSERT_TRUE(found.ok());
-    EXPECT_NEAR(found->labels[1].fraction[0], 27.0 / 64, 0.05) << corner;
+    EXPECT_NEAR(found->fraction(1)[0], 27.0 / 64, 0.05) << corner;
   }
 }
 
@@ -115,7 +115,7 @@ TEST(LookUpLabels, FractionsOfAllLabelsAndBackgroundSumToOne) {
   EXPECT_EQ(found->labels[2].label, 7);
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     float sum = 0;
-    for (const LookedUpLabel& label : found->labels) sum += label.fraction[t];
+    for (std::size_t i = 0; i < found->labels.size(); ++i) sum += found->fraction(i)[t];
     EXPECT_NEAR(sum, 1, 1e-6);
   }
 }
@@ -125,9 +125,9 @@ TEST(LookUpLabels, FindsBackgroundOutsideOfTheVolume) {
   const auto found = look_up(mesh, cube_volume([](const auto& p) { return p.x() > 5; }), {5});
   ASSERT_TRUE(found.ok());
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
-    EXPECT_EQ(found->centroid[t], kBackground);
-    EXPECT_EQ(found->majority[t], kBackground);
-    EXPECT_EQ(found->labels[0].fraction[t], 0);
+    EXPECT_EQ(found->centroid()[t], kBackground);
+    EXPECT_EQ(found->majority()[t], kBackground);
+    EXPECT_EQ(found->fraction(0)[t], 0);
   }
   EXPECT_EQ(found->labels[0].majority_dice, 0);
 }
@@ -139,7 +139,7 @@ TEST(LookUpLabels, TakesMoreSamplesOfLargerTets) {
     const TetMesh mesh = box_mesh(cells, {0, 0, 0}, {10, 10, 10});
     const auto found = look_up(mesh, volume, {5});
     ASSERT_TRUE(found.ok());
-    for (const float f : found->labels[0].fraction) EXPECT_NEAR(f * parts, std::round(f * parts), 1e-4);
+    for (const float f : found->fraction(0)) EXPECT_NEAR(f * parts, std::round(f * parts), 1e-4);
   }
 }
 
@@ -172,9 +172,9 @@ TEST(LookUpLabels, FollowsAnObliqueMirroredAnisotropicAffine) {
     p = motion.topLeftCorner<3, 3>() * p + motion.topRightCorner<3, 1>();
   const auto straight = look_up(mesh, volume, {5}), oblique = look_up(moved_mesh, moved, {5});
   ASSERT_TRUE(straight.ok() && oblique.ok());
-  EXPECT_EQ(straight->centroid, oblique->centroid);
-  EXPECT_EQ(straight->majority, oblique->majority);
-  EXPECT_EQ(straight->labels[0].fraction, oblique->labels[0].fraction);
+  EXPECT_EQ(straight->centroid(), oblique->centroid());
+  EXPECT_EQ(straight->majority(), oblique->majority());
+  EXPECT_EQ(straight->fraction(0), oblique->fraction(0));
   EXPECT_NEAR(oblique->labels[0].fraction_mm3 / straight->labels[0].fraction_mm3, 1.5 * 0.7 * 3, 1e-9);
   EXPECT_EQ(straight->labels[0].majority_dice, oblique->labels[0].majority_dice);
 }
@@ -190,8 +190,8 @@ TEST(LookUpLabels, LetsTheCentroidDecideBetweenEqualLabels) {
     volume.index_to_mm(0, 3) += shift;
     const auto found = look_up(mesh, volume, {5}, 8, 8);
     ASSERT_TRUE(found.ok());
-    const float fraction = found->labels[0].fraction[0];
-    EXPECT_EQ(found->majority[0], fraction > 0.5F ? 5 : fraction < 0.5F ? 1 : found->centroid[0]);
+    const float fraction = found->fraction(0)[0];
+    EXPECT_EQ(found->majority()[0], fraction > 0.5F ? 5 : fraction < 0.5F ? 1 : found->centroid()[0]);
   }
 }
 
@@ -202,10 +202,10 @@ TEST(LookUpLabels, TakesDegenerateTetsByWhereTheyAre) {
   mesh.labels = {1, 1, 1, 1};
   const auto found = look_up(mesh, cube_volume([](const auto& p) { return p.x() > 7; }), {5});
   ASSERT_TRUE(found.ok());
-  EXPECT_EQ(found->majority[0], 1);
-  EXPECT_EQ(found->majority[1], 1);
-  EXPECT_EQ(found->majority[2], 5);
-  EXPECT_NEAR(found->labels[0].fraction_mm3, volume_of(mesh, 3) * found->labels[0].fraction[3], 1e-12);
+  EXPECT_EQ(found->majority()[0], 1);
+  EXPECT_EQ(found->majority()[1], 1);
+  EXPECT_EQ(found->majority()[2], 5);
+  EXPECT_NEAR(found->labels[0].fraction_mm3, volume_of(mesh, 3) * found->fraction(0)[3], 1e-12);
 }
 
 TEST(LookUpLabels, RefusesLabelsThatTheVolumeDoesNotHold) {
@@ -241,18 +241,18 @@ TEST(LookUpLabels, CanBeCancelled) {
   EXPECT_EQ(found.error().code, ErrorCode::kCancelled);
 }
 
-TEST(CellDataOf, NamesWhatWasLookedUp) {
+TEST(LookUpLabels, NamesItsFields) {
   const auto found = look_up(box_mesh(2, {0, 0, 0}, {10, 10, 10}),
                              cube_volume([](const auto& p) { return p.x() > 5; }), {5, 1});
   ASSERT_TRUE(found.ok());
-  const std::vector<CellData> data = cell_data_of(*found);
+  const std::vector<Field>& data = found->fields;
   ASSERT_EQ(data.size(), 4U);
   EXPECT_EQ(data[0].name, "centroid_label");
   EXPECT_EQ(data[1].name, "majority_label");
   EXPECT_EQ(data[2].name, "fraction_1");
   EXPECT_EQ(data[3].name, "fraction_5");
-  for (const CellData& one : data) EXPECT_EQ(one.values.size(), 48U);
-  EXPECT_EQ(data[1].values[0], static_cast<float>(found->majority[0]));
+  for (const Field& one : data) EXPECT_EQ(one.values.size(), 48U);
+  EXPECT_EQ(data[1].values[0], static_cast<float>(found->majority()[0]));
 }
 
 }  // namespace

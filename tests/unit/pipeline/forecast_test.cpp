@@ -91,7 +91,7 @@ TEST(Forecast, OfOtherSizesLeavesTheMeshThatIsAtHand) {
   EXPECT_EQ(forecast->mesh.tets, forecast_tets(other));
   run_to(Stage::kOptimise, recipe, session);
   EXPECT_EQ(session.mesh(), mesh);
-  EXPECT_TRUE(session.record(Stage::kOptimise).cached);
+  EXPECT_TRUE(session.cached(Stage::kOptimise));
 
   other.sizing.thickness[0].wall = {1};
   ASSERT_TRUE(session.set_recipe(other).ok());
@@ -192,7 +192,7 @@ TEST(Limits, RefuseBeforeMeshingAndNameTheEdgeLengthThatFits) {
   recipe.limits = {};
   ASSERT_TRUE(session.set_recipe(recipe).ok());
   ASSERT_TRUE(session.run(Stage::kRemesh, ctx).ok());
-  EXPECT_TRUE(session.record(Stage::kRemesh).cached);
+  EXPECT_TRUE(session.cached(Stage::kRemesh));
 }
 
 TEST(Limits, RefuseWhatCannotBeAddressed) {

@@ -64,16 +64,18 @@ TEST(CountLayers, TellsEachTetrahedronItsLayerAndHowManyThereAre) {
   for (const std::uint32_t layers : {1U, 2U, 3U, 4U}) {
     const TetMesh mesh = slab(12, static_cast<int>(layers));
     const WallField field = test::slab_wall();
-    const LayerMap map = count_layers(mesh, std::vector<LayeredWall>{{field, layers}}).map;
-    ASSERT_EQ(map.layer.size(), mesh.tets.size());
-    ASSERT_EQ(map.layers_across.size(), mesh.tets.size());
+    const FoundLayers found = count_layers(mesh, std::vector<LayeredWall>{{field, layers}});
+    const std::vector<float>& layer = find_field(found.fields, "layer")->values;
+    const std::vector<float>& across = find_field(found.fields, "layers_across")->values;
+    ASSERT_EQ(layer.size(), mesh.tets.size());
+    ASSERT_EQ(across.size(), mesh.tets.size());
     std::size_t counted = 0;
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
       double lowest = kSlabThickness;
       for (const std::uint32_t v : mesh.tets[t]) lowest = std::min(lowest, mesh.points[v].z());
-      EXPECT_EQ(map.layer[t], 1 + std::round(lowest * layers / kSlabThickness)) << layers;
-      if (map.layers_across[t] < 0) continue;
-      EXPECT_EQ(map.layers_across[t], layers);
+      EXPECT_EQ(layer[t], 1 + std::round(lowest * layers / kSlabThickness)) << layers;
+      if (std::isnan(across[t])) continue;
+      EXPECT_EQ(across[t], layers);
       ++counted;
     }
     EXPECT_GT(counted, mesh.tets.size() / 4);
@@ -84,12 +86,13 @@ TEST(CountLayers, TellsEachTetrahedronItsLayerAndHowManyThereAre) {
 TEST(CountLayers, MapsNothingOutsideOfWalls) {
   TetMesh mesh = slab(4, 2);
   const WallField field = test::slab_wall();
-  const std::vector<float> none(mesh.tets.size(), -1);
-  EXPECT_TRUE(count_layers(mesh, {}).map.layer.empty());
+  EXPECT_TRUE(count_layers(mesh, {}).fields.empty());
   for (Eigen::Vector3d& p : mesh.points) p.x() += 500;
-  const LayerMap map = count_layers(mesh, std::vector<LayeredWall>{{field, 2}}).map;
-  EXPECT_EQ(map.layer, none);
-  EXPECT_EQ(map.layers_across, none);
+  for (const Field& found : count_layers(mesh, std::vector<LayeredWall>{{field, 2}}).fields) {
+    EXPECT_EQ(found.values.size(), mesh.tets.size());
+    EXPECT_TRUE(
+        std::all_of(found.values.begin(), found.values.end(), [](float value) { return std::isnan(value); }));
+  }
 }
 
 TEST(CountLayers, CountsNothingWhereTheMeshHasNoSuchWall) {

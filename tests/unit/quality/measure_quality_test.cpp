@@ -1,4 +1,5 @@
 #include "quality/measure_quality.h"
+#include "quality/tet_measure_table.h"
 
 #include <gtest/gtest.h>
 
@@ -262,7 +263,7 @@ TEST(MeasureQuality, GivesTheChecklistAloneWhenAPointHasNoPlace) {
   EXPECT_EQ(failed(*report), (std::vector<std::string>{"finite_coordinates", "min_dihedral"}));
   EXPECT_EQ(report->checklist.front().found, "13 of 125");
   EXPECT_TRUE(report->metrics.empty());
-  EXPECT_EQ(measure_tets(mesh, &sizing).size_log2.size(), mesh.tets.size());
+  EXPECT_EQ(find_field(measure_tets(mesh, &sizing, 1), "size_log2")->values.size(), mesh.tets.size());
 }
 
 TEST(MeasureQuality, StopsWhenCancelledAtEveryPoll) {
@@ -364,11 +365,13 @@ TEST(MeasureMesh, RefusesIndicesOutOfRangeAndEmptyMeshes) {
 TEST(MeasureTets, GivesOneValueForEachTet) {
   const TetMesh mesh = test::kuhn_cube(2);
   const SizingField sizing = constant_size(2);
-  const TetMeasures m = measure_tets(mesh, &sizing);
-  EXPECT_EQ(m.min_dihedral_deg.size(), mesh.tets.size());
-  EXPECT_EQ(m.size_log2.size(), mesh.tets.size());
-  EXPECT_NEAR(m.size_log2[3], std::log2(m.edge_mm[3] / 2), 1e-6);
-  EXPECT_TRUE(measure_tets(mesh, nullptr).size_log2.empty());
+  const std::vector<Field> fields = measure_tets(mesh, &sizing, 1);
+  ASSERT_EQ(fields.size(), tet_measures().size());
+  for (const Field& field : fields) EXPECT_EQ(field.values.size(), mesh.tets.size()) << field.name;
+  EXPECT_NEAR(
+      find_field(fields, "size_log2")->values[3],
+      std::log2(find_field(fields, "edge_mm")->values[3] / find_field(fields, "target_mm")->values[3]), 1e-6);
+  EXPECT_EQ(find_field(measure_tets(mesh, nullptr, 1), "size_log2"), nullptr);
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(MeasureDistances, StopWhenCancelled) {
   }
 }
 
-TEST(DistancesOfPoints, AreToTheSameLabelTheLargestOfASharedPointAndMinusOneOffTheSurface) {
+TEST(DistancesOfPoints, AreToTheSameLabelTheLargestOfASharedPointAndNoneOffTheSurface) {
   SurfaceMesh inner = sphere({0, 0, 0}, 5, 3, 1, 2), balls = sphere({0, 0, 0}, 6, 4, 1, 0);
   test::append(balls, sphere({0, 0, 0}, 8, 4, 2, 0));
   inner.points.emplace_back(0, 0, 0);
@@ -118,14 +118,15 @@ TEST(DistancesOfPoints, AreToTheSameLabelTheLargestOfASharedPointAndMinusOneOffT
                                                        {balls.points, balls.triangles, balls.sides});
   ASSERT_EQ(found.size(), inner.points.size());
   for (std::size_t v = 0; v + 1 < found.size(); ++v) EXPECT_NEAR(found[v], 3, 0.05);
-  EXPECT_EQ(found.back(), -1);
+  EXPECT_TRUE(std::isnan(found.back()));
 }
 
-TEST(DistancesOfPoints, AreMinusOneWithoutASurfaceToMeasureTo) {
+TEST(DistancesOfPoints, AreNoneWithoutASurfaceToMeasureTo) {
   const SurfaceMesh ball = sphere({0, 0, 0}, 5, 1, 1, 0), none;
   const std::vector<float> found = distances_of_points({ball.points, ball.triangles, ball.sides},
                                                        {none.points, none.triangles, none.sides});
-  EXPECT_EQ(found, std::vector<float>(ball.points.size(), -1));
+  EXPECT_EQ(found.size(), ball.points.size());
+  for (const float distance : found) EXPECT_TRUE(std::isnan(distance));
 }
 
 }  // namespace

@@ -1,0 +1,119 @@
+#include "physics/diffusion/diffusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "physics/fem/assemble.h"
+#include "physics/fem/hold_points.h"
+#include "physics/fem/solve_pcg.h"
+
+namespace voxtet {
+namespace {
+
+constexpr double kMostSteps = 1e6;
+/// Room for the rounding of a ratio of two times that should be a whole number.
+constexpr double kRounding = 1e-9;
+
+Error field_error(const std::string& field, const std::string& found, const std::string& expected) {
+  return usage_error("diffusion",
+                     "physics.diffusion." + field + ": found " + found + ", expected " + expected);
+}
+
+std::string as_text(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::optional<Error> check_positive(const char* field, double value, const char* unit) {
+  if (std::isfinite(value) && value > 0) return std::nullopt;
+  return field_error(field, as_text(value), std::string("a finite number > 0 ") + unit);
+}
+
+std::optional<Error> check(const TetMesh& mesh, const DiffusionParams& params) {
+  if (auto error = check_positive("diffusivity_mm2_per_ms", params.diffusivity_mm2_per_ms, "mm^2/ms"))
+    return error;
+  if (auto error = check_positive("end_ms", params.end_ms, "ms")) return error;
+  if (auto error = check_positive("step_ms", params.step_ms, "ms")) return error;
+  if (auto error = check_positive("frame_ms", params.frame_ms, "ms")) return error;
+  if (params.end_ms / params.step_ms > kMostSteps)
+    return field_error("step_ms", as_text(params.step_ms) + " ms",
+                       "at least a millionth of end_ms, " + as_text(params.end_ms) + " ms");
+  const std::set<Label> held(mesh.labels.begin(), mesh.labels.end());
+  if (held.contains(params.from)) return std::nullopt;
+  std::string list;
+  for (const Label label : held) list += (list.empty() ? "" : ", ") + std::to_string(label);
+  return field_error("from", std::to_string(params.from), "a label of the mesh: " + list);
+}
+
+std::vector<bool> points_of(const TetMesh& mesh, Label label) {
+  std::vector<bool> marked(mesh.points.size(), false);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    if (mesh.labels[t] == label)
+      for (const std::uint32_t point : mesh.tets[t]) marked[point] = true;
+  return marked;
+}
+
+}  // namespace
+
+Result<Diffusion> Diffusion::start(const TetMesh& mesh, const DiffusionParams& params) {
+  if (auto error = check(mesh, params)) return *std::move(error);
+  Diffusion diffusion;
+  diffusion.steps_ =
+      std::max(1, static_cast<int>(std::ceil(params.end_ms / params.step_ms * (1 - kRounding))));
+  diffusion.step_ms_ = params.end_ms / diffusion.steps_;
+  diffusion.frame_ms_ = params.frame_ms;
+
+  const std::vector<double> coefficient(mesh.tets.size(), diffusion.step_ms_ * params.diffusivity_mm2_per_ms);
+  auto stiffness = fem::assemble_stiffness(mesh, coefficient);
+  if (!stiffness) return stiffness.error();
+  auto system = fem::assemble_mass(mesh);
+  if (!system) return system.error();
+  // Both have the same pattern.
+  for (Eigen::Index at = 0; at < system->nonZeros(); ++at)
+    system->valuePtr()[at] += stiffness->valuePtr()[at];
+  diffusion.held_ = points_of(mesh, params.from);
+  fem::hold_points(*system, diffusion.held_);
+  diffusion.step_stiffness_ = *std::move(stiffness);
+  diffusion.system_ = *std::move(system);
+
+  const auto count = static_cast<Eigen::Index>(mesh.points.size());
+  diffusion.temperature_ = Eigen::VectorXd::Zero(count);
+  diffusion.change_ = Eigen::VectorXd::Zero(count);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    if (diffusion.held_[i]) diffusion.temperature_[static_cast<Eigen::Index>(i)] = 1;
+  return diffusion;
+}
+
+bool Diffusion::frame_due() const {
+  if (step_ == 0 || done()) return true;
+  const auto frames_by = [&](int step) { return std::floor(step_ms_ * step / frame_ms_ + kRounding); };
+  return frames_by(step_) > frames_by(step_ - 1);
+}
+
+Status Diffusion::step() {
+  // (M + dt K) (u_new - u) = -dt K u, where u_new - u is 0 at held points.
+  Eigen::VectorXd load;
+  fem::multiply(step_stiffness_, temperature_, load);
+  for (Eigen::Index i = 0; i < load.size(); ++i) load[i] = held_[static_cast<std::size_t>(i)] ? 0 : -load[i];
+  auto solved = fem::solve_pcg(system_, load, change_, {});
+  if (!solved) return solved.error();
+  change_ = std::move(solved->x);
+  for (Eigen::Index i = 0; i < load.size(); ++i) temperature_[i] += change_[i];
+  ++step_;
+  return std::monostate{};
+}
+
+Field Diffusion::temperature() const {
+  Field field{"temperature", "Temperature", "1", On::kPoints, Scale::kSequential, 1, {}};
+  field.values.reserve(held_.size());
+  for (const double value : temperature_) field.values.push_back(static_cast<float>(value));
+  return field;
+}
+
+}  // namespace voxtet

@@ -1,0 +1,176 @@
+#include "physics/fem/assemble.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace voxtet::fem {
+namespace {
+
+using ElementMatrix = std::array<std::array<double, 4>, 4>;
+
+/// A tetrahedron's volume in mm^3 and the constant gradients of its four functions in 1/mm.
+struct Element {
+  double volume = 0;
+  std::array<Eigen::Vector3d, 4> gradient;
+};
+
+Element element_of(const TetMesh& mesh, std::size_t t) {
+  const Tet& tet = mesh.tets[t];
+  const Eigen::Vector3d& p = mesh.points[tet[0]];
+  const Eigen::Vector3d a = mesh.points[tet[1]] - p, b = mesh.points[tet[2]] - p, c = mesh.points[tet[3]] - p;
+  const Eigen::Vector3d across_a = b.cross(c), across_b = c.cross(a), across_c = a.cross(b);
+  const double six_volumes = a.dot(across_a);
+  Element element;
+  element.volume = six_volumes / 6;
+  element.gradient[1] = across_a / six_volumes;
+  element.gradient[2] = across_b / six_volumes;
+  element.gradient[3] = across_c / six_volumes;
+  element.gradient[0] = -(element.gradient[1] + element.gradient[2] + element.gradient[3]);
+  return element;
+}
+
+/// The tetrahedra at each point: those of point i are tets[begin[i]] to tets[begin[i + 1] - 1], ascending.
+struct PointTets {
+  std::vector<std::size_t> begin;
+  std::vector<std::uint32_t> tets;
+};
+
+PointTets tets_of_points(const TetMesh& mesh) {
+  PointTets of;
+  of.begin.assign(mesh.points.size() + 1, 0);
+  for (const Tet& tet : mesh.tets)
+    for (const std::uint32_t point : tet) ++of.begin[point + 1];
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) of.begin[i + 1] += of.begin[i];
+  of.tets.resize(of.begin.back());
+  std::vector<std::size_t> next(of.begin.begin(), of.begin.end() - 1);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    for (const std::uint32_t point : mesh.tets[t]) of.tets[next[point]++] = static_cast<std::uint32_t>(t);
+  return of;
+}
+
+/// Zeros where two points have a tetrahedron in common.
+SparseMatrix pattern_of(const TetMesh& mesh) {
+  const PointTets of = tets_of_points(mesh);
+  const auto size = static_cast<Eigen::Index>(mesh.points.size());
+  std::vector<int> columns, row_begin{0};
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const auto first = static_cast<std::ptrdiff_t>(columns.size());
+    for (std::size_t at = of.begin[i]; at < of.begin[i + 1]; ++at)
+      for (const std::uint32_t point : mesh.tets[of.tets[at]]) columns.push_back(static_cast<int>(point));
+    std::sort(columns.begin() + first, columns.end());
+    columns.erase(std::unique(columns.begin() + first, columns.end()), columns.end());
+    row_begin.push_back(static_cast<int>(columns.size()));
+  }
+  SparseMatrix matrix(size, size);
+  matrix.resizeNonZeros(static_cast<Eigen::Index>(columns.size()));
+  std::copy(row_begin.begin(), row_begin.end(), matrix.outerIndexPtr());
+  std::copy(columns.begin(), columns.end(), matrix.innerIndexPtr());
+  std::fill_n(matrix.valuePtr(), columns.size(), 0.0);
+  return matrix;
+}
+
+std::optional<Error> check_mesh(const TetMesh& mesh) {
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const double volume = element_of(mesh, t).volume;
+    if (volume > 0) continue;
+    const Eigen::Vector3d& p = mesh.points[mesh.tets[t][0]];
+    return Error{ErrorCode::kBadInput,
+                 "fem",
+                 "tetrahedron " + std::to_string(t) + " of the mesh: found a volume of " +
+                     std::to_string(volume) + " mm^3, expected more than 0",
+                 {{p}, {static_cast<std::uint32_t>(t)}}};
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> check_count(const TetMesh& mesh, std::size_t coefficients) {
+  if (coefficients == mesh.tets.size()) return std::nullopt;
+  return Error{ErrorCode::kInternal,
+               "fem",
+               "coefficients of the stiffness: found " + std::to_string(coefficients) +
+                   ", expected one for each of " + std::to_string(mesh.tets.size()) + " tetrahedra",
+               {}};
+}
+
+/// Adds the matrices that `element_matrix(t)` gives, in the order of the tetrahedra.
+template <class ElementMatrixOf>
+Result<SparseMatrix> assemble(const TetMesh& mesh, ElementMatrixOf&& element_matrix) {
+  if (const auto error = check_mesh(mesh)) return *error;
+  SparseMatrix matrix = pattern_of(mesh);
+  const int* const row_begin = matrix.outerIndexPtr();
+  const int* const column = matrix.innerIndexPtr();
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const ElementMatrix local = element_matrix(t);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint32_t row = mesh.tets[t][i];
+      for (std::size_t j = 0; j < 4; ++j) {
+        const int* const at = std::lower_bound(column + row_begin[row], column + row_begin[row + 1],
+                                               static_cast<int>(mesh.tets[t][j]));
+        matrix.valuePtr()[at - column] += local[i][j];
+      }
+    }
+  }
+  return matrix;
+}
+
+/// The element's stiffness from c grad phi_i, the flux of each of its functions.
+ElementMatrix element_stiffness(const Element& element, const std::array<Eigen::Vector3d, 4>& flux) {
+  ElementMatrix local{};
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      local[i][j] = local[j][i] = element.volume * flux[i].dot(element.gradient[j]);
+  return local;
+}
+
+template <class Coefficient>
+Result<SparseMatrix> stiffness(const TetMesh& mesh, std::span<const Coefficient> coefficient) {
+  if (const auto error = check_count(mesh, coefficient.size())) return *error;
+  return assemble(mesh, [&](std::size_t t) {
+    const Element element = element_of(mesh, t);
+    std::array<Eigen::Vector3d, 4> flux;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if constexpr (std::is_same_v<Coefficient, Eigen::Matrix3d>)
+        flux[i] = coefficient[t].template selfadjointView<Eigen::Lower>() * element.gradient[i];
+      else
+        flux[i] = coefficient[t] * element.gradient[i];
+    }
+    return element_stiffness(element, flux);
+  });
+}
+
+}  // namespace
+
+Result<SparseMatrix> assemble_stiffness(const TetMesh& mesh, std::span<const double> coefficient) {
+  return stiffness(mesh, coefficient);
+}
+
+Result<SparseMatrix> assemble_stiffness(const TetMesh& mesh, std::span<const Eigen::Matrix3d> coefficient) {
+  return stiffness(mesh, coefficient);
+}
+
+Result<SparseMatrix> assemble_mass(const TetMesh& mesh) {
+  return assemble(mesh, [&](std::size_t t) {
+    const double twentieth = element_of(mesh, t).volume / 20;
+    ElementMatrix local{};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < 4; ++j) local[i][j] = i == j ? 2 * twentieth : twentieth;
+    return local;
+  });
+}
+
+Result<Eigen::VectorXd> assemble_lumped_mass(const TetMesh& mesh) {
+  if (const auto error = check_mesh(mesh)) return *error;
+  Eigen::VectorXd mass = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.points.size()));
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    const double quarter = element_of(mesh, t).volume / 4;
+    for (const std::uint32_t point : mesh.tets[t]) mass[point] += quarter;
+  }
+  return mass;
+}
+
+}  // namespace voxtet::fem

@@ -1,0 +1,27 @@
+// The files that a case names, as they were read: a volume, and masks and images of sizes beside it.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "types/label_volume.h"
+#include "types/scalar_volume.h"
+
+namespace voxtet {
+
+/// A volume beside the one that is meshed, and the digest of it.
+template <class Volume>
+struct SideVolume {
+  Volume volume;
+  std::string digest;
+};
+
+struct LoadedFiles {
+  std::shared_ptr<const LabelVolume> volume;               ///< null: none was loaded
+  std::string digest;                                      ///< digest_of(*volume)
+  std::map<std::string, SideVolume<LabelVolume>> masks;    ///< by the file's name
+  std::map<std::string, SideVolume<ScalarVolume>> images;  ///< by the file's name
+};
+
+}  // namespace voxtet

@@ -1,0 +1,40 @@
+// The arrays of a stage's result, by name: what a viewer lists and asks for.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "types/field.h"
+#include "types/surface_mesh.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+/// One array, whose values the session holds. Points are rows of three numbers, mm, RAS.
+struct StageArray {
+  std::string name;
+  int components = 1;
+  std::variant<std::span<const float>, std::span<const std::uint32_t>, std::span<const std::uint16_t>,
+               std::span<const Eigen::Vector3d>>
+      values;
+  std::optional<Field> field{};  ///< what is said of it, its own values left out; none for what is geometry
+};
+using StageArrays = std::vector<StageArray>;
+
+void add_arrays(const SurfaceMesh& surface, StageArrays& out);  ///< points, triangles, sides
+void add_arrays(const TetMesh& mesh, StageArrays& out);         ///< points, tets, labels, faces, face_sides
+void add_arrays(const std::vector<Field>& fields, StageArrays& out);
+
+/// {name, type ("float32", "uint32", "uint16"), components, count}; of a field also {title, unit, on, scale,
+/// range}, the range being its least and largest finite value, or null where there is none.
+nlohmann::json array_json(const StageArray& array);
+/// {time_ms, fields: [array_json]}.
+nlohmann::json snapshot_json(const Snapshot& snapshot);
+
+}  // namespace voxtet

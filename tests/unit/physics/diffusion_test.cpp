@@ -1,0 +1,202 @@
+#include "physics/diffusion/diffusion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "geometry/digest.h"
+#include "physics/fem/assemble.h"
+#include "support/labelled_mesh.h"
+#include "support/slab_wall.h"
+
+namespace voxtet {
+namespace {
+
+/// The slab of tests/support/slab_wall.h: 1 below `kHeldHeight`, 2 above.
+constexpr double kHeldHeight = test::kSlabThickness / 4;
+
+TetMesh two_layers(int layers) {
+  TetMesh mesh = test::slab(2, layers);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    double height = 0;
+    for (const std::uint32_t point : mesh.tets[t]) height += mesh.points[point][2] / 4;
+    mesh.labels[t] = height < kHeldHeight ? 1 : 2;
+  }
+  return mesh;
+}
+
+Diffusion started(const TetMesh& mesh, const DiffusionParams& params) {
+  auto diffusion = Diffusion::start(mesh, params);
+  EXPECT_TRUE(diffusion.ok()) << (diffusion.ok() ? "" : diffusion.error().message);
+  return *std::move(diffusion);
+}
+
+void advance(Diffusion& diffusion) {
+  const Status status = diffusion.step();
+  ASSERT_TRUE(status.ok()) << status.error().message;
+}
+
+Eigen::VectorXd values_of(const Field& field) {
+  return Eigen::VectorXf::Map(field.values.data(), static_cast<Eigen::Index>(field.values.size()))
+      .cast<double>();
+}
+
+/// A slab from 0 to `length`, held at 1 at z = 0 and insulated at its other end: the series of Carslaw and
+/// Jaeger, "Conduction of Heat in Solids" (1959), section 3.4.
+double slab_temperature(double z, double length, double diffusivity, double time) {
+  const double pi = std::acos(-1);
+  double u = 1;
+  for (int k = 0; k < 40; ++k) {
+    const double wave = (2 * k + 1) * pi / (2 * length);
+    u -= 2 / (wave * length) * std::sin(wave * z) * std::exp(-diffusivity * wave * wave * time);
+  }
+  return u;
+}
+
+/// The largest error at the points at the end.
+double slab_error(int layers, const DiffusionParams& params) {
+  const TetMesh mesh = two_layers(layers);
+  Diffusion diffusion = started(mesh, params);
+  while (!diffusion.done()) advance(diffusion);
+  const Field field = diffusion.temperature();
+  double worst = 0;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const double z = std::max(0.0, mesh.points[i][2] - kHeldHeight);
+    const double exact =
+        slab_temperature(z, test::kSlabThickness - kHeldHeight, params.diffusivity_mm2_per_ms, params.end_ms);
+    worst = std::max(worst, std::abs(field.values[i] - exact));
+  }
+  return worst;
+}
+
+TEST(Diffusion, ErrorInASlabFallsWithTheSquareOfTheEdge) {
+  // The error of the step is of first order: steps go with the square of the edge.
+  DiffusionParams params{1, 2, 1.5, 0.1, 1};
+  const double coarse = slab_error(8, params);
+  params.step_ms /= 4;
+  const double middle = slab_error(16, params);
+  params.step_ms /= 4;
+  const double fine = slab_error(32, params);
+  EXPECT_LT(fine, 2e-3);
+  EXPECT_NEAR(std::log2(coarse / middle), 2, 0.25) << coarse << ' ' << middle << ' ' << fine;
+  EXPECT_NEAR(std::log2(middle / fine), 2, 0.15) << coarse << ' ' << middle << ' ' << fine;
+}
+
+TEST(Diffusion, LongStepsKeepBetweenTheHeldAndTheFirstValue) {
+  const TetMesh mesh = two_layers(16);
+  Diffusion diffusion = started(mesh, {1, 1, 20, 0.5, 5});
+  while (!diffusion.done()) {
+    advance(diffusion);
+    const Eigen::VectorXd u = values_of(diffusion.temperature());
+    EXPECT_GE(u.minCoeff(), -1e-8);
+    EXPECT_LE(u.maxCoeff(), 1 + 1e-8);
+  }
+}
+
+TEST(Diffusion, ShortStepsUndershootALittleAtFirstAsTheConsistentMassDoes) {
+  const TetMesh mesh = two_layers(16);
+  Diffusion diffusion = started(mesh, {1, 1, 1, 0.001, 1});
+  advance(diffusion);
+  EXPECT_LT(values_of(diffusion.temperature()).minCoeff(), -0.01);
+  EXPECT_GT(values_of(diffusion.temperature()).minCoeff(), -0.3);
+  while (!diffusion.done()) advance(diffusion);
+  EXPECT_GE(values_of(diffusion.temperature()).minCoeff(), -1e-8);
+}
+
+TEST(Diffusion, EnergyDecays) {
+  const TetMesh mesh = test::kuhn_cube(5);
+  const auto mass = fem::assemble_mass(mesh).value();
+  const auto stiffness = fem::assemble_stiffness(mesh, std::vector<double>(mesh.tets.size(), 1.0)).value();
+  const auto energy = [](const fem::SparseMatrix& matrix, const Eigen::VectorXd& u) {
+    Eigen::VectorXd product;
+    fem::multiply(matrix, u, product);
+    return fem::dot(u, product);
+  };
+  Diffusion diffusion = started(mesh, {300, 0.5, 40, 1, 5});
+  double before = std::numeric_limits<double>::infinity(), slope_before = before;
+  for (; !diffusion.done(); advance(diffusion)) {
+    const Eigen::VectorXd u = values_of(diffusion.temperature());
+    const double missing = energy(mass, Eigen::VectorXd::Ones(u.size()) - u), slope = energy(stiffness, u);
+    EXPECT_LT(missing, before) << "at " << diffusion.time_ms() << " ms";
+    EXPECT_LT(slope, slope_before) << "at " << diffusion.time_ms() << " ms";
+    before = missing;
+    slope_before = slope;
+  }
+}
+
+TEST(Diffusion, AllIsAsHotAsTheLabelInTheEnd) {
+  Diffusion diffusion = started(test::kuhn_cube(4), {7, 10, 10000, 100, 1000});
+  while (!diffusion.done()) advance(diffusion);
+  EXPECT_NEAR(values_of(diffusion.temperature()).minCoeff(), 1, 1e-6);
+}
+
+TEST(Diffusion, StartsWithOneInThePointsOfTheLabel) {
+  const TetMesh mesh = test::kuhn_cube(4);
+  const Diffusion diffusion = started(mesh, {7, 1, 10, 1, 5});
+  const Field field = diffusion.temperature();
+  EXPECT_EQ(field.name, "temperature");
+  EXPECT_EQ(field.unit, "1");
+  EXPECT_EQ(field.on, On::kPoints);
+  ASSERT_EQ(field.values.size(), mesh.points.size());
+  EXPECT_EQ(std::count(field.values.begin(), field.values.end(), 1.F), 8);
+  EXPECT_EQ(std::count(field.values.begin(), field.values.end(), 0.F),
+            static_cast<std::ptrdiff_t>(mesh.points.size()) - 8);
+}
+
+TEST(Diffusion, FramesAreDueAtZeroAtTheirTimesAndAtTheEnd) {
+  // Steps of 0.1 ms add up to no whole number exactly.
+  Diffusion diffusion = started(test::kuhn_cube(2), {1, 1, 1.25, 0.1, 0.3});
+  std::vector<double> times;
+  for (;; advance(diffusion)) {
+    if (diffusion.frame_due()) times.push_back(diffusion.time_ms());
+    if (diffusion.done()) break;
+  }
+  // 13 steps of 1.25 / 13 ms, the first of them at or past 0.3, 0.6, 0.9 and 1.2 ms.
+  const std::vector<double> expected{0, 4 * 1.25 / 13, 7 * 1.25 / 13, 10 * 1.25 / 13, 1.25};
+  ASSERT_EQ(times.size(), expected.size());
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], expected[i], 1e-12);
+  EXPECT_EQ(diffusion.fraction(), 1);
+
+  Diffusion even = started(test::kuhn_cube(2), {1, 1, 0.9, 0.1, 0.3});
+  int steps = 0, frames = 0;
+  for (; !even.done(); advance(even), ++steps) frames += even.frame_due();
+  EXPECT_EQ(steps, 9);
+  EXPECT_EQ(frames, 3);
+}
+
+TEST(Diffusion, SameBytesEverywhere) {
+  Diffusion diffusion = started(test::kuhn_cube(6), {7, 1.5, 20, 0.7, 5});
+  while (!diffusion.done()) advance(diffusion);
+  const Field field = diffusion.temperature();
+  Sha256 sha;
+  sha.update_values(field.values.data(), field.values.size());
+  EXPECT_EQ(sha.hex(), "?");
+}
+
+TEST(Diffusion, NamesTheFieldThatIsOutOfRange) {
+  const TetMesh mesh = test::kuhn_cube(2);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto message = [&](const DiffusionParams& params) {
+    const auto diffusion = Diffusion::start(mesh, params);
+    if (diffusion.ok()) return std::string("none");
+    EXPECT_EQ(diffusion.error().code, ErrorCode::kUsage);
+    return diffusion.error().message;
+  };
+  EXPECT_EQ(message({1, 0, 1, 1, 1}),
+            "physics.diffusion.diffusivity_mm2_per_ms: found 0, expected a finite number > 0 mm^2/ms");
+  EXPECT_EQ(message({1, 1, infinity, 1, 1}),
+            "physics.diffusion.end_ms: found inf, expected a finite number > 0 ms");
+  EXPECT_EQ(message({1, 1, 1, -2, 1}),
+            "physics.diffusion.step_ms: found -2, expected a finite number > 0 ms");
+  EXPECT_EQ(message({1, 1, 1, 1, 0}), "physics.diffusion.frame_ms: found 0, expected a finite number > 0 ms");
+  EXPECT_EQ(message({1, 1, 100, 1e-6, 1}),
+            "physics.diffusion.step_ms: found 1e-06 ms, expected at least a millionth of end_ms, 100 ms");
+  EXPECT_EQ(message({2, 1, 1, 1, 1}),
+            "physics.diffusion.from: found 2, expected a label of the mesh: 1, 7, 300");
+  EXPECT_EQ(message({0, 1, 1, 1, 1}),
+            "physics.diffusion.from: found 0, expected a label of the mesh: 1, 7, 300");
+}
+
+}  // namespace
+}  // namespace voxtet

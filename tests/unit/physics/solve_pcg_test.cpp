@@ -1,0 +1,93 @@
+#include "physics/fem/solve_pcg.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/SparseCholesky>
+
+#include "geometry/digest.h"
+#include "physics/fem/assemble.h"
+#include "support/labelled_mesh.h"
+
+namespace voxtet {
+namespace {
+
+/// Mass and stiffness of the cube of cubes, and a right-hand side without symmetry.
+struct System {
+  fem::SparseMatrix matrix;
+  Eigen::VectorXd b;
+
+  System() {
+    const TetMesh mesh = test::kuhn_cube(6);
+    std::vector<double> coefficient;
+    for (const Label label : mesh.labels) coefficient.push_back(label == 1 ? 20 : 0.5);
+    matrix = fem::assemble_stiffness(mesh, coefficient).value() + fem::assemble_mass(mesh).value();
+    matrix.makeCompressed();
+    b.resize(matrix.rows());
+    for (Eigen::Index i = 0; i < b.size(); ++i) b[i] = static_cast<double>((i * i + 7 * i) % 31) - 11;
+  }
+  Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(b.size()); }
+};
+
+TEST(SolvePcg, AgreesWithADirectSolver) {
+  const System system;
+  const auto solved = fem::solve_pcg(system.matrix, system.b, system.zero(), {1e-12, 1000});
+  ASSERT_TRUE(solved.ok()) << solved.error().message;
+  const Eigen::SparseMatrix<double> columns = system.matrix;
+  const Eigen::VectorXd direct = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(columns).solve(system.b);
+  EXPECT_LT((solved->x - direct).norm(), 1e-9 * direct.norm());
+  EXPECT_GT(solved->iterations, 5);
+  EXPECT_LT(solved->iterations, 100);
+}
+
+TEST(SolvePcg, TheSolutionNeedsNoIteration) {
+  const System system;
+  const auto solved = fem::solve_pcg(system.matrix, system.b, system.zero(), {1e-12, 1000});
+  ASSERT_TRUE(solved.ok());
+  const auto again = fem::solve_pcg(system.matrix, system.b, solved->x, {1e-10, 1000});
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->iterations, 0);
+  EXPECT_EQ(again->x, solved->x);
+  const auto nothing = fem::solve_pcg(system.matrix, system.zero(), system.b, {});
+  ASSERT_TRUE(nothing.ok());
+  EXPECT_EQ(nothing->x, system.zero());
+}
+
+TEST(SolvePcg, SameBytesEverywhere) {
+  const System system;
+  const auto solved = fem::solve_pcg(system.matrix, system.b, system.zero(), {1e-8, 1000});
+  ASSERT_TRUE(solved.ok());
+  Sha256 sha;
+  sha.update_values(solved->x.data(), static_cast<std::size_t>(solved->x.size()));
+  EXPECT_EQ(sha.hex(), "?");
+}
+
+TEST(SolvePcg, TellsWhenItDoesNotConverge) {
+  const System system;
+  const auto solved = fem::solve_pcg(system.matrix, system.b, system.zero(), {1e-10, 3});
+  ASSERT_FALSE(solved.ok());
+  EXPECT_EQ(solved.error().code, ErrorCode::kInternal);
+  EXPECT_NE(solved.error().message.find("after 3 iterations"), std::string::npos) << solved.error().message;
+}
+
+TEST(SolvePcg, RefusesWhatIsNotPositiveDefinite) {
+  fem::SparseMatrix matrix(2, 2);
+  matrix.insert(0, 0) = 1;
+  matrix.insert(0, 1) = matrix.insert(1, 0) = 2;
+  matrix.insert(1, 1) = 1;
+  matrix.makeCompressed();
+  const auto indefinite = fem::solve_pcg(matrix, Eigen::Vector2d(1, -1), Eigen::Vector2d::Zero(), {});
+  ASSERT_FALSE(indefinite.ok());
+  EXPECT_NE(indefinite.error().message.find("found -2"), std::string::npos) << indefinite.error().message;
+  matrix.coeffRef(1, 1) = 0;
+  EXPECT_FALSE(fem::solve_pcg(matrix, Eigen::Vector2d(1, -1), Eigen::Vector2d::Zero(), {}).ok());
+}
+
+TEST(SolvePcg, RefusesSizesThatDiffer) {
+  const System system;
+  const auto solved = fem::solve_pcg(system.matrix, Eigen::Vector2d(1, 1), system.zero(), {});
+  ASSERT_FALSE(solved.ok());
+  EXPECT_NE(solved.error().message.find("2 values of b"), std::string::npos) << solved.error().message;
+}
+
+}  // namespace
+}  // namespace voxtet
