@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/digest.h"
-#include "io/write_volume.h"
+#include "base/digest.h"
+#include "io/volume/write_volume.h"
 #include "pipeline/report.h"
 #include "support/check_tets.h"
 
