@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "geometry/parallel.h"
-#include "io/read_volume.h"
-#include "io/write_mesh.h"
+#include "base/parallel.h"
+#include "io/mesh/write_mesh.h"
+#include "io/volume/read_volume.h"
 #include "lookup/look_up_labels.h"
 #include "pipeline/engine_version.h"
 #include "pipeline/field_volume.h"

@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <map>
 
-#include "geometry/compare_topology.h"
-#include "geometry/digest.h"
+#include "base/digest.h"
+#include "geometry/topology/compare_topology.h"
 #include "pipeline/engine_version.h"
 #include "volume/select_labels.h"
 

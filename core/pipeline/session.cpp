@@ -5,7 +5,7 @@
 #include <new>
 #include <stdexcept>
 
-#include "geometry/digest.h"
+#include "base/digest.h"
 #include "pipeline/engine_version.h"
 #include "pipeline/memory.h"
 

@@ -11,8 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/wall_layers.h"
-#include "io/read_volume.h"
+#include "io/volume/read_volume.h"
 #include "recipe/recipe.h"
 #include "types/label_lookup.h"
 #include "types/quality_report.h"
@@ -21,8 +20,9 @@
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
-#include "types/wall_field.h"
 #include "volume/prepare_volume.h"
+#include "walls/wall_field.h"
+#include "walls/wall_layers.h"
 
 namespace voxtet {
 

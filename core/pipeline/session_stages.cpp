@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "geometry/digest.h"
+#include "base/digest.h"
 #include "lookup/look_up_labels.h"
 #include "phantom/make_phantom.h"
 #include "pipeline/forecast.h"
@@ -10,13 +10,13 @@
 #include "quality/measure_quality.h"
 #include "remesh/remesh_surface.h"
 #include "sizing/build_sizing_field.h"
-#include "sizing/measure_wall.h"
-#include "surface/extract_surface.h"
-#include "surface/smooth_surface.h"
-#include "tetra/deepen_walls.h"
-#include "tetra/fill_tets.h"
-#include "tetra/optimise_tets.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
+#include "tetra/fill/fill_tets.h"
+#include "tetra/optimise/deepen_walls.h"
+#include "tetra/optimise/optimise_tets.h"
 #include "volume/select_labels.h"
+#include "walls/measure_wall.h"
 
 namespace voxtet {
 namespace {

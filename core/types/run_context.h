@@ -9,7 +9,7 @@
 
 namespace voxtet {
 
-/// Whether this thread is one that a stage has made (geometry/parallel.h): those never call back.
+/// Whether this thread is one that a stage has made (base/parallel.h): those never call back.
 inline thread_local bool is_helper_thread = false;
 
 /// Passed by reference into every stage. All callbacks are optional and are called on the stage's own thread.
@@ -20,7 +20,7 @@ struct RunContext {
   /// What a reader of the report should know though nothing is wrong: which method or rung was taken, what
   /// was removed on demand.
   std::function<void(const std::string& stage, const std::string& message)> on_note;
-  int threads = 1;  ///< that a stage may use (geometry/parallel.h); never changes what it returns
+  int threads = 1;  ///< that a stage may use (base/parallel.h); never changes what it returns
 
   void progress(const std::string& stage, double fraction) const {
     if (on_progress && !is_helper_thread) on_progress(stage, fraction);

@@ -4,8 +4,8 @@
 
 #include <regex>
 
-#include "geometry/digest.h"
-#include "io/write_volume.h"
+#include "base/digest.h"
+#include "io/volume/write_volume.h"
 #include "pipeline/engine_version.h"
 #include "pipeline/report.h"
 #include "support/check_tets.h"
