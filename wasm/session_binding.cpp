@@ -10,14 +10,17 @@
 #include <span>
 #include <string>
 
-#include "geometry/parallel.h"
-#include "io/read_volume.h"
-#include "io/write_mesh.h"
+#include "base/parallel.h"
+#include "io/mesh/write_mesh.h"
+#include "io/volume/read_volume.h"
+#include "lookup/look_up_labels.h"
+#include "pipeline/version/engine_version.h"
 #include "pipeline/exported_fields.h"
+#include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
-#include "pipeline/stage_arrays.h"
+#include "pipeline/stages/stage_arrays.h"
 
 namespace voxtet {
 namespace {

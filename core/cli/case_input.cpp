@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "io/files.h"
+#include "io/bytes/files.h"
 #include "recipe/link.h"
 #include "volume/select_labels.h"
 

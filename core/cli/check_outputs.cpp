@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "io/files.h"
-#include "io/write_mesh.h"
+#include "io/bytes/files.h"
+#include "io/mesh/write_mesh.h"
 
 namespace voxtet {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "geometry/rasterise.h"
-#include "geometry/tet_measures.h"
+#include "geometry/elements/tet_measures.h"
+#include "geometry/grid/rasterise.h"
 
 namespace voxtet {
 namespace {

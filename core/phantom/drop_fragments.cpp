@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/label_components.h"
+#include "geometry/topology/label_components.h"
 
 namespace voxtet {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <sstream>
 
-#include "geometry/rotation.h"
+#include "geometry/elements/rotation.h"
 #include "phantom/body.h"
 #include "phantom/drop_fragments.h"
 

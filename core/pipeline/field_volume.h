@@ -8,12 +8,6 @@
 
 namespace voxtet {
 
-enum class WallValue { kThickness, kPotential };
-
-/// At each voxel of `volume` the thickness (mm) or the potential (0 to 1) of the first wall that holds it;
-/// not a number in no wall.
-std::vector<float> wall_values(const Walls& walls, const LabelVolume& volume, WallValue value);
-
 /// `size`: wished edge length, mm. `thickness`: of the walls of sizing.thickness, mm, 0 outside of them.
 /// `potential`: 0 at a wall's inner surface, 1 at its outer one, -1 outside of the walls. Where walls
 /// overlap, the first holds. Errors: kUsage for another name, for a stage sizing that has not run, and for a

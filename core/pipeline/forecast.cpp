@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/label_topology.h"
+#include "geometry/topology/label_topology.h"
 #include "sizing/edge_lengths.h"
 
 namespace voxtet {

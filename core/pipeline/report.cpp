@@ -4,9 +4,10 @@
 #include <array>
 #include <map>
 
-#include "geometry/compare_topology.h"
-#include "pipeline/engine_version.h"
-#include "pipeline/value_json.h"
+#include "base/digest.h"
+#include "geometry/topology/compare_topology.h"
+#include "pipeline/version/engine_version.h"
+#include "pipeline/stages/value_json.h"
 
 namespace voxtet {
 namespace {

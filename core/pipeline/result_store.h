@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/stage.h"
+#include "pipeline/stages/stage.h"
 
 namespace voxtet {
 

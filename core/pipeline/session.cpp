@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "geometry/digest.h"
+#include "base/digest.h"
+#include "pipeline/admission.h"
+#include "pipeline/version/engine_version.h"
 #include "pipeline/memory.h"
-#include "pipeline/side_sizes.h"
+#include "pipeline/stages/side_sizes.h"
 
 namespace voxtet {
 namespace {
@@ -186,13 +188,16 @@ Result<RunProgress> Session::advance(double budget_ms, RunContext& ctx) {
 }
 
 Status Session::admit(const StageSpec& spec, RunContext& ctx) {
-  if (!spec.admit) return std::monostate{};
-  const std::string key = admission_key(spec, recipe_to_json(recipe_), keys_);
-  std::string& admitted = admitted_[static_cast<std::size_t>(spec.stage)];
-  if (admitted == key) return std::monostate{};
-  Status passes = spec.admit(*this, ctx);
-  if (passes) admitted = key;
-  return passes;
+  for (const Admission& admission : admissions()) {
+    if (admission.stage != spec.stage) continue;
+    std::string asked = fields_text(recipe_to_json(recipe_), admission.reads);
+    for (const Stage input : spec.inputs) asked += keys_[static_cast<std::size_t>(input)];
+    std::string& admitted = admitted_[static_cast<std::size_t>(spec.stage)];
+    if (admitted == asked) continue;
+    if (Status passes = admission.admit(*this, ctx); !passes) return passes;
+    admitted = asked;
+  }
+  return std::monostate{};
 }
 
 StageInputs Session::inputs_of(const StageSpec& spec) const {

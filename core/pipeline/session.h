@@ -9,14 +9,20 @@
 #include <string>
 #include <vector>
 
-#include "io/read_volume.h"
-#include "pipeline/loaded_files.h"
+#include "io/volume/read_volume.h"
 #include "pipeline/result_store.h"
-#include "pipeline/stage.h"
-#include "pipeline/stage_results.h"
+#include "pipeline/stages/loaded_files.h"
+#include "pipeline/stages/stage.h"
+#include "pipeline/stages/stage_results.h"
 #include "recipe/recipe.h"
 #include "types/result.h"
 #include "types/run_context.h"
+#include "types/sizing_field.h"
+#include "types/surface_mesh.h"
+#include "types/tet_mesh.h"
+#include "volume/prepare_volume.h"
+#include "walls/wall_field.h"
+#include "walls/wall_layers.h"
 
 namespace voxtet {
 
@@ -125,7 +131,7 @@ class Session {
   Recipe recipe_;
   StageKeys keys_ = keys_of(recipe_, files_);
   ResultStore store_;
-  std::array<std::string, kStageCount> admitted_;  ///< by stage: the key that admit() has let pass
+  std::array<std::string, kStageCount> admitted_;  ///< by stage: what admit() has let pass
   std::array<bool, kStageCount> cached_{};
   std::vector<Stage> plan_;  ///< what is still to be done, the next one last
   std::optional<Running> running_;

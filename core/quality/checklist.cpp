@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "geometry/compare_topology.h"
-#include "geometry/tet_measures.h"
+#include "geometry/elements/tet_measures.h"
+#include "geometry/topology/compare_topology.h"
 
 namespace voxtet {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/adjacency.h"
+#include "geometry/topology/adjacency.h"
 #include "types/label_volume.h"
 #include "types/quality_report.h"
 #include "types/tet_mesh.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/adjacency.h"
-#include "geometry/rasterise.h"
-#include "geometry/tet_measures.h"
+#include "geometry/elements/tet_measures.h"
+#include "geometry/grid/rasterise.h"
+#include "geometry/topology/adjacency.h"
 #include "quality/summarise.h"
 
 namespace voxtet {

@@ -8,11 +8,12 @@
 #include <limits>
 #include <utility>
 
-#include "geometry/adjacency.h"
-#include "geometry/compare_topology.h"
-#include "geometry/label_topology.h"
-#include "geometry/parallel.h"
-#include "geometry/triangle_measures.h"
+#include "base/parallel.h"
+#include "geometry/elements/tet_measures.h"
+#include "geometry/elements/triangle_measures.h"
+#include "geometry/topology/adjacency.h"
+#include "geometry/topology/compare_topology.h"
+#include "geometry/topology/label_topology.h"
 #include "quality/checklist.h"
 #include "quality/fidelity.h"
 #include "quality/summarise.h"

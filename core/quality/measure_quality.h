@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "quality/count_layers.h"
 #include "types/label_volume.h"
 #include "types/quality_report.h"
 #include "types/result.h"
@@ -12,6 +11,7 @@
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
+#include "walls/count_layers.h"
 
 namespace voxtet {
 

@@ -10,10 +10,10 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/closest_point.h"
-#include "geometry/parallel.h"
-#include "geometry/surface_measures.h"
-#include "geometry/triangle_measures.h"
+#include "base/parallel.h"
+#include "geometry/elements/surface_measures.h"
+#include "geometry/elements/triangle_measures.h"
+#include "geometry/search/closest_point.h"
 
 namespace voxtet {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/parallel.h"
+#include "base/parallel.h"
 
 namespace voxtet {
 namespace {

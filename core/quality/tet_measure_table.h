@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/tet_measures.h"
+#include "geometry/elements/tet_measures.h"
 #include "quality/summarise.h"
 #include "types/field.h"
 #include "types/sizing_field.h"

@@ -211,8 +211,7 @@ void visit_fields(V& v, RemeshParams& p) {
   v.field({"max_distance_voxels", "voxel", 0.01, 10, "delaunay: distance allowed from triangles to labels."},
           p.max_distance_voxels);
   v.choice({"schedule", "", 0, 0, "remesh: adaptive, or the paper's coarsen, refine, optimise."}, p.schedule,
-           Choices<remesh::AdaptSchedule>{{"adaptive", remesh::AdaptSchedule::kAdaptive},
-                                          {"paper", remesh::AdaptSchedule::kPaper}});
+           Choices<AdaptSchedule>{{"adaptive", AdaptSchedule::kAdaptive}, {"paper", AdaptSchedule::kPaper}});
   v.field({"shape_weight", "", 0, 1, "remesh: weight of shape against size when points are moved."},
           p.shape_weight);
   v.field({"verify", "", 0, 0, "remesh: check every operation for intersections; slow."}, p.verify);

@@ -10,13 +10,13 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "geometry/compare_topology.h"
-#include "geometry/label_topology.h"
-#include "remesh/adapt_complex.h"
-#include "remesh/delaunay_surface.h"
-#include "remesh/improve_surface.h"
-#include "remesh/label_field.h"
-#include "remesh/stage.h"
+#include "geometry/topology/compare_topology.h"
+#include "geometry/topology/label_topology.h"
+#include "remesh/adapt/adapt_complex.h"
+#include "remesh/adapt/improve_surface.h"
+#include "remesh/delaunay/delaunay_surface.h"
+#include "remesh/field/label_field.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {

@@ -1,38 +1,15 @@
 // The adapted surface: the label boundaries triangulated to the sizing field.
 #pragma once
 
-#include "geometry/wall_layers.h"
-#include "remesh/adapt_complex.h"
+#include "remesh/remesh_params.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
+#include "walls/wall_layers.h"
 
 namespace voxtet {
-
-enum class RemeshMethod {
-  kDelaunay,  ///< restricted Delaunay refinement of the field of the labels' distances
-  kRemesh,    ///< local operations on the label surface itself, each keeping topology and embedding
-};
-
-/// When a surface of method delaunay is given up for one of method remesh, which keeps all topology.
-enum class KeepTopology {
-  kLabels,   ///< when a label is lost or its boundary touches itself
-  kAll,      ///< when pieces, cavities, handles or contacts of any label differ from the label surface's
-  kNothing,  ///< never
-};
-
-struct RemeshParams {
-  RemeshMethod method = RemeshMethod::kDelaunay;
-  KeepTopology keep_topology = KeepTopology::kAll;
-  double facet_angle_deg = 30;  ///< delaunay: lower bound on the planar angles; 0 to 30
-  double max_distance_voxels =
-      0.5;  ///< delaunay: facet to label field, in units of the smallest spacing; at least 0.01
-  remesh::AdaptSchedule schedule = remesh::AdaptSchedule::kAdaptive;  ///< remesh: order of operations
-  double shape_weight = 0.7;  ///< relocation, from sizes alone (0) to shapes alone (1)
-  bool verify = false;        ///< look for intersections after every local operation (slow)
-};
 
 /// The interfaces between all labels (background included) triangulated to the sizing field (median edge =
 /// wish): conforming between any number of labels, closed for each, free of self-intersections.

@@ -13,7 +13,7 @@
 #include "types/scalar_volume.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
-#include "types/wall_field.h"
+#include "walls/wall_field.h"
 
 namespace voxtet {
 
@@ -50,7 +50,7 @@ struct DistanceSize {
 /// How a number of layers is had.
 enum class Layering {
   kSize,   ///< by the size of elements alone, which are not laid in sheets
-  kExact,  ///< by sheets across the wall (geometry/wall_layers.h), between which lies one element
+  kExact,  ///< by sheets across the wall (walls/wall_layers.h), between which lies one element
 };
 
 /// Size by the thickness t of a wall. `layers` > 0: t / layers. By size alone, of a shell's area 99 % has
@@ -114,7 +114,7 @@ struct SizingSources {
 };
 
 /// The minimum of all sources at the volume's voxels, clamped to [edge_min_mm, edge_max_mm], then
-/// gradation-limited: h*(x) = min_y h(y) + g|x - y| by fast sweeping (limit_gradation.h states its accuracy).
+/// gradation-limited: h*(x) = min_y h(y) + g|x - y| by fast sweeping (fast_sweeping.h states its accuracy).
 /// The grid is that of the volume with two points more on each side. Background takes no wish of its own: it
 /// gets its size from the labels around it through the gradation, from distances and from regions. Regions do
 /// not depend on their order: each rises to what stands without any region.

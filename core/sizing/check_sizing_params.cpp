@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "sizing/stage.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {

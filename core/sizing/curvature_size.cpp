@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "geometry/surface_curvature.h"
+#include "geometry/elements/surface_curvature.h"
 #include "types/grid_corners.h"
 
 namespace voxtet {

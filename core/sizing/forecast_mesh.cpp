@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/surface_curvature.h"
-#include "geometry/surface_measures.h"
-#include "sizing/limit_gradation.h"
-#include "sizing/stage.h"
+#include "geometry/elements/surface_curvature.h"
+#include "geometry/elements/surface_measures.h"
+#include "geometry/grid/fast_sweeping.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {

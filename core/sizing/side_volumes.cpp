@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <optional>
 
-#include "geometry/distance_transform.h"
-#include "sizing/stage.h"
+#include "geometry/grid/distance_transform.h"
 #include "types/grid_corners.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {

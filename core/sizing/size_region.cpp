@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/rotation.h"
+#include "geometry/elements/rotation.h"
 
 namespace voxtet {
 

@@ -74,7 +74,7 @@ struct LayerPlace {
   std::uint32_t fewest = 0, most = 0;  ///< layers found there
 };
 
-/// The layers of one wall, counted in two ways (quality/count_layers.h).
+/// The layers of one wall, counted in two ways (walls/count_layers.h).
 struct LayerCount {
   std::vector<Label> wall;
   std::uint32_t wished = 0;

@@ -10,7 +10,7 @@
 
 namespace voxtet {
 
-/// Whether this thread is one that a stage has made (geometry/parallel.h): those never call back.
+/// Whether this thread is one that a stage has made (base/parallel.h): those never call back.
 inline thread_local bool is_helper_thread = false;
 
 /// Passed by reference into every stage. All callbacks are optional and are called on the stage's own thread.
@@ -22,7 +22,7 @@ struct RunContext {
   /// was removed on demand.
   std::function<void(const std::string& stage, const std::string& message)> on_note;
   std::function<void(const Snapshot&)> on_snapshot;  ///< a frame of a result that lives in time
-  int threads = 1;  ///< that a stage may use (geometry/parallel.h); never changes what it returns
+  int threads = 1;  ///< that a stage may use (base/parallel.h); never changes what it returns
 
   void progress(const std::string& stage, double fraction) const {
     if (on_progress && !is_helper_thread) on_progress(stage, fraction);

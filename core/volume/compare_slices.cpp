@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/label_components.h"
+#include "geometry/topology/label_components.h"
 
 namespace voxtet::slices {
 namespace {

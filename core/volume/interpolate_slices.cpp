@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "geometry/label_components.h"
+#include "geometry/topology/label_components.h"
 #include "volume/balance_offsets.h"
 #include "volume/compare_slices.h"
 #include "volume/slice_gap.h"

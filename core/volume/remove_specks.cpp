@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/label_components.h"
+#include "geometry/topology/label_components.h"
 
 namespace voxtet {
 namespace {

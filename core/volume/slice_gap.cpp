@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/label_components.h"
+#include "geometry/topology/label_components.h"
 
 namespace voxtet::slices {
 namespace {

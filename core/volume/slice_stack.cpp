@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "geometry/distance_transform.h"
+#include "geometry/grid/distance_transform.h"
 
 namespace voxtet::slices {
 namespace {

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "geometry/orientation.h"
-#include "geometry/self_intersections.h"
+#include "geometry/elements/orientation.h"
+#include "geometry/intersect/self_intersections.h"
 #include "support/label_bodies.h"
 #include "support/test_random.h"
-#include "surface/extract_surface.h"
+#include "surface/extract/extract_surface.h"
 
 namespace voxtet {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 #include "support/labelled_mesh.h"
 
 namespace voxtet {

@@ -1,8 +1,8 @@
 // The adapted surface of a heart-like volume of four labels, at three edge lengths.
 #include <benchmark/benchmark.h>
 
-#include "remesh/adapt_complex.h"
-#include "remesh/label_field.h"
+#include "remesh/adapt/adapt_complex.h"
+#include "remesh/field/label_field.h"
 #include "remesh/remesh_surface.h"
 #include "support/label_bodies.h"
 #include "support/label_surface.h"

@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "support/label_bodies.h"
-#include "surface/extract_surface.h"
-#include "surface/smooth_surface.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
 
 namespace voxtet {
 namespace {

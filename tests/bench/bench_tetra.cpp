@@ -1,9 +1,9 @@
 // Tetrahedra a second of fill_tets on a shell (radii 20 and 30 mm, 40960 triangles) and what its checks cost.
 #include <benchmark/benchmark.h>
 
-#include "geometry/self_intersections.h"
+#include "geometry/intersect/self_intersections.h"
 #include "support/test_surfaces.h"
-#include "tetra/fill_tets.h"
+#include "tetra/fill/fill_tets.h"
 
 namespace voxtet {
 namespace {

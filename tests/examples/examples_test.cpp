@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "geometry/parallel.h"
-#include "io/files.h"
+#include "base/parallel.h"
+#include "io/bytes/files.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
 #include "support/check_tets.h"

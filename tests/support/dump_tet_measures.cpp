@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 
-#include "geometry/tet_measures.h"
+#include "geometry/elements/tet_measures.h"
 
 int main() {
   std::array<double, 12> in{};

@@ -8,8 +8,8 @@
 #include <iostream>
 #include <string>
 
-#include "io/read_volume.h"
-#include "io/write_volume.h"
+#include "io/volume/read_volume.h"
+#include "io/volume/write_volume.h"
 
 namespace {
 

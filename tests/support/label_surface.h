@@ -1,8 +1,8 @@
 // The smoothed label surface of a volume, as the later stages take it.
 #pragma once
 
-#include "surface/extract_surface.h"
-#include "surface/smooth_surface.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
 
 namespace voxtet::test {
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
+#include "geometry/grid/fast_sweeping.h"
 #include "phantom/make_phantom.h"
-#include "sizing/limit_gradation.h"
-#include "sizing/measure_wall.h"
-#include "surface/extract_surface.h"
-#include "surface/smooth_surface.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
+#include "walls/measure_wall.h"
 
 namespace voxtet::test {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "io/files.h"
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
+#include "io/bytes/files.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/write_mesh.h"
 #include "support/labelled_mesh.h"
 
 namespace voxtet {

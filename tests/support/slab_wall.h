@@ -7,9 +7,9 @@
 #include <array>
 #include <cstdint>
 
-#include "geometry/adjacency.h"
+#include "geometry/topology/adjacency.h"
 #include "types/tet_mesh.h"
-#include "types/wall_field.h"
+#include "walls/wall_field.h"
 
 namespace voxtet::test {
 

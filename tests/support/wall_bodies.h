@@ -11,11 +11,11 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/rotation.h"
-#include "sizing/measure_wall.h"
-#include "surface/extract_surface.h"
-#include "surface/smooth_surface.h"
+#include "geometry/elements/rotation.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
 #include "volume/interpolate_slices.h"
+#include "walls/measure_wall.h"
 
 namespace voxtet::test {
 

@@ -4,13 +4,13 @@
 #include <map>
 #include <regex>
 
-#include "geometry/exact_intersections.h"
-#include "geometry/label_topology.h"
-#include "geometry/surface_measures.h"
+#include "geometry/elements/surface_measures.h"
+#include "geometry/intersect/exact_intersections.h"
+#include "geometry/topology/label_topology.h"
 #include "support/caught_failures.h"
 #include "support/check_surface.h"
 #include "support/check_tets.h"
-#include "tetra/check_surface.h"
+#include "tetra/fill/check_surface.h"
 #include "volume/select_labels.h"
 
 namespace voxtet::sweep {

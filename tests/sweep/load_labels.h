@@ -1,7 +1,7 @@
 // A session's way to a volume made in memory, as if its file had been dropped.
 #pragma once
 
-#include "io/write_volume.h"
+#include "io/volume/write_volume.h"
 #include "pipeline/session.h"
 
 namespace voxtet::sweep {

@@ -1,6 +1,6 @@
 #include "sweep/random_case.h"
 
-#include "geometry/digest.h"
+#include "base/digest.h"
 #include "recipe/recipe.h"
 #include "support/check_surface.h"
 #include "support/random_labels.h"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/exact_intersections.h"
-#include "geometry/self_intersections.h"
+#include "geometry/intersect/exact_intersections.h"
+#include "geometry/intersect/self_intersections.h"
 #include "support/test_random.h"
 #include "support/test_surfaces.h"
 

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/compare_topology.h"
-#include "geometry/exact_intersections.h"
-#include "geometry/label_topology.h"
-#include "geometry/triangle_measures.h"
+#include "geometry/elements/triangle_measures.h"
+#include "geometry/intersect/exact_intersections.h"
+#include "geometry/topology/compare_topology.h"
+#include "geometry/topology/label_topology.h"
 #include "quality/summarise.h"
 #include "quality/surface_distance.h"
 #include "sweep/defects.h"
-#include "tetra/check_surface.h"
+#include "tetra/fill/check_surface.h"
 
 namespace voxtet::sweep {
 namespace {

@@ -1,5 +1,5 @@
 // Bodies with a known boundary: how far the smoothed and the adapted surface are from the truth.
-#include "geometry/surface_measures.h"
+#include "geometry/elements/surface_measures.h"
 #include "phantom/make_phantom.h"
 #include "sweep/command_line.h"
 #include "sweep/findings.h"

@@ -1,7 +1,7 @@
 // One heart with its voxels stored in all 48 orders and directions, and turned as a whole 20 times: the same
 // bounds hold, and the meshes agree.
-#include "geometry/rasterise.h"
-#include "io/read_volume.h"
+#include "geometry/grid/rasterise.h"
+#include "io/volume/read_volume.h"
 #include "support/data.h"
 #include "support/random_labels.h"
 #include "support/test_random.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "geometry/digest.h"
+#include "base/digest.h"
 #include "sweep/command_line.h"
 #include "sweep/random_case.h"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <functional>
 
-#include "geometry/adjacency.h"
-#include "io/write_volume.h"
+#include "geometry/topology/adjacency.h"
+#include "io/volume/write_volume.h"
 #include "quality/summarise.h"
 #include "support/data.h"
 #include "sweep/command_line.h"

@@ -4,8 +4,8 @@
 #include <ctime>
 #include <limits>
 
-#include "io/read_volume.h"
-#include "remesh/label_field.h"
+#include "io/volume/read_volume.h"
+#include "remesh/field/label_field.h"
 #include "support/data.h"
 #include "support/large_heart.h"
 #include "sweep/command_line.h"

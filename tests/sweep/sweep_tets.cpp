@@ -1,14 +1,15 @@
 // The Table-1 cases as tetrahedra, before and after the optimiser, against the promised angles and speed.
 #include <ctime>
 
-#include "geometry/digest.h"
+#include "base/digest.h"
+#include "quality/measure_quality.h"
 #include "quality/summarise.h"
 #include "quality/tet_measure_table.h"
 #include "support/data.h"
 #include "sweep/command_line.h"
 #include "sweep/findings.h"
 #include "sweep/table_cases.h"
-#include "tetra/check_surface.h"
+#include "tetra/fill/check_surface.h"
 
 using namespace voxtet;
 using namespace voxtet::sweep;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/read_volume.h"
+#include "io/volume/read_volume.h"
 #include "sweep/load_labels.h"
 
 namespace voxtet::sweep {

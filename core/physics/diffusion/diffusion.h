@@ -21,10 +21,10 @@ struct DiffusionParams {
 
 /// The equation du/dt = D div grad u with no flow through the outer surface, on linear elements with
 /// consistent mass, by backward Euler (Quarteroni and Valli, "Numerical Approximation of Partial Differential
-/// Equations", 1994, chapter 11): second order in the edge length, first in the step. With steps shorter than
-/// about h^2 / (6 D), h the edge length, u leaves the range 0 to 1 for a while near `from`: the price of the
-/// consistent mass (Thomée, "Galerkin Finite Element Methods for Parabolic Problems", 2006, chapter 15). A
-/// computation that its caller advances step by step, and may leave at any time.
+/// Equations", 1994, chapter 11): second order in the edge length h, first in the step. Steps shorter than
+/// about h^2 / D let u fall some hundredths below 0 for a while near `from`: the price of the consistent mass
+/// (Thomee, "Galerkin Finite Element Methods for Parabolic Problems", 2006, chapter 15). A computation that
+/// its caller advances step by step, and may leave at any time.
 class Diffusion {
  public:
   /// Time 0. Returns kUsage, naming the field (physics.diffusion.from), for a parameter out of its range, a

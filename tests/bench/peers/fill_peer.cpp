@@ -8,12 +8,12 @@
 #include <optional>
 #include <utility>
 
+#include "base/union_find.h"
 #include "bench/peers/peer.h"
-#include "geometry/adjacency.h"
-#include "geometry/tet_measures.h"
-#include "geometry/union_find.h"
+#include "geometry/elements/tet_measures.h"
+#include "geometry/topology/adjacency.h"
 #include "pipeline/memory.h"
-#include "tetra/label_tets.h"
+#include "tetra/fill/label_tets.h"
 
 namespace voxtet::peers {
 namespace {

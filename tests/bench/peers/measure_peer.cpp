@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "bench/peers/surface_file.h"
-#include "geometry/adjacency.h"
-#include "geometry/tet_measures.h"
-#include "io/read_mesh.h"
+#include "geometry/elements/tet_measures.h"
+#include "geometry/topology/adjacency.h"
+#include "io/mesh/read_mesh.h"
 #include "pipeline/report.h"
 #include "quality/measure_quality.h"
 #include "quality/summarise.h"

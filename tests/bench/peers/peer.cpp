@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <ctime>
 
-#include "io/files.h"
-#include "io/write_mesh.h"
+#include "io/bytes/files.h"
+#include "io/mesh/write_mesh.h"
 
 namespace voxtet::peers {
 

@@ -16,7 +16,7 @@
 #include <map>
 
 #include "bench/peers/peer.h"
-#include "io/read_volume.h"
+#include "io/volume/read_volume.h"
 #include "pipeline/memory.h"
 
 using namespace voxtet;

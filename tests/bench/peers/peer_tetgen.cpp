@@ -1,8 +1,8 @@
 // TetGen with the switches of VARIANT: `paper` pYAq1.414, `angles` pYAq1.414/14o/145.
 #include "bench/peers/fill_peer.h"
-#include "tetra/edge_groups.h"
-#include "tetra/hole_seeds.h"
-#include "tetra/tetgen_backend.h"
+#include "tetra/backends/tetgen_backend.h"
+#include "tetra/fill/hole_seeds.h"
+#include "tetra/mesh/edge_groups.h"
 
 using namespace voxtet;
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/digest.h"
 #include "bench/peers/peer.h"
 #include "bench/peers/surface_file.h"
 #include "cli/case_input.h"
-#include "geometry/digest.h"
-#include "io/files.h"
-#include "io/write_volume.h"
+#include "io/bytes/files.h"
+#include "io/volume/write_volume.h"
 #include "pipeline/session.h"
 #include "volume/mesh_order.h"
 

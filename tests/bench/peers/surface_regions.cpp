@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "geometry/union_find.h"
+#include "base/union_find.h"
 
 namespace voxtet::peers {
 namespace {

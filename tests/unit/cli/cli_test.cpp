@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/adjacency.h"
-#include "io/files.h"
-#include "io/read_mesh.h"
-#include "pipeline/engine_version.h"
+#include "geometry/topology/adjacency.h"
+#include "io/bytes/files.h"
+#include "io/mesh/read_mesh.h"
+#include "pipeline/version/engine_version.h"
 #include "recipe/link.h"
 #include "support/check_tets.h"
 

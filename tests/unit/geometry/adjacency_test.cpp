@@ -1,4 +1,4 @@
-#include "geometry/adjacency.h"
+#include "geometry/topology/adjacency.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/closest_point.h"
+#include "geometry/search/closest_point.h"
 
 #include <gtest/gtest.h>
 

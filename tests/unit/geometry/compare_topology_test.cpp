@@ -1,4 +1,4 @@
-#include "geometry/compare_topology.h"
+#include "geometry/topology/compare_topology.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/distance_transform.h"
+#include "geometry/grid/distance_transform.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-#include "geometry/rotation.h"
+#include "geometry/elements/rotation.h"
 
 namespace voxtet {
 namespace {

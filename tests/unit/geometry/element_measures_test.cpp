@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "geometry/tet_measures.h"
-#include "geometry/triangle_measures.h"
+#include "geometry/elements/tet_measures.h"
+#include "geometry/elements/triangle_measures.h"
 
 namespace voxtet {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/label_components.h"
+#include "geometry/topology/label_components.h"
 
 #include <gtest/gtest.h>
 

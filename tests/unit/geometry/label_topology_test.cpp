@@ -1,4 +1,4 @@
-#include "geometry/label_topology.h"
+#include "geometry/topology/label_topology.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "support/label_bodies.h"
 #include "support/random_labels.h"
 #include "support/test_surfaces.h"
-#include "surface/extract_surface.h"
+#include "surface/extract/extract_surface.h"
 
 namespace voxtet {
 

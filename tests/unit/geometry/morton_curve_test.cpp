@@ -1,4 +1,4 @@
-#include "geometry/morton_curve.h"
+#include "geometry/search/morton_curve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "geometry/near_triangles.h"
+#include "geometry/search/near_triangles.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
 
-#include "geometry/closest_point.h"
+#include "geometry/search/closest_point.h"
 
 namespace voxtet {
 namespace {

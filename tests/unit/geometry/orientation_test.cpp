@@ -1,5 +1,5 @@
 // Signs against exact rational arithmetic, mostly where rounding decides.
-#include "geometry/orientation.h"
+#include "geometry/elements/orientation.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
-#include "geometry/tet_measures.h"
+#include "geometry/elements/tet_measures.h"
 #include "support/test_random.h"
 
 namespace voxtet {

@@ -1,4 +1,4 @@
-#include "geometry/rasterise.h"
+#include "geometry/grid/rasterise.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/self_intersections.h"
+#include "geometry/intersect/self_intersections.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/surface_curvature.h"
+#include "geometry/elements/surface_curvature.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "geometry/triangle_intersection.h"
+#include "geometry/intersect/triangle_intersection.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "geometry/half_space.h"
+#include "geometry/elements/half_space.h"
 #include "support/exact_intersection.h"
 #include "support/test_random.h"
 

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/write_mesh.h"
 #include "mesh_texts.h"
 #include "support/labelled_mesh.h"
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "io/byte_source.h"
+#include "io/bytes/byte_source.h"
 #include "unit/io/allocation_peak.h"
 #include "unit/io/nifti_file.h"
 #include "unit/io/shared_volumes.h"

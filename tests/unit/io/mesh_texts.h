@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/read_mesh.h"
-#include "io/write_mesh.h"
+#include "io/mesh/read_mesh.h"
+#include "io/mesh/write_mesh.h"
 
 namespace voxtet::test {
 

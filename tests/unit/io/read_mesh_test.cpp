@@ -1,11 +1,11 @@
 // Meshes written and read back are the same.
-#include "io/read_mesh.h"
+#include "io/mesh/read_mesh.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 #include "support/check_tets.h"
 #include "support/labelled_mesh.h"
 #include "unit/io/mesh_texts.h"

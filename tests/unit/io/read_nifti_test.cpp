@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "io/byte_source.h"
+#include "io/bytes/byte_source.h"
 #include "unit/io/nifti_file.h"
 
 namespace voxtet::test {

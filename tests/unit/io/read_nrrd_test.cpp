@@ -1,4 +1,4 @@
-#include "io/byte_source.h"
+#include "io/bytes/byte_source.h"
 #include "unit/io/volume_files.h"
 
 namespace voxtet::test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "io/read_volume.h"
+#include "io/volume/read_volume.h"
 #include "support/data.h"
 
 namespace voxtet::test {

@@ -1,4 +1,4 @@
-#include "io/text_numbers.h"
+#include "io/bytes/text_numbers.h"
 
 #include <gtest/gtest.h>
 

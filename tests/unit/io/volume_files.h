@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/read_volume.h"
+#include "io/volume/read_volume.h"
 
 namespace voxtet::test {
 

@@ -1,4 +1,4 @@
-#include "io/write_mesh.h"
+#include "io/mesh/write_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 #include <csignal>
 #endif
 
-#include "io/files.h"
-#include "io/mesh_groups.h"
+#include "io/bytes/files.h"
+#include "io/mesh/shared/mesh_groups.h"
 #include "mesh_texts.h"
 #include "support/labelled_mesh.h"
 

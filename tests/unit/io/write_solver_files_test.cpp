@@ -4,10 +4,10 @@
 #include <sstream>
 #include <string>
 
-#include "io/face_owners.h"
-#include "io/header_text.h"
-#include "io/mesh_groups.h"
-#include "io/write_mesh.h"
+#include "io/bytes/header_text.h"
+#include "io/mesh/shared/face_owners.h"
+#include "io/mesh/shared/mesh_groups.h"
+#include "io/mesh/write_mesh.h"
 #include "mesh_texts.h"
 #include "support/labelled_mesh.h"
 

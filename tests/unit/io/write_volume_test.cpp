@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "io/write_volume.h"
-#include "io/write_vti.h"
+#include "io/volume/write_volume.h"
+#include "io/volume/write_vti.h"
 #include "unit/io/volume_files.h"
 
 namespace voxtet::test {

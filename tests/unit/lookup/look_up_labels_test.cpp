@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "geometry/rotation.h"
-#include "geometry/tet_measures.h"
+#include "geometry/elements/rotation.h"
+#include "geometry/elements/tet_measures.h"
 #include "support/labelled_mesh.h"
 
 namespace voxtet {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/distance_transform.h"
+#include "geometry/grid/distance_transform.h"
 #include "phantom/make_phantom.h"
 
 namespace voxtet {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "geometry/digest.h"
+#include "base/digest.h"
 
 namespace voxtet {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "geometry/tet_measures.h"
+#include "geometry/elements/tet_measures.h"
 #include "support/labelled_mesh.h"
 
 namespace voxtet {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "geometry/digest.h"
-#include "io/files.h"
-#include "io/write_volume.h"
+#include "base/digest.h"
+#include "io/bytes/files.h"
+#include "io/volume/write_volume.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
 #include "support/check_tets.h"

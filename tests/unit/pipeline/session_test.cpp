@@ -4,10 +4,10 @@
 
 #include <regex>
 
-#include "geometry/digest.h"
-#include "io/write_volume.h"
-#include "pipeline/engine_version.h"
+#include "base/digest.h"
+#include "io/volume/write_volume.h"
 #include "pipeline/report.h"
+#include "pipeline/version/engine_version.h"
 #include "support/check_tets.h"
 
 namespace voxtet {
@@ -118,7 +118,28 @@ TEST(Session, ReusesWhatDidNotChange) {
   session.set_recipe(recipe);
   ASSERT_TRUE(session.run(Stage::kOptimise, ctx).ok());
   EXPECT_EQ(digest_of(*session.mesh()), first);
+  EXPECT_TRUE(session.cached(Stage::kOptimise)) << "undo finds its mesh again";
+  EXPECT_NE(session.quality(), nullptr) << "and the evidence of that mesh";
+  recipe.tetra.radius_edge = 1.7;
+  session.set_recipe(recipe);
+  EXPECT_EQ(session.mesh(), nullptr);
   EXPECT_EQ(session.quality(), nullptr) << "the quality of another mesh must not stay";
+}
+
+TEST(Session, KeepsNothingToSpareWhereNoMemoryIsSetAside) {
+  Session session(0);
+  Recipe recipe = small_case();
+  session.set_recipe(recipe);
+  RunContext ctx;
+  ASSERT_TRUE(session.run(Stage::kSmooth, ctx).ok());
+  recipe.smooth.iterations += 1;
+  session.set_recipe(recipe);
+  ASSERT_TRUE(session.run(Stage::kSmooth, ctx).ok());
+  EXPECT_TRUE(session.cached(Stage::kSurface));
+  recipe.smooth.iterations -= 1;
+  session.set_recipe(recipe);
+  ASSERT_TRUE(session.run(Stage::kSmooth, ctx).ok());
+  EXPECT_FALSE(session.cached(Stage::kSmooth));
 }
 
 TEST(Session, LooksUpLabelsOfTheWholeImageInAMeshOfMergedOnes) {

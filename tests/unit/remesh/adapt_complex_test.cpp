@@ -1,5 +1,5 @@
 // The transactional remesher: whatever it does, labels keep their topology and nothing intersects.
-#include "remesh/adapt_complex.h"
+#include "remesh/adapt/adapt_complex.h"
 
 #include <gtest/gtest.h>
 
@@ -9,18 +9,18 @@
 #include <string>
 #include <vector>
 
-#include "geometry/closest_point.h"
-#include "geometry/digest.h"
-#include "geometry/self_intersections.h"
-#include "geometry/surface_measures.h"
-#include "io/read_volume.h"
+#include "base/digest.h"
+#include "geometry/elements/surface_measures.h"
+#include "geometry/intersect/self_intersections.h"
+#include "geometry/search/closest_point.h"
+#include "io/volume/read_volume.h"
 #include "support/check_surface.h"
 #include "support/data.h"
 #include "support/label_bodies.h"
 #include "support/random_labels.h"
 #include "support/test_surfaces.h"
-#include "surface/extract_surface.h"
-#include "surface/smooth_surface.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
 #include "surface_report.h"
 
 namespace voxtet::remesh {

@@ -7,13 +7,13 @@
 
 #include "field_of.h"
 #include "lattice_complex.h"
-#include "remesh/cell_stars.h"
-#include "remesh/drop_fragments.h"
-#include "remesh/extract_interface.h"
-#include "remesh/mend_pinches.h"
-#include "remesh/refine_delaunay.h"
-#include "remesh/relabel_cells.h"
-#include "remesh/seed_interfaces.h"
+#include "remesh/cells/cell_stars.h"
+#include "remesh/cells/extract_interface.h"
+#include "remesh/cells/make_two_manifold.h"
+#include "remesh/cells/remove_islands.h"
+#include "remesh/cells/remove_wedges.h"
+#include "remesh/delaunay/delaunay_refiner.h"
+#include "remesh/delaunay/seed_interfaces.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
 #include "support/label_surface.h"
@@ -27,14 +27,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::size_t all_defects(const CellComplex& cells) {
+std::size_t all_defects(const LabelledCells& cells) {
   CellStars::Cells points(cells.points.size());
   std::iota(points.begin(), points.end(), 0U);
   return CellStars(cells).defects(points);
 }
 
 /// The refined complex of a field before anything is mended.
-CellComplex refined(const LabelVolume& volume, const LabelField& field, double edge_mm) {
+LabelledCells refined(const LabelVolume& volume, const LabelField& field, double edge_mm) {
   const SizingField sizing = test::uniform_sizing(edge_mm);
   const Seeds seeds = seed_interfaces(field, test::label_surface(volume), sizing);
   DelaunayRefiner refiner(field, sizing, {30, 0.5 * field.smallest_spacing_mm(), 1 / 1.3});
@@ -44,14 +44,14 @@ CellComplex refined(const LabelVolume& volume, const LabelField& field, double e
   return refiner.cells();
 }
 
-CellComplex cubes(const std::vector<std::array<int, 3>>& labelled) {
+LabelledCells cubes(const std::vector<std::array<int, 3>>& labelled) {
   return test::lattice_complex(5, 0.4, 0, [&](int i, int j, int k) {
     return std::find(labelled.begin(), labelled.end(), std::array{i, j, k}) != labelled.end() ? 1 : 0;
   });
 }
 
 TEST(LatticeComplex, IsAPositiveComplexWithMutualNeighbours) {
-  const CellComplex cells = cubes({});
+  const LabelledCells cells = cubes({});
   double volume = 0;
   for (std::uint32_t c = 0; c < cells.vertices.size(); ++c) {
     const auto& v = cells.vertices[c];
@@ -60,7 +60,7 @@ TEST(LatticeComplex, IsAPositiveComplexWithMutualNeighbours) {
     EXPECT_GT(six, 0);
     volume += six / 6;
     for (const std::uint32_t n : cells.neighbours[c])
-      if (n != CellComplex::kNone) {
+      if (n != LabelledCells::kNone) {
         const auto& back = cells.neighbours[n];
         EXPECT_NE(std::find(back.begin(), back.end(), c), back.end());
       }
@@ -74,7 +74,7 @@ TEST(CellStars, CountTheGroupsOfALabelAroundEachPoint) {
   // Cubes that share an edge: at its two ends the label falls into two groups, all else stays one; along the
   // edge's inside there are no points.
   EXPECT_GT(all_defects(cubes({{2, 2, 2}, {3, 3, 2}})), 0U);
-  const CellComplex touching = cubes({{1, 1, 1}, {2, 2, 2}});
+  const LabelledCells touching = cubes({{1, 1, 1}, {2, 2, 2}});
   const std::uint32_t point = 2 + 6 * (2 + 6 * 2);
   const CellStars stars(touching);
   EXPECT_EQ(stars.labels_at(point), (std::vector<Label>{0, 1}));
@@ -88,16 +88,16 @@ TEST(CellStars, CountTheGroupsOfALabelAroundEachPoint) {
 }
 
 TEST(CellStars, SeeAHollowInALabelsStar) {
-  const CellComplex hollow = test::lattice_complex(
+  const LabelledCells hollow = test::lattice_complex(
       5, 0.4, 0, [](int i, int j, int k) { return i == 2 && j == 2 && k == 2 ? 0 : 1; });
   EXPECT_EQ(all_defects(hollow), 0U);
-  const CellComplex gaps = test::lattice_complex(5, 0.4, 0, [](int i, int j, int k) {
+  const LabelledCells gaps = test::lattice_complex(5, 0.4, 0, [](int i, int j, int k) {
     return (i == 1 && j == 1 && k == 1) || (i == 2 && j == 2 && k == 2) ? 0 : 1;
   });
   EXPECT_EQ(all_defects(gaps), 2U);
 }
 
-TEST(MendPinches, PartsCellsThatTouchAtAnEdgeOrAPoint) {
+TEST(MakeTwoManifold, PartsCellsThatTouchAtAnEdgeOrAPoint) {
   // The field's body is elsewhere: nothing of the cubes lies deep in their label.
   const LabelField field = field_of(test::ball_volume(20, 14, 3.5));
   for (const auto& labelled : std::vector<std::vector<std::array<int, 3>>>{
@@ -105,10 +105,10 @@ TEST(MendPinches, PartsCellsThatTouchAtAnEdgeOrAPoint) {
            {{2, 2, 2}, {3, 3, 2}},
            {{1, 1, 2}, {2, 2, 2}, {1, 2, 1}},
            {{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {3, 1, 1}, {1, 3, 3}}}) {
-    CellComplex cells = cubes(labelled);
+    LabelledCells cells = cubes(labelled);
     ASSERT_GT(all_defects(cells), 0U);
     const std::vector<Label> before = cells.labels;
-    const std::size_t changed = mend_pinches(cells, field, find_pinches(cells));
+    const std::size_t changed = make_two_manifold(cells, field, find_pinches(cells));
     EXPECT_EQ(all_defects(cells), 0U);
     EXPECT_NE(std::find(cells.labels.begin(), cells.labels.end(), 1), cells.labels.end());
     std::size_t differing = 0;
@@ -119,28 +119,28 @@ TEST(MendPinches, PartsCellsThatTouchAtAnEdgeOrAPoint) {
   }
 }
 
-TEST(MendPinches, LeavesAManifoldAlone) {
+TEST(MakeTwoManifold, LeavesAManifoldAlone) {
   const LabelField field = field_of(test::ball_volume(20, 14, 3.5));
-  CellComplex cells = cubes({{2, 2, 2}, {3, 2, 2}});
+  LabelledCells cells = cubes({{2, 2, 2}, {3, 2, 2}});
   const std::vector<Label> before = cells.labels;
-  EXPECT_EQ(mend_pinches(cells, field, find_pinches(cells)), 0U);
+  EXPECT_EQ(make_two_manifold(cells, field, find_pinches(cells)), 0U);
   EXPECT_EQ(cells.labels, before);
 }
 
-TEST(MendPinches, ChangesNothingThatLiesDeepInItsLabel) {
+TEST(MakeTwoManifold, ChangesNothingThatLiesDeepInItsLabel) {
   // Two bodies of many voxels that touch in an edge: cubes of two voxels, so every cell there is deep.
   const LabelVolume volume =
       test::make_volume(20, 20, 20, [](int i, int j, int) { return (i < 10) == (j < 10) ? 1 : 2; });
   const LabelField field = field_of(volume);
-  CellComplex cells =
+  LabelledCells cells =
       test::lattice_complex(4, 5, -0.5, [](int i, int j, int) { return (i < 2) == (j < 2) ? 1 : 2; });
   const std::vector<Label> before = cells.labels;
   ASSERT_GT(all_defects(cells), 0U);
-  EXPECT_EQ(mend_pinches(cells, field, find_pinches(cells)), 0U);
+  EXPECT_EQ(make_two_manifold(cells, field, find_pinches(cells)), 0U);
   EXPECT_EQ(cells.labels, before);
 }
 
-TEST(MendPinches, LeavesFewPinchesOfATriangulationAsCoarseAsTheBodies) {
+TEST(MakeTwoManifold, LeavesFewPinchesOfATriangulationAsCoarseAsTheBodies) {
   std::size_t before = 0, after = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
     test::TestRandom random(seed);
@@ -148,13 +148,13 @@ TEST(MendPinches, LeavesFewPinchesOfATriangulationAsCoarseAsTheBodies) {
     paint.blobs(0);
     const LabelVolume volume = paint.take();
     const LabelField field = field_of(volume);
-    CellComplex cells = refined(volume, field, 3);
-    drop_fragments(cells, field, find_pieces(field));
+    LabelledCells cells = refined(volume, field, 3);
+    remove_islands(cells, field, find_pieces(field));
     before += all_defects(cells);
-    mend_pinches(cells, field, find_pinches(cells));
+    make_two_manifold(cells, field, find_pinches(cells));
     const std::size_t mended = all_defects(cells);
     after += mended;
-    relabel_cells(cells);
+    remove_wedges(cells);
     EXPECT_LE(all_defects(cells), mended) << seed;
   }
   RecordProperty("before", static_cast<int>(before));
@@ -163,21 +163,21 @@ TEST(MendPinches, LeavesFewPinchesOfATriangulationAsCoarseAsTheBodies) {
   EXPECT_LE(10 * after, before);
 }
 
-TEST(RelabelCells, AddsNoPinchesAndBluntsWedges) {
+TEST(RemoveWedges, AddsNoPinchesAndBluntsWedges) {
   const SizingField sizing = test::uniform_sizing(2);
   double sharpest_before = 180, sharpest_after = 180;
   int manifolds = 0;
   for (int n = 0; n < 4; ++n) {
     const LabelVolume volume = test::heart_volume(26 + n, 22, 22 + n);
     const LabelField field = field_of(volume);
-    CellComplex cells = refined(volume, field, 2);
-    drop_fragments(cells, field, find_pieces(field));
-    mend_pinches(cells, field, find_pinches(cells));
+    LabelledCells cells = refined(volume, field, 2);
+    remove_islands(cells, field, find_pieces(field));
+    make_two_manifold(cells, field, find_pinches(cells));
     const std::size_t mended = all_defects(cells);
     const std::vector<Label> labels = test::labels_of(extract_interface(cells));
     sharpest_before =
         std::min(sharpest_before, test::report_on(extract_interface(cells), sizing).least_dihedral_deg);
-    relabel_cells(cells);
+    remove_wedges(cells);
     sharpest_after =
         std::min(sharpest_after, test::report_on(extract_interface(cells), sizing).least_dihedral_deg);
     EXPECT_LE(all_defects(cells), mended);
@@ -191,7 +191,7 @@ TEST(RelabelCells, AddsNoPinchesAndBluntsWedges) {
   EXPECT_GT(sharpest_after, sharpest_before);
 }
 
-TEST(DropFragments, DropsWhatHoldsNoVoxelOfItsLabelUnlessItIsAllThatThereIs) {
+TEST(RemoveIslands, DropsWhatHoldsNoVoxelOfItsLabelUnlessItIsAllThatThereIs) {
   // Cubes of half a voxel; those with three odd numbers hold a voxel centre.
   const LabelVolume volume = test::make_volume(
       10, 10, 10, [](int i, int j, int k) { return i < 4 || (i == 8 && j == 8 && k == 8) ? 1 : 0; });
@@ -199,7 +199,7 @@ TEST(DropFragments, DropsWhatHoldsNoVoxelOfItsLabelUnlessItIsAllThatThereIs) {
     LabelVolume framed = volume;
     if (mirrored) framed.index_to_mm.topLeftCorner<3, 3>() << 0, 1, 0, 1, 0, 0, 0, 0, 1;
     const LabelField field = field_of(framed);
-    CellComplex cells = test::lattice_complex(20, 0.5, -0.6, [&](int i, int j, int k) {
+    LabelledCells cells = test::lattice_complex(20, 0.5, -0.6, [&](int i, int j, int k) {
       const std::array<int, 3> cube{i, j, k};
       if (mirrored) std::swap(i, j);
       if (cube == std::array{12, 14, 6}) return 1;   // no centre in it
@@ -212,28 +212,28 @@ TEST(DropFragments, DropsWhatHoldsNoVoxelOfItsLabelUnlessItIsAllThatThereIs) {
       return cells.labels[6 * static_cast<std::size_t>(i + 20 * (j + 20 * k))];
     };
     std::vector<InterfaceFacet> torn;
-    EXPECT_EQ(drop_fragments(cells, field, find_pieces(field), &torn), 12U);
+    EXPECT_EQ(remove_islands(cells, field, find_pieces(field), &torn), 12U);
     EXPECT_TRUE(torn.empty()) << "neither holds a voxel of its label";
     EXPECT_EQ(label_of(12, 14, 6), 0);
     EXPECT_EQ(label_of(13, 13, 3), 0);
     EXPECT_EQ(label_of(17, 17, 17), 1);
     EXPECT_EQ(label_of(16, 14, 4), 2);
-    EXPECT_EQ(drop_fragments(cells, field, find_pieces(field)), 0U);
+    EXPECT_EQ(remove_islands(cells, field, find_pieces(field)), 0U);
   }
 }
 
-TEST(DropFragments, KeepsOneFragmentBesideTheCentreOfALoneVoxel) {
+TEST(RemoveIslands, KeepsOneFragmentBesideTheCentreOfALoneVoxel) {
   const LabelVolume volume = test::make_volume(
       8, 8, 8, [](int i, int j, int k) { return i < 2 || (i == 4 && j == 3 && k == 3) ? 1 : 0; });
   const LabelField field = field_of(volume);
   const std::array<int, 3> before{13, 9, 9}, centre{14, 9, 9}, behind{15, 9, 9}, away{15, 14, 14};
   const auto remaining = [&](const std::vector<std::array<int, 3>>& fragments) {
-    CellComplex cells = test::lattice_complex(20, 0.2, 1.05, [&](int i, int j, int k) {
+    LabelledCells cells = test::lattice_complex(20, 0.2, 1.05, [&](int i, int j, int k) {
       const bool in_fragment =
           std::find(fragments.begin(), fragments.end(), std::array{i, j, k}) != fragments.end();
       return i < 2 || in_fragment ? 1 : 0;
     });
-    drop_fragments(cells, field, find_pieces(field));
+    remove_islands(cells, field, find_pieces(field));
     std::vector<std::array<int, 3>> kept;
     for (const auto& [i, j, k] : fragments)
       if (cells.labels[6 * static_cast<std::size_t>(i + 20 * (j + 20 * k))] == 1) kept.push_back({i, j, k});
@@ -246,8 +246,8 @@ TEST(DropFragments, KeepsOneFragmentBesideTheCentreOfALoneVoxel) {
   EXPECT_EQ(remaining({away}), Fragments{}) << "background lies between it and the voxel";
 }
 
-TEST(DropFragments, GivesACrumbToTheLabelWithMostOfItsRim) {
-  const CellComplex cells = test::lattice_complex(3, 1, 0, [](int i, int j, int k) {
+TEST(RemoveIslands, GivesACrumbToTheLabelWithMostOfItsRim) {
+  const LabelledCells cells = test::lattice_complex(3, 1, 0, [](int i, int j, int k) {
     return i == 1 && j == 1 && k == 1 ? 5 : i < 2 ? 3 : 4;
   });
   std::vector<std::uint32_t> group;
@@ -256,7 +256,7 @@ TEST(DropFragments, GivesACrumbToTheLabelWithMostOfItsRim) {
   EXPECT_EQ(label_around(cells, group), 3);
 }
 
-TEST(DropFragments, TellsTheMouthOfAChannelThatWasClosedByALid) {
+TEST(RemoveIslands, TellsTheMouthOfAChannelThatWasClosedByALid) {
   // A channel one voxel wide leads from a face of the body to its middle; a layer of cells closes it.
   const LabelVolume volume = test::make_volume(10, 10, 10, [](int i, int j, int k) {
     const bool body = i > 1 && i < 8 && j > 1 && j < 8 && k > 1 && k < 8;
@@ -264,13 +264,13 @@ TEST(DropFragments, TellsTheMouthOfAChannelThatWasClosedByALid) {
   });
   const LabelField field = field_of(volume);
   constexpr int kLid = 5;
-  CellComplex cells = test::lattice_complex(20, 0.5, -0.6, [&](int i, int j, int k) {
+  LabelledCells cells = test::lattice_complex(20, 0.5, -0.6, [&](int i, int j, int k) {
     const auto at = [](int n) { return (n - 1) / 2; };  // two cubes a voxel
     const bool body = at(i) > 1 && at(i) < 8 && at(j) > 1 && at(j) < 8 && at(k) > 1 && at(k) < 8;
     return body && !(at(j) == 5 && at(k) == 5 && at(i) < 5 && i != kLid) ? 1 : 0;
   });
   std::vector<InterfaceFacet> torn;
-  EXPECT_GT(drop_fragments(cells, field, find_pieces(field), &torn), 0U);
+  EXPECT_GT(remove_islands(cells, field, find_pieces(field), &torn), 0U);
   ASSERT_FALSE(torn.empty());
   for (const InterfaceFacet& facet : torn) {
     const std::uint32_t lid = cells.neighbours[facet.cell][facet.corner];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "remesh/label_field.h"
+#include "remesh/field/label_field.h"
 #include "support/label_surface.h"
 
 namespace voxtet::remesh {

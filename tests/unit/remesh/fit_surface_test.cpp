@@ -1,14 +1,14 @@
 // The fit of an adapted surface's points to the field.
-#include "remesh/fit_surface.h"
+#include "remesh/delaunay/fit_surface.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/closest_point.h"
-#include "geometry/surface_measures.h"
-#include "remesh/missed_places.h"
+#include "geometry/elements/surface_measures.h"
+#include "geometry/search/closest_point.h"
+#include "remesh/delaunay/find_missed.h"
 #include "support/label_bodies.h"
 #include "support/test_random.h"
 #include "support/test_surfaces.h"

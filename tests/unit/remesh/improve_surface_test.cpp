@@ -1,5 +1,5 @@
 // Local operations over surfaces that are adapted already.
-#include "remesh/improve_surface.h"
+#include "remesh/adapt/improve_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -10,18 +10,18 @@
 #include <string>
 #include <vector>
 
-#include "geometry/digest.h"
-#include "geometry/label_topology.h"
-#include "geometry/self_intersections.h"
-#include "geometry/surface_measures.h"
-#include "remesh/complex_editor.h"
-#include "remesh/empty_balls.h"
-#include "remesh/local_operations.h"
+#include "base/digest.h"
+#include "geometry/elements/surface_measures.h"
+#include "geometry/intersect/self_intersections.h"
+#include "geometry/topology/label_topology.h"
+#include "remesh/adapt/local_operations.h"
+#include "remesh/complex/gabriel_balls.h"
+#include "remesh/editor/complex_editor.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
 #include "support/test_surfaces.h"
-#include "surface/extract_surface.h"
-#include "surface/smooth_surface.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
 #include "surface_report.h"
 
 namespace voxtet::remesh {
@@ -92,7 +92,7 @@ TEST(ImproveSurface, BringsBackWhatIsBeyondTheEnvelope) {
 std::size_t count_without_balls(const SurfaceMesh& surface) {
   std::size_t count = 0;
   for (const Triangle& t : surface.triangles) {
-    EmptyBalls balls({surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]});
+    GabrielBalls balls({surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]});
     for (std::uint32_t v = 0; v < surface.points.size(); ++v)
       if (v != t[0] && v != t[1] && v != t[2]) balls.leave_out(surface.points[v]);
     count += !balls.any();
@@ -152,7 +152,7 @@ TEST(ComplexEditor, TurnsNoBumpOfThreeFacetsInsideOut) {
   editor.limits.turn_cosine = -1;
   editor.limits.crease_cosine = editor.limits.junction_cosine = editor.limits.angle_cosine = 0.99;
   editor.set_cell(5);
-  Change change;
+  Edit change;
   for (const std::uint32_t t : mesh.star(3)) {
     change.removed.push_back(t);
     change.added.push_back({mesh.triangle(t), mesh.pair(t)});
@@ -163,7 +163,7 @@ TEST(ComplexEditor, TurnsNoBumpOfThreeFacetsInsideOut) {
   change.removed.assign(editor.mesh().star(3).begin(), editor.mesh().star(3).end());
   change.position = {0, 0, -2.5};
   EXPECT_FALSE(editor.attempt(change, Demand::kAllowed));
-  EXPECT_EQ(editor.refusals(Reason::kIntersection), 1U);
+  EXPECT_EQ(editor.refusals(Refusal::kIntersection), 1U);
   EXPECT_EQ(editor.mesh().point(3).z(), 2.5);
 }
 
@@ -177,7 +177,7 @@ std::uint64_t violations_found(const SurfaceMesh& surface) {
   editor.set_cell(2);
   std::size_t accepted = 0;
   for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-    Change change;
+    Edit change;
     for (const std::uint32_t t : editor.mesh().star(v)) {
       change.removed.push_back(t);
       change.added.push_back({editor.mesh().triangle(t), editor.mesh().pair(t)});

@@ -1,5 +1,5 @@
 // Signed distances from voxel centres to the boundaries of labels.
-#include "remesh/label_distances.h"
+#include "remesh/field/label_distances.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-#include "remesh/thin_voxels.h"
+#include "remesh/field/thin_voxels.h"
 #include "support/test_surfaces.h"
 
 namespace voxtet::remesh {

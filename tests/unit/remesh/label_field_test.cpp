@@ -1,5 +1,5 @@
 // The continuous label field under the surface.
-#include "remesh/label_field.h"
+#include "remesh/field/label_field.h"
 #include "field_of.h"
 
 #include <gtest/gtest.h>
@@ -9,13 +9,13 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/label_topology.h"
+#include "geometry/topology/label_topology.h"
 #include "support/label_bodies.h"
 #include "support/label_surface.h"
 #include "support/random_labels.h"
 #include "support/test_random.h"
 #include "support/test_surfaces.h"
-#include "surface/extract_surface.h"
+#include "surface/extract/extract_surface.h"
 
 namespace voxtet::remesh {
 namespace {

@@ -6,14 +6,14 @@
 #include <map>
 #include <utility>
 
-#include "remesh/cell_complex.h"
+#include "remesh/cells/labelled_cells.h"
 
 namespace voxtet::test {
 
 /// n * n * n cubes of edge `spacing`, the first corner at `origin` in every coordinate; labels by cube.
 template <class LabelAt>
-remesh::CellComplex lattice_complex(int n, double spacing, double origin, LabelAt&& label_at) {
-  remesh::CellComplex cells;
+remesh::LabelledCells lattice_complex(int n, double spacing, double origin, LabelAt&& label_at) {
+  remesh::LabelledCells cells;
   const auto id = [&](const std::array<int, 3>& p) {
     return static_cast<std::uint32_t>(p[0] + (n + 1) * (p[1] + (n + 1) * p[2]));
   };
@@ -41,7 +41,7 @@ remesh::CellComplex lattice_complex(int n, double spacing, double origin, LabelA
   std::map<std::array<std::uint32_t, 3>, std::array<std::uint32_t, 2>> open;
   for (std::uint32_t c = 0; c < cells.vertices.size(); ++c)
     for (std::uint32_t f = 0; f < 4; ++f) {
-      cells.neighbours[c][f] = remesh::CellComplex::kNone;
+      cells.neighbours[c][f] = remesh::LabelledCells::kNone;
       std::array<std::uint32_t, 3> facet{};
       for (std::size_t v = 0; v < 3; ++v)
         facet[v] = cells.vertices[c][static_cast<std::size_t>(remesh::kFacetCorners[f][v])];

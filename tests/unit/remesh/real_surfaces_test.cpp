@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/digest.h"
-#include "geometry/label_topology.h"
-#include "geometry/self_intersections.h"
-#include "geometry/surface_measures.h"
-#include "io/read_volume.h"
+#include "base/digest.h"
+#include "geometry/elements/surface_measures.h"
+#include "geometry/intersect/self_intersections.h"
+#include "geometry/topology/label_topology.h"
+#include "io/volume/read_volume.h"
 #include "quality/surface_distance.h"
 #include "remesh/remesh_surface.h"
 #include "support/check_surface.h"

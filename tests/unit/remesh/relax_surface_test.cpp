@@ -1,5 +1,5 @@
 // Points of a surface spread along it.
-#include "remesh/relax_surface.h"
+#include "remesh/delaunay/relax_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "geometry/triangle_measures.h"
+#include "geometry/elements/triangle_measures.h"
 #include "support/test_random.h"
 #include "support/test_surfaces.h"
 #include "surface_report.h"

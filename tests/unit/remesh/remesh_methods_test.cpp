@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "geometry/digest.h"
-#include "geometry/label_topology.h"
-#include "geometry/self_intersections.h"
+#include "base/digest.h"
+#include "geometry/intersect/self_intersections.h"
+#include "geometry/topology/label_topology.h"
+#include "remesh/adapt/adapt_complex.h"
 #include "remesh/remesh_surface.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
@@ -17,8 +18,6 @@
 
 namespace voxtet {
 namespace {
-
-using remesh::AdaptSchedule;
 
 struct Outcome {
   SurfaceMesh surface;

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "geometry/digest.h"
-#include "geometry/self_intersections.h"
+#include "base/digest.h"
+#include "geometry/intersect/self_intersections.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
 #include "support/label_surface.h"

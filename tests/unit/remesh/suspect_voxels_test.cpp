@@ -1,5 +1,5 @@
 // Voxels at which the topology of an adapted surface may differ from that of the label surface.
-#include "remesh/suspect_voxels.h"
+#include "remesh/delaunay/suspect_voxels.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/digest.h"
-#include "geometry/rotation.h"
+#include "base/digest.h"
+#include "geometry/elements/rotation.h"
 
 namespace voxtet {
 namespace {

@@ -1,4 +1,4 @@
-#include "surface/cell_tables.h"
+#include "surface/extract/cell_tables.h"
 
 #include <gtest/gtest.h>
 

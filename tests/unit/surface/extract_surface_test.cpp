@@ -1,13 +1,13 @@
-#include "surface/extract_surface.h"
+#include "surface/extract/extract_surface.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "base/digest.h"
 #include "extracted.h"
-#include "geometry/digest.h"
-#include "geometry/surface_measures.h"
+#include "geometry/elements/surface_measures.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
 #include "support/random_labels.h"

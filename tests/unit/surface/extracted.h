@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "surface/extract_surface.h"
+#include "surface/extract/extract_surface.h"
 
 namespace voxtet::test {
 

@@ -1,13 +1,13 @@
 // Every promise of extraction and smoothing on seeded random label volumes.
 #include <gtest/gtest.h>
 
-#include "geometry/digest.h"
-#include "geometry/self_intersections.h"
+#include "base/digest.h"
+#include "geometry/intersect/self_intersections.h"
 #include "support/check_surface.h"
 #include "support/random_labels.h"
 #include "support/surface_labels.h"
-#include "surface/extract_surface.h"
-#include "surface/smooth_surface.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
 
 namespace voxtet {
 namespace {

@@ -1,15 +1,15 @@
 // Extraction and smoothing of the real volumes, where they are present.
 #include <gtest/gtest.h>
 
-#include "geometry/self_intersections.h"
-#include "geometry/surface_measures.h"
-#include "io/read_volume.h"
+#include "geometry/elements/surface_measures.h"
+#include "geometry/intersect/self_intersections.h"
+#include "io/volume/read_volume.h"
 #include "support/check_surface.h"
 #include "support/data.h"
 #include "support/label_bodies.h"
 #include "support/surface_labels.h"
-#include "surface/extract_surface.h"
-#include "surface/smooth_surface.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
 
 namespace voxtet {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "extracted.h"
-#include "geometry/surface_measures.h"
+#include "geometry/elements/surface_measures.h"
 #include "smoothed.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"

@@ -1,4 +1,4 @@
-#include "surface/smooth_surface.h"
+#include "surface/smooth/smooth_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -8,16 +8,16 @@
 #include <tuple>
 #include <utility>
 
+#include "base/digest.h"
 #include "extracted.h"
-#include "geometry/digest.h"
-#include "geometry/surface_measures.h"
+#include "geometry/elements/surface_measures.h"
 #include "smoothed.h"
 #include "support/check_surface.h"
 #include "support/label_bodies.h"
 #include "support/random_labels.h"
 #include "support/surface_labels.h"
-#include "surface/extract_surface.h"
-#include "surface/surface_graph.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/surface_graph.h"
 
 namespace voxtet {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "surface/smooth_surface.h"
+#include "surface/smooth/smooth_surface.h"
 
 namespace voxtet::test {
 

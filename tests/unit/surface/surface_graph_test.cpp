@@ -1,4 +1,4 @@
-#include "surface/surface_graph.h"
+#include "surface/smooth/surface_graph.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "support/check_surface.h"
 #include "support/random_labels.h"
-#include "surface/extract_surface.h"
+#include "surface/extract/extract_surface.h"
 
 namespace voxtet {
 namespace {

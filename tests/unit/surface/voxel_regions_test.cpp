@@ -1,4 +1,4 @@
-#include "surface/voxel_regions.h"
+#include "surface/smooth/voxel_regions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What only several operations together improve; changes that are taken back.
-#include "tetra/compound_improvement.h"
+#include "tetra/optimise/compound_improvement.h"
 
 #include <gtest/gtest.h>
 
@@ -8,26 +8,26 @@
 #include <tuple>
 #include <utility>
 
-#include "geometry/digest.h"
-#include "geometry/label_topology.h"
+#include "base/digest.h"
+#include "geometry/topology/label_topology.h"
 #include "support/check_tets.h"
 #include "support/labelled_mesh.h"
 #include "support/test_surfaces.h"
-#include "tetra/local_swaps.h"
+#include "tetra/operations/local_swaps.h"
 
 namespace voxtet::tetra {
 namespace {
 
 constexpr int kSteps = 5;
 
-SurfaceMesh walls_of(const TetMesh& mesh) {
+SurfaceMesh interfaces_of(const TetMesh& mesh) {
   return {mesh.points, mesh.faces, mesh.face_sides};
 }
 
 /// All operations on a mesh that is its own reference.
 struct Workshop {
   explicit Workshop(const TetMesh& mesh, double edge, double envelope = 0.1)
-      : reference(walls_of(mesh)),
+      : reference(interfaces_of(mesh)),
         sizing(test::uniform_sizing(edge)),
         complex(mesh),
         guard(sizing),
@@ -53,7 +53,7 @@ struct Workshop {
   bool operate(std::uint32_t t, double goal) {
     if (swap_at(complex, t, guard) != Swap::kNone || inserter.insert(t)) return true;
     for (const std::uint32_t v : Tet(complex.corners(t)))
-      if (complex.on_wall(v) ? slider.slide(v, goal) : smoother.smooth(v, goal, kSteps)) return true;
+      if (complex.on_interface(v) ? slider.slide(v, goal) : smoother.smooth(v, goal, kSteps)) return true;
     return false;
   }
 
@@ -65,7 +65,7 @@ struct Workshop {
   VertexSmoother smoother;
   VertexInserter inserter;
   VolumeKeeper volumes;
-  WallSlider slider;
+  InterfaceSlider slider;
   OperationCounts counts;
   CompoundImprover improver;
 };
@@ -136,11 +136,11 @@ TEST(CompoundImprover, NeverLowersTheLowestQualityNorTouchesTopology) {
   EXPECT_GT(shop.counts.slid, 0U);
   const TetMesh after = copy_of(shop.complex);
   test::check_tets(after);
-  EXPECT_EQ(label_topology(walls_of(after)), label_topology(walls_of(before)));
+  EXPECT_EQ(label_topology(interfaces_of(after)), label_topology(interfaces_of(before)));
   EXPECT_EQ(after.faces.size(), before.faces.size());
 }
 
-TEST(WallSlider, SlidesAJunctionVertexAlongItsCurveOnly) {
+TEST(InterfaceSlider, SlidesAJunctionVertexAlongItsCurveOnly) {
   TetMesh mesh;
   mesh.points = {{0.5, 0, 0}, {-2, 0, 0}, {2, 0, 0}, {-2, 2, 0},  {2, 2, 0},
                  {-2, -2, 0}, {2, -2, 0}, {0, 0, 2}, {0, 2, 0.2}, {0, -2, 0.2}};
@@ -163,7 +163,7 @@ TEST(WallSlider, SlidesAJunctionVertexAlongItsCurveOnly) {
   EXPECT_LE(std::hypot(at.y(), at.z()), 0.1 * 2 + 1e-12) << "in the envelope of the line";
 }
 
-TEST(WallSlider, HoldsTheVerticesOfWallsThatMeet) {
+TEST(InterfaceSlider, HoldsTheVerticesOfInterfacesThatMeet) {
   // The lower of two pyramids leans, so that its tip would slide; the upper one hangs over it.
   TetMesh mesh;
   mesh.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0.5, 0, 1},
@@ -176,16 +176,16 @@ TEST(WallSlider, HoldsTheVerticesOfWallsThatMeet) {
   Workshop shop(mesh, 2, 0.5);
   const TetComplex::Mark start = shop.complex.mark();
   ASSERT_TRUE(shop.slider.slide(4, 1));
-  EXPECT_FALSE(shop.slider.hold_where_walls_meet(start)) << "slid apart from each other";
+  EXPECT_FALSE(shop.slider.hold_where_interfaces_meet(start)) << "slid apart from each other";
   shop.complex.undo_to(start);
 
   std::vector<std::uint32_t> star;
   shop.complex.find_star(9, star);
   ASSERT_TRUE(shop.complex.move_point(9, {0.3, 0, 0.5}, star));
-  EXPECT_TRUE(shop.slider.hold_where_walls_meet(start));
+  EXPECT_TRUE(shop.slider.hold_where_interfaces_meet(start));
   shop.complex.undo_to(start);
   EXPECT_FALSE(shop.slider.slide(4, 1));
-  EXPECT_FALSE(shop.slider.hold_where_walls_meet(start)) << "nothing has moved since";
+  EXPECT_FALSE(shop.slider.hold_where_interfaces_meet(start)) << "nothing has moved since";
 }
 
 }  // namespace

@@ -1,14 +1,14 @@
 // Walls with fewer edges across than they are to have layers.
-#include "tetra/deepen_walls.h"
+#include "tetra/optimise/deepen_walls.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "geometry/wall_mesh.h"
 #include "support/check_tets.h"
 #include "support/slab_wall.h"
 #include "support/test_surfaces.h"
+#include "walls/wall_mesh.h"
 
 namespace voxtet {
 namespace {

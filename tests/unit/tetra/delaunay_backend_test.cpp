@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "geometry/digest.h"
-#include "geometry/self_intersections.h"
-#include "geometry/surface_measures.h"
+#include "base/digest.h"
+#include "geometry/elements/surface_measures.h"
+#include "geometry/intersect/self_intersections.h"
 #include "support/check_tets.h"
 #include "support/nasty_surfaces.h"
 #include "support/test_surfaces.h"
 #include "support/tet_sizes.h"
-#include "tetra/fill_tets.h"
-#include "tetra/optimise_tets.h"
+#include "tetra/fill/fill_tets.h"
+#include "tetra/optimise/optimise_tets.h"
 
 namespace voxtet {
 namespace {

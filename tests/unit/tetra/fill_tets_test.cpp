@@ -1,4 +1,4 @@
-#include "tetra/fill_tets.h"
+#include "tetra/fill/fill_tets.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/digest.h"
-#include "geometry/self_intersections.h"
+#include "base/digest.h"
+#include "geometry/intersect/self_intersections.h"
 #include "support/check_tets.h"
 #include "support/test_surfaces.h"
 #include "support/tet_sizes.h"

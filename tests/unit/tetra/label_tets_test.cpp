@@ -1,5 +1,5 @@
 // What a mesher may have done wrong is found, each fault for what it is.
-#include "tetra/label_tets.h"
+#include "tetra/fill/label_tets.h"
 
 #include <gtest/gtest.h>
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "geometry/digest.h"
+#include "base/digest.h"
 #include "support/check_tets.h"
 #include "support/nasty_surfaces.h"
-#include "tetra/fill_tets.h"
-#include "tetra/forecast.h"
+#include "tetra/fill/fill_tets.h"
+#include "tetra/fill/forecast_points.h"
 
 namespace voxtet {
 namespace {

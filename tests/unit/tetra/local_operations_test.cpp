@@ -9,12 +9,12 @@
 #include "support/check_tets.h"
 #include "support/labelled_mesh.h"
 #include "support/test_surfaces.h"
-#include "tetra/edge_removal.h"
-#include "tetra/face_removal.h"
-#include "tetra/nearby_surface.h"
-#include "tetra/size_smoothing.h"
-#include "tetra/vertex_insertion.h"
-#include "tetra/vertex_smoothing.h"
+#include "tetra/interfaces/nearby_surface.h"
+#include "tetra/operations/edge_removal.h"
+#include "tetra/operations/face_removal.h"
+#include "tetra/operations/size_smoothing.h"
+#include "tetra/operations/vertex_insertion.h"
+#include "tetra/operations/vertex_smoothing.h"
 
 namespace voxtet::tetra {
 namespace {
@@ -91,7 +91,7 @@ TEST(RemoveEdge, MakesFourOfFourTetsAroundTheShorterDiagonal) {
   test::check_tets(after);
 }
 
-TEST(RemoveEdge, LeavesWhatWouldNotGainAndEdgesOnWalls) {
+TEST(RemoveEdge, LeavesWhatWouldNotGainAndEdgesOnInterfaces) {
   EXPECT_EQ(without_edge(ring_mesh(0.3, kTriangle), false).tets.size(), 3U);
   TetMesh two_labels = ring_mesh(1.2, kTriangle);
   two_labels.labels[0] = 2;

@@ -1,4 +1,4 @@
-#include "tetra/optimise_tets.h"
+#include "tetra/optimise/optimise_tets.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -10,17 +10,17 @@
 #include <map>
 #include <set>
 
-#include "geometry/adjacency.h"
-#include "geometry/closest_point.h"
-#include "geometry/digest.h"
-#include "geometry/self_intersections.h"
+#include "base/digest.h"
+#include "geometry/intersect/self_intersections.h"
+#include "geometry/search/closest_point.h"
+#include "geometry/topology/adjacency.h"
 #include "support/check_tets.h"
 #include "support/labelled_mesh.h"
 #include "support/test_surfaces.h"
-#include "tetra/edge_groups.h"
-#include "tetra/fill_tets.h"
-#include "tetra/size_guard.h"
-#include "tetra/tet_quality.h"
+#include "tetra/fill/fill_tets.h"
+#include "tetra/mesh/edge_groups.h"
+#include "tetra/mesh/tet_quality.h"
+#include "tetra/operations/size_guard.h"
 
 namespace voxtet {
 namespace {

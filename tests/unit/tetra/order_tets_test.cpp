@@ -1,4 +1,4 @@
-#include "tetra/order_tets.h"
+#include "tetra/fill/order_tets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "tetra/tet_quality.h"
+#include "tetra/mesh/tet_quality.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "geometry/tet_measures.h"
+#include "geometry/elements/tet_measures.h"
 
 namespace voxtet::tetra {
 namespace {

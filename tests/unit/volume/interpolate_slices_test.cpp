@@ -7,9 +7,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "geometry/digest.h"
-#include "geometry/label_components.h"
-#include "io/read_volume.h"
+#include "base/digest.h"
+#include "geometry/topology/label_components.h"
+#include "io/volume/read_volume.h"
 #include "support/data.h"
 #include "support/label_bodies.h"
 #include "support/random_labels.h"

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "geometry/label_components.h"
+#include "geometry/topology/label_components.h"
 #include "support/random_labels.h"
 #include "volume/prepare_volume.h"
 

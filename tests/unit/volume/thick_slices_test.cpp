@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/label_components.h"
-#include "io/files.h"
-#include "io/read_volume.h"
+#include "geometry/topology/label_components.h"
+#include "io/bytes/files.h"
+#include "io/volume/read_volume.h"
 #include "support/data.h"
 #include "volume/interpolate_slices.h"
 

@@ -1,0 +1,27 @@
+#include "geometry/repair/undo_intersections.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "geometry/intersect/self_intersections.h"
+#include "geometry/repair/retreat.h"
+
+namespace voxtet {
+
+UndoOutcome undo_intersections(SurfaceMesh& surface, const std::vector<Eigen::Vector3d>& start,
+                               const RunContext& ctx) {
+  Retreat retreat(surface.triangles, start, surface.points, ctx.threads);
+  Flags flagged = retreat.displaced();
+  SelfIntersectionTree tree(surface, ctx.threads);
+  while (!ctx.cancelled()) {
+    const std::vector<TrianglePair> pairs = tree.find(flagged, std::numeric_limits<std::size_t>::max());
+    if (pairs.empty()) return {retreat.moved_back(), retreat.steps(), false};
+    std::fill(flagged.begin(), flagged.end(), std::uint8_t{0});
+    for (const TrianglePair& pair : pairs)
+      for (const std::uint32_t t : pair) flagged[t] = 1;
+    retreat.step(flagged);
+  }
+  return {retreat.moved_back(), retreat.steps(), true};
+}
+
+}  // namespace voxtet

@@ -1,0 +1,106 @@
+#include "io/mesh/read/read_carp.h"
+
+#include <array>
+
+#include "io/bytes/header_text.h"
+#include "io/mesh/read/mesh_cursor.h"
+#include "io/mesh/shared/mesh_format.h"
+#include "io/mesh/write/write_carp.h"
+
+namespace voxtet {
+namespace {
+
+constexpr const char* kReader = "read_carp";
+
+struct ElementType {
+  std::string_view name;
+  int corners;
+};
+constexpr std::array<ElementType, 8> kElementTypes{
+    {{"Tt", 4}, {"Hx", 8}, {"Oc", 6}, {"Py", 5}, {"Pr", 6}, {"Qd", 4}, {"Tr", 3}, {"Ln", 2}}};
+
+Result<std::vector<Eigen::Vector3d>> read_points(const VolumeFile& file) {
+  MeshCursor in(file.bytes, file.name, kReader);
+  const std::int64_t count = in.integer("the number of points", 0, kMostItems);
+  std::vector<Eigen::Vector3d> points;
+  if (in.can_hold(static_cast<std::uint64_t>(count), 6, "points"))
+    points.reserve(static_cast<std::size_t>(count));
+  for (std::int64_t i = 0; i < count && in.ok(); ++i) {
+    const double x = in.real("a coordinate"), y = in.real("a coordinate"), z = in.real("a coordinate");
+    points.emplace_back(x / kUmPerMm, y / kUmPerMm, z / kUmPerMm);
+  }
+  in.expect_end("the last point");
+  if (!in.ok()) return in.error();
+  return points;
+}
+
+int corners_of(MeshCursor& in, std::string_view name) {
+  for (const ElementType& type : kElementTypes)
+    if (type.name == name) return type.corners;
+  if (in.ok())
+    in.fail("element type " + in_quotes(name) + " is not known, expected Tt, Hx, Oc, Py, Pr, Qd, Tr or Ln");
+  return 0;
+}
+
+Result<TetMesh> read_elements(const VolumeFile& file, std::vector<Eigen::Vector3d> points) {
+  MeshCursor in(file.bytes, file.name, kReader);
+  TetMesh mesh;
+  const std::int64_t count = in.integer("the number of elements", 0, kMostItems);
+  if (in.can_hold(static_cast<std::uint64_t>(count), 7, "elements")) {
+    mesh.tets.reserve(static_cast<std::size_t>(count));
+    mesh.labels.reserve(static_cast<std::size_t>(count));
+  }
+  const auto last = static_cast<std::int64_t>(points.size()) - 1;
+  mesh.points = std::move(points);
+  for (std::int64_t i = 0; i < count && in.ok(); ++i) {
+    const std::string_view type = in.word("an element");
+    const int corners = corners_of(in, type);
+    std::array<std::uint32_t, 8> corner{};
+    for (int c = 0; c < corners; ++c) {
+      const std::int64_t point = in.integer("a point of an element", INT32_MIN, kMostItems);
+      if (in.ok() && (point < 0 || point > last))
+        in.fail("element " + std::to_string(i + 1) + ": point " + std::to_string(point) + ", expected 0 to " +
+                std::to_string(last));
+      corner[static_cast<std::size_t>(c)] = static_cast<std::uint32_t>(point);
+    }
+    if (type != "Tt") {
+      in.rest_of_line();
+      continue;
+    }
+    if (in.ok() && in.at_line_end()) in.fail("element " + std::to_string(i + 1) + " has no region");
+    const std::int64_t region = in.integer("the region of an element", INT32_MIN, INT32_MAX);
+    mesh.tets.push_back({corner[0], corner[1], corner[2], corner[3]});
+    mesh.labels.push_back(in.ok() ? checked_label(in, region, static_cast<std::uint64_t>(i) + 1, "region")
+                                  : 0);
+  }
+  in.expect_end("the last element");
+  return finish_mesh(in, std::move(mesh), false);
+}
+
+}  // namespace
+
+Result<TetMesh> read_carp(const VolumeFile& file) {
+  const std::string ending = lower_case(mesh_ending_of(file.name));
+  const std::string base = file.name.substr(0, file.name.size() - ending.size());
+  const std::string folderless = base.substr(base.find_last_of("/\\") + 1);
+  Bytes beside;
+  const auto part = [&](const std::string& wanted) -> Result<VolumeFile> {
+    if (ending == wanted) return VolumeFile{file.name, file.bytes, {}};
+    if (!file.sibling)
+      return Error{
+          ErrorCode::kBadInput, kReader, file.name + ": needs " + folderless + wanted + " beside it", {}};
+    Result<Bytes> bytes = file.sibling(folderless + wanted);
+    if (!bytes.ok()) return bytes.error();
+    beside = std::move(bytes).value();
+    return VolumeFile{base + wanted, beside, {}};
+  };
+  const Result<VolumeFile> points_file = part(".pts");
+  if (!points_file.ok()) return points_file.error();
+  Result<std::vector<Eigen::Vector3d>> points = read_points(*points_file);
+  if (!points.ok()) return points.error();
+  const Result<VolumeFile> elements_file = part(".elem");
+  if (!elements_file.ok()) return elements_file.error();
+  return read_elements(*elements_file, std::move(points).value());
+}
+
+}  // namespace voxtet

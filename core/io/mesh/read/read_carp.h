@@ -1,0 +1,15 @@
+// openCARP .elem and .pts -> TetMesh.
+#pragma once
+
+#include "io/bytes/volume_file.h"
+#include "io/mesh/read/mesh_arrays.h"
+#include "types/result.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+/// `file` is the .elem, the .pts or the .lon of a mesh; what is missing comes from `file.sibling`. Um become
+/// mm; only Tt elements are kept; each needs its region.
+Result<TetMesh> read_carp(const VolumeFile& file);
+
+}  // namespace voxtet

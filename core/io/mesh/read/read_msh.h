@@ -1,0 +1,15 @@
+// Gmsh MSH 4.1 and 2.2, ASCII and binary -> TetMesh.
+#pragma once
+
+#include "io/bytes/volume_file.h"
+#include "io/mesh/read/mesh_arrays.h"
+#include "types/result.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+/// Points ascend by node tag, tetrahedra by element tag. The label is the (first) physical group. Elements of
+/// other types are skipped; unknown sections too. A $Comments section "space LPS" is obeyed.
+Result<TetMesh> read_msh(const VolumeFile& file);
+
+}  // namespace voxtet

@@ -1,0 +1,55 @@
+#include "io/mesh/shared/mesh_format.h"
+
+#include <array>
+
+#include "io/bytes/header_text.h"
+
+namespace voxtet {
+namespace {
+
+struct Ending {
+  std::string_view text;
+  MeshFormat format;
+};
+constexpr std::array<Ending, 12> kEndings{{{".vtu", MeshFormat::kVtu},
+                                           {".msh", MeshFormat::kMsh},
+                                           {".mesh", MeshFormat::kMedit},
+                                           {".pts", MeshFormat::kCarp},
+                                           {".elem", MeshFormat::kCarp},
+                                           {".lon", MeshFormat::kCarp},
+                                           {".carp", MeshFormat::kCarp},
+                                           {".inp", MeshFormat::kAbaqus},
+                                           {".feb", MeshFormat::kFebio},
+                                           {".xdmf", MeshFormat::kXdmf},
+                                           {".stl", MeshFormat::kStl},
+                                           {".ply", MeshFormat::kPly}}};
+
+}  // namespace
+
+Result<MeshFormat> mesh_format_of(const std::string& path) {
+  const std::string ending = lower_case(mesh_ending_of(path));
+  std::string known;
+  for (const Ending& candidate : kEndings) {
+    if (ending == candidate.text) return candidate.format;
+    known += ' ';
+    known += candidate.text;
+  }
+  return Error{
+      ErrorCode::kUsage, kMeshWriter, path + ": ending \"" + ending + "\", expected one of" + known, {}};
+}
+
+std::string_view mesh_ending_of(std::string_view path) {
+  const std::size_t name = path.find_last_of("/\\");
+  const std::size_t dot = path.rfind('.');
+  if (dot == std::string_view::npos || (name != std::string_view::npos && dot < name)) return {};
+  return path.substr(dot);
+}
+
+std::string mesh_name_of(std::string_view path) {
+  const std::size_t ending = mesh_ending_of(path).size();
+  const std::size_t folder = path.find_last_of("/\\");
+  path.remove_suffix(ending);
+  return std::string(path.substr(folder == std::string_view::npos ? 0 : folder + 1));
+}
+
+}  // namespace voxtet

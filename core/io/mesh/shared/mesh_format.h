@@ -1,0 +1,46 @@
+// The formats of meshes, what can be asked of their writers, and what a path says of its format.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/bytes/bytes.h"
+#include "types/field.h"
+#include "types/label_volume.h"
+#include "types/result.h"
+
+namespace voxtet {
+
+/// The stage in errors of the writers.
+inline constexpr const char* kMeshWriter = "write_mesh";
+
+enum class MeshFormat { kVtu, kMsh, kMedit, kCarp, kAbaqus, kFebio, kXdmf, kStl, kPly };
+enum class PatientSpace { kRas, kLps };
+
+struct WriteMeshOptions {
+  PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
+  std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
+  std::vector<Field> cell_data{};           ///< written with the tetrahedra; not with surfaces
+  std::string name = "mesh";                ///< of the files without their endings, where one names another
+};
+
+/// A file of an export: openCARP makes three, XDMF two, every other format one; cell data may add more.
+/// `suffix` is appended to the base name.
+struct OutputFile {
+  std::string suffix;  ///< ".vtu", ".msh", "_data.msh", ".pts", ".fraction_5.dat", ...
+  Bytes bytes;
+};
+
+/// Format of a file name by its ending (.vtu .msh .mesh .pts/.elem/.lon/.carp .inp .feb .xdmf
+/// .stl .ply), in any case.
+/// Errors: kUsage listing the endings that are known.
+Result<MeshFormat> mesh_format_of(const std::string& path);
+
+/// The ending of a path's last name with its dot (".vtu"); empty where it has none.
+std::string_view mesh_ending_of(std::string_view path);
+
+/// A path's last name without its ending: what WriteMeshOptions::name has to be for write_files.
+std::string mesh_name_of(std::string_view path);
+
+}  // namespace voxtet

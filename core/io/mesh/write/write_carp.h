@@ -1,0 +1,17 @@
+// openCARP's mesh files .pts, .elem, .lon (openCARP manual, "File formats").
+#pragma once
+
+#include "io/mesh/shared/mesh_format.h"
+#include "types/surface_mesh.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+inline constexpr double kUmPerMm = 1000;
+
+/// .pts in um; .elem of type Tt with region = label; .lon with one fibre axis per element, (1, 0, 0)
+/// throughout as a placeholder; .NAME.dat for each cell data, one value a line, in the order of .elem. The
+/// files have no place to say their space.
+std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& options);
+
+}  // namespace voxtet

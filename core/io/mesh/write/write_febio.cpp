@@ -1,0 +1,123 @@
+#include "io/mesh/write/write_febio.h"
+
+#include <string>
+
+#include "io/bytes/byte_writer.h"
+#include "io/mesh/shared/mesh_groups.h"
+
+namespace voxtet {
+namespace {
+
+/// The tetrahedra of one label.
+struct Part {
+  std::string name;
+  std::vector<std::uint32_t> tets;
+};
+
+std::vector<Part> parts_of(const TetMesh& mesh, const std::vector<LabelInfo>& infos) {
+  const LabelGroups groups = group_tets(mesh.labels);
+  auto members = group_members(groups.of_tet, groups.labels.size());
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < members.size(); ++i)
+    parts.push_back({word_name(groups.labels[i], infos), std::move(members[i])});
+  return parts;
+}
+
+void write_head(ByteWriter& out, const std::vector<Part>& parts, PatientSpace space) {
+  out.text("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<febio_spec version=\"4.0\">\n<!-- voxtet mesh, " +
+           coordinates_note(space) +
+           " -->\n<Module type=\"solid\">\n<units>mm-kg-s</units>\n</Module>\n<Material>\n"
+           "<!-- values to begin with, not measured: stiffness in kPa, density in kg/mm^3 -->\n");
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    out.text("<material id=\"" + std::to_string(i + 1) + "\" name=\"" + parts[i].name +
+             "\" type=\"neo-Hookean\">\n<density>1.06e-6</density>\n<E>10</E>\n<v>0.45</v>\n</material>\n");
+  out.text("</Material>\n");
+}
+
+/// <tag id="7">1,2,3</tag> with one more than each corner.
+template <class Corners>
+void write_cell(ByteWriter& out, const std::string& tag, std::size_t id, const Corners& corners) {
+  out.text("<");
+  out.text(tag);
+  out.text(" id=\"");
+  out.integer(static_cast<std::int64_t>(id));
+  const char* separator = "\">";
+  for (const std::uint32_t corner : corners) {
+    out.text(separator);
+    out.integer(std::int64_t{corner} + 1);
+    separator = ",";
+  }
+  out.text("</");
+  out.text(tag);
+  out.text(">\n");
+}
+
+void write_febio_nodes(ByteWriter& out, const TetMesh& mesh, PatientSpace space) {
+  out.text("<Nodes name=\"nodes\">\n");
+  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+    out.text("<node id=\"");
+    out.integer(static_cast<std::int64_t>(p + 1));
+    const Eigen::Vector3d point = in_space(mesh.points[p], space);
+    for (int d = 0; d < 3; ++d) {
+      out.text(d == 0 ? "\">" : ",");
+      out.real(point[d]);
+    }
+    out.text("</node>\n");
+  }
+  out.text("</Nodes>\n");
+}
+
+void write_surfaces(ByteWriter& out, const TetMesh& mesh, const std::vector<LabelInfo>& infos) {
+  const FaceGroups groups = group_faces(mesh.face_sides);
+  const auto members = group_members(groups.of_face, groups.pairs.size());
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    out.text("<Surface name=\"" + word_name(groups.pairs[i], infos) + "\">\n");
+    for (std::size_t f = 0; f < members[i].size(); ++f)
+      write_cell(out, "tri3", f + 1, mesh.faces[members[i][f]]);
+    out.text("</Surface>\n");
+  }
+}
+
+void write_cell_data(ByteWriter& out, const std::vector<Part>& parts, const Field& data) {
+  for (const Part& part : parts) {
+    out.text("<ElementData name=\"" + data.name + "\" elem_set=\"" + part.name + "\">\n");
+    for (std::size_t i = 0; i < part.tets.size(); ++i) {
+      out.text("<e lid=\"");
+      out.integer(static_cast<std::int64_t>(i + 1));
+      out.text("\">");
+      out.real(data.values[part.tets[i]]);
+      out.text("</e>\n");
+    }
+    out.text("</ElementData>\n");
+  }
+}
+
+}  // namespace
+
+Bytes write_febio(const TetMesh& mesh, const WriteMeshOptions& options) {
+  const std::vector<Part> parts = parts_of(mesh, options.infos);
+  ByteWriter out(88 * mesh.points.size() + (54 + 40 * options.cell_data.size()) * mesh.tets.size() +
+                 46 * mesh.faces.size() + 4096);
+  write_head(out, parts, options.space);
+  out.text("<Mesh>\n");
+  write_febio_nodes(out, mesh, options.space);
+  for (const Part& part : parts) {
+    out.text("<Elements type=\"tet4\" name=\"" + part.name + "\">\n");
+    for (const std::uint32_t tet : part.tets) write_cell(out, "elem", std::size_t{tet} + 1, mesh.tets[tet]);
+    out.text("</Elements>\n");
+  }
+  write_surfaces(out, mesh, options.infos);
+  out.text("</Mesh>\n<MeshDomains>\n");
+  for (const Part& part : parts)
+    out.text("<SolidDomain name=\"" + part.name + "\" mat=\"" + part.name + "\"/>\n");
+  out.text("</MeshDomains>\n");
+  if (!options.cell_data.empty()) {
+    out.text("<MeshData>\n");
+    for (const Field& data : options.cell_data) write_cell_data(out, parts, data);
+    out.text("</MeshData>\n");
+  }
+  out.text("</febio_spec>\n");
+  return out.take();
+}
+
+}  // namespace voxtet

@@ -1,0 +1,204 @@
+#include "io/mesh/write/write_msh.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "io/bytes/byte_writer.h"
+#include "io/mesh/shared/mesh_groups.h"
+
+namespace voxtet {
+namespace {
+
+constexpr std::int32_t kGmshTriangle = 2;
+constexpr std::int32_t kGmshTetrahedron = 4;
+
+struct Box {
+  Eigen::Vector3d lo = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d hi = -lo;
+  void add(const Eigen::Vector3d& p) {
+    lo = lo.cwiseMin(p);
+    hi = hi.cwiseMax(p);
+  }
+};
+
+struct Entity {
+  std::int32_t dimension = 0;
+  std::int32_t tag = 0;  ///< also its physical group
+  Box box;
+  std::vector<std::int32_t> bounded_by;
+  std::vector<std::uint32_t> nodes, elements;
+};
+
+/// Surfaces first, then volumes: the order in which Gmsh stores them.
+struct Model {
+  FaceGroups faces;
+  LabelGroups tets;
+  std::vector<Entity> entities;
+};
+
+std::uint32_t volume_place(const Model& model, Label label) {
+  const auto& labels = model.tets.labels;
+  const auto at = std::lower_bound(labels.begin(), labels.end(), label);
+  return at == labels.end() || *at != label
+             ? std::numeric_limits<std::uint32_t>::max()
+             : static_cast<std::uint32_t>(model.faces.pairs.size() +
+                                          static_cast<std::size_t>(at - labels.begin()));
+}
+
+void create_entities(Model& model) {
+  model.entities.resize(model.faces.pairs.size() + model.tets.labels.size());
+  for (std::size_t i = 0; i < model.tets.labels.size(); ++i) {
+    Entity& volume = model.entities[model.faces.pairs.size() + i];
+    volume.dimension = 3;
+    volume.tag = model.tets.labels[i];
+  }
+  for (std::size_t i = 0; i < model.faces.pairs.size(); ++i) {
+    Entity& surface = model.entities[i];
+    surface.dimension = 2;
+    surface.tag = static_cast<std::int32_t>(i + 1);
+    const std::uint32_t behind = volume_place(model, model.faces.pairs[i][0]);
+    const std::uint32_t front = volume_place(model, model.faces.pairs[i][1]);
+    if (behind < model.entities.size()) model.entities[behind].bounded_by.push_back(surface.tag);
+    if (front < model.entities.size()) model.entities[front].bounded_by.push_back(-surface.tag);
+  }
+}
+
+/// Gives elements to their entities, and each point to the first surface it lies on, else to its volume.
+Model build_model(const TetMesh& mesh, PatientSpace space) {
+  Model model{group_faces(mesh.face_sides), group_tets(mesh.labels), {}};
+  create_entities(model);
+  const auto none = static_cast<std::uint32_t>(model.entities.size());
+  std::vector<std::uint32_t> owner(mesh.points.size(), none);
+  const auto add = [&](std::uint32_t place, std::size_t element, const auto& corners) {
+    Entity& entity = model.entities[place];
+    entity.elements.push_back(static_cast<std::uint32_t>(element));
+    for (const std::uint32_t corner : corners) {
+      entity.box.add(in_space(mesh.points[corner], space));
+      owner[corner] = std::min(owner[corner], place);
+    }
+  };
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) add(model.faces.of_face[f], f, mesh.faces[f]);
+  const auto first_volume = static_cast<std::uint32_t>(model.faces.pairs.size());
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    add(first_volume + model.tets.of_tet[t], t, mesh.tets[t]);
+  for (std::size_t p = 0; p < owner.size(); ++p)
+    model.entities[owner[p] == none ? none - 1 : owner[p]].nodes.push_back(static_cast<std::uint32_t>(p));
+  return model;
+}
+
+void write_names(ByteWriter& out, const Model& model, const std::vector<LabelInfo>& infos) {
+  const std::vector<std::string> names = group_names(model.tets.labels, infos);
+  const std::size_t surfaces = model.faces.pairs.size();
+  out.text("$PhysicalNames\n" + std::to_string(model.entities.size()) + "\n");
+  for (std::size_t i = 0; i < model.entities.size(); ++i) {
+    const std::string name =
+        i < surfaces ? pair_name(model.faces.pairs[i], model.tets.labels, names) : names[i - surfaces];
+    out.text(std::to_string(model.entities[i].dimension) + " " + std::to_string(model.entities[i].tag) +
+             " \"" + name + "\"\n");
+  }
+  out.text("$EndPhysicalNames\n");
+}
+
+void write_entities(ByteWriter& out, const Model& model) {
+  out.text("$Entities\n");
+  for (const std::size_t count :
+       {std::size_t{0}, std::size_t{0}, model.faces.pairs.size(), model.tets.labels.size()})
+    out.raw(std::uint64_t{count});
+  for (const Entity& entity : model.entities) {
+    out.raw(entity.tag);
+    for (int d = 0; d < 3; ++d) out.raw(entity.box.lo[d]);
+    for (int d = 0; d < 3; ++d) out.raw(entity.box.hi[d]);
+    out.raw(std::uint64_t{1});
+    out.raw(entity.tag);
+    out.raw(std::uint64_t{entity.bounded_by.size()});
+    for (const std::int32_t surface : entity.bounded_by) out.raw(surface);
+  }
+  out.text("\n$EndEntities\n");
+}
+
+void write_msh_nodes(ByteWriter& out, const Model& model, const TetMesh& mesh, PatientSpace space) {
+  out.text("$Nodes\n");
+  const auto blocks = std::count_if(model.entities.begin(), model.entities.end(),
+                                    [](const Entity& entity) { return !entity.nodes.empty(); });
+  for (const std::uint64_t value : {static_cast<std::uint64_t>(blocks), std::uint64_t{mesh.points.size()},
+                                    std::uint64_t{1}, std::uint64_t{mesh.points.size()}})
+    out.raw(value);
+  for (const Entity& entity : model.entities) {
+    if (entity.nodes.empty()) continue;
+    out.raw(entity.dimension);
+    out.raw(entity.tag);
+    out.raw(std::int32_t{0});
+    out.raw(std::uint64_t{entity.nodes.size()});
+    for (const std::uint32_t node : entity.nodes) out.raw(std::uint64_t{node} + 1);
+    for (const std::uint32_t node : entity.nodes) {
+      const Eigen::Vector3d p = in_space(mesh.points[node], space);
+      for (int d = 0; d < 3; ++d) out.raw(p[d]);
+    }
+  }
+  out.text("\n$EndNodes\n");
+}
+
+void write_elements(ByteWriter& out, const Model& model, const TetMesh& mesh) {
+  const std::uint64_t count = mesh.tets.size() + mesh.faces.size();
+  out.text("$Elements\n");
+  for (const std::uint64_t value : {std::uint64_t{model.entities.size()}, count, std::uint64_t{1}, count})
+    out.raw(value);
+  for (const Entity& entity : model.entities) {
+    out.raw(entity.dimension);
+    out.raw(entity.tag);
+    out.raw(entity.dimension == 3 ? kGmshTetrahedron : kGmshTriangle);
+    out.raw(std::uint64_t{entity.elements.size()});
+    for (const std::uint32_t element : entity.elements) {
+      if (entity.dimension == 3) {
+        out.raw(std::uint64_t{element} + 1);
+        for (const std::uint32_t corner : mesh.tets[element]) out.raw(std::uint64_t{corner} + 1);
+      } else {
+        out.raw(std::uint64_t{mesh.tets.size() + element + 1});
+        for (const std::uint32_t corner : mesh.faces[element]) out.raw(std::uint64_t{corner} + 1);
+      }
+    }
+  }
+  out.text("\n$EndElements\n");
+}
+
+void write_format(ByteWriter& out) {
+  out.text("$MeshFormat\n4.1 1 8\n");
+  out.raw(std::int32_t{1});
+  out.text("\n$EndMeshFormat\n");
+}
+
+Bytes write_cell_data(const std::vector<Field>& cell_data) {
+  const std::size_t tets = cell_data.front().values.size();
+  ByteWriter out(cell_data.size() * (12 * tets + 128) + 64);
+  write_format(out);
+  for (const Field& data : cell_data) {
+    // One string tag: the name; one real: the time; three integers: step, components, elements.
+    out.text("$ElementData\n1\n\"" + data.name + "\"\n1\n0\n3\n0\n1\n" + std::to_string(tets) + "\n");
+    for (std::size_t t = 0; t < tets; ++t) {
+      out.raw(static_cast<std::int32_t>(t + 1));
+      out.raw(static_cast<double>(data.values[t]));
+    }
+    out.text("\n$EndElementData\n");
+  }
+  return out.take();
+}
+
+}  // namespace
+
+std::vector<OutputFile> write_msh(const TetMesh& mesh, const WriteMeshOptions& options) {
+  const Model model = build_model(mesh, options.space);
+  ByteWriter out(32 * mesh.points.size() + 40 * mesh.tets.size() + 32 * mesh.faces.size() +
+                 512 * (model.entities.size() + 1));
+  write_format(out);
+  out.text(std::string("$Comments\nspace ") + to_string(options.space) + "\nunit mm\n$EndComments\n");
+  write_names(out, model, options.infos);
+  write_entities(out, model);
+  write_msh_nodes(out, model, mesh, options.space);
+  write_elements(out, model, mesh);
+  std::vector<OutputFile> files{{".msh", out.take()}};
+  if (!options.cell_data.empty()) files.push_back({"_data.msh", write_cell_data(options.cell_data)});
+  return files;
+}
+
+}  // namespace voxtet

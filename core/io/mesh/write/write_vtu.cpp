@@ -1,0 +1,119 @@
+#include "io/mesh/write/write_vtu.h"
+
+#include <string>
+
+#include "io/bytes/byte_writer.h"
+#include "io/mesh/shared/mesh_groups.h"
+
+namespace voxtet {
+namespace {
+
+constexpr std::uint8_t kVtkTriangle = 5;
+
+/// The XML part; declares the appended arrays in the order in which their bytes must follow.
+class VtuHeader {
+ public:
+  VtuHeader(PatientSpace space, std::size_t points, std::size_t cells) {
+    xml_ = "<?xml version=\"1.0\"?>\n<!-- " + coordinates_note(space) +
+           " -->\n"
+           "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+           "header_type=\"UInt64\">\n"
+           "<UnstructuredGrid>\n";
+    if (space == PatientSpace::kLps)
+      xml_ +=
+          "<FieldData>\n<DataArray type=\"Int8\" Name=\"space\" NumberOfTuples=\"3\" format=\"ascii\">"
+          "76 80 83</DataArray>\n</FieldData>\n";
+    xml_ += "<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" +
+            std::to_string(cells) + "\">\n";
+  }
+  void open(const std::string& tag) { xml_ += "<" + tag + ">\n"; }
+  /// `shape` is left away for scalars: meshio would make a column of them.
+  void array(const std::string& type, const std::string& name, std::size_t bytes,
+             const std::string& shape = "") {
+    xml_ += "<DataArray type=\"" + type + "\" Name=\"" + name + "\"" + shape +
+            " format=\"appended\" offset=\"" + std::to_string(offset_) + "\"/>\n";
+    offset_ += sizeof(std::uint64_t) + bytes;
+  }
+  /// A writer that holds the finished XML and expects exactly the declared arrays.
+  ByteWriter finish() {
+    xml_ += "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+    ByteWriter writer(xml_.size() + offset_ + 64);
+    writer.text(xml_);
+    return writer;
+  }
+
+ private:
+  std::string xml_;
+  std::size_t offset_ = 0;
+};
+
+template <std::size_t kCorners>
+void declare_grid(VtuHeader& header, std::size_t points, std::size_t cells) {
+  header.open("Points");
+  header.array("Float64", "Points", 24 * points, " NumberOfComponents=\"3\"");
+  header.open("/Points");
+  header.open("Cells");
+  header.array("Int64", "connectivity", 8 * kCorners * cells);
+  header.array("Int64", "offsets", 8 * cells);
+  header.array("UInt8", "types", cells);
+  header.open("/Cells");
+}
+
+template <std::size_t kCorners>
+void append_grid(ByteWriter& out, const std::vector<Eigen::Vector3d>& points, PatientSpace space,
+                 const std::vector<std::array<std::uint32_t, kCorners>>& cells, std::uint8_t cell_type) {
+  out.raw(std::uint64_t{24 * points.size()});
+  for (const Eigen::Vector3d& ras : points) {
+    const Eigen::Vector3d p = in_space(ras, space);
+    for (int d = 0; d < 3; ++d) out.raw(p[d]);
+  }
+  out.raw(std::uint64_t{8 * kCorners * cells.size()});
+  for (const auto& cell : cells)
+    for (const std::uint32_t corner : cell) out.raw(std::int64_t{corner});
+  out.raw(std::uint64_t{8 * cells.size()});
+  for (std::size_t i = 1; i <= cells.size(); ++i) out.raw(static_cast<std::int64_t>(kCorners * i));
+  out.raw(std::uint64_t{cells.size()});
+  for (std::size_t i = 0; i < cells.size(); ++i) out.raw(cell_type);
+}
+
+constexpr const char* kFooter = "\n</AppendedData>\n</VTKFile>\n";
+
+}  // namespace
+
+Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
+  VtuHeader header(options.space, mesh.points.size(), mesh.tets.size());
+  declare_grid<4>(header, mesh.points.size(), mesh.tets.size());
+  header.open("CellData Scalars=\"label\"");
+  header.array("Int32", "label", 4 * mesh.tets.size());
+  for (const Field& data : options.cell_data) header.array("Float32", data.name, 4 * data.values.size());
+  header.open("/CellData");
+  ByteWriter out = header.finish();
+  append_grid(out, mesh.points, options.space, mesh.tets, kVtkTetra);
+  out.raw(std::uint64_t{4 * mesh.labels.size()});
+  for (const Label label : mesh.labels) out.raw(std::int32_t{label});
+  for (const Field& data : options.cell_data) {
+    out.raw(std::uint64_t{4 * data.values.size()});
+    for (const float value : data.values) out.raw(value);
+  }
+  out.text(kFooter);
+  return out.take();
+}
+
+Bytes write_vtu(const SurfaceMesh& surface, const WriteMeshOptions& options) {
+  VtuHeader header(options.space, surface.points.size(), surface.triangles.size());
+  declare_grid<3>(header, surface.points.size(), surface.triangles.size());
+  header.open("CellData Scalars=\"label_behind\"");
+  header.array("Int32", "label_behind", 4 * surface.sides.size());
+  header.array("Int32", "label_front", 4 * surface.sides.size());
+  header.open("/CellData");
+  ByteWriter out = header.finish();
+  append_grid(out, surface.points, options.space, surface.triangles, kVtkTriangle);
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    out.raw(std::uint64_t{4 * surface.sides.size()});
+    for (const Sides& sides : surface.sides) out.raw(std::int32_t{sides[side]});
+  }
+  out.text(kFooter);
+  return out.take();
+}
+
+}  // namespace voxtet

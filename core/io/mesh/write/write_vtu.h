@@ -1,0 +1,24 @@
+// VTK's XML UnstructuredGrid: binary, appended, raw (VTK file formats, "XML File Formats").
+#pragma once
+
+#include <cstdint>
+
+#include "io/mesh/shared/mesh_format.h"
+#include "types/surface_mesh.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+/// VTK's number of the cell type.
+inline constexpr std::uint8_t kVtkTetra = 10;
+
+/// Tetrahedra with the Int32 cell array `label` and cell data as Float32; Float64 points, mm. A comment at
+/// the beginning says space and unit to people. In LPS the grid has a field-data array `space` of three Int8
+/// letters, "LPS"; without it a file is RAS. (Letters and not a VTK string: meshio refuses files with
+/// strings.)
+Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options);
+
+/// Triangles with the Int32 cell arrays `label_behind` and `label_front`.
+Bytes write_vtu(const SurfaceMesh& surface, const WriteMeshOptions& options);
+
+}  // namespace voxtet

@@ -1,0 +1,160 @@
+#include "io/mesh/write_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "io/bytes/files.h"
+#include "io/bytes/header_text.h"
+#include "io/mesh/write/write_abaqus.h"
+#include "io/mesh/write/write_carp.h"
+#include "io/mesh/write/write_febio.h"
+#include "io/mesh/write/write_medit.h"
+#include "io/mesh/write/write_msh.h"
+#include "io/mesh/write/write_ply.h"
+#include "io/mesh/write/write_stl.h"
+#include "io/mesh/write/write_vtu.h"
+#include "io/mesh/write/write_xdmf.h"
+
+namespace voxtet {
+namespace {
+
+constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+
+std::optional<Error> broken(const std::string& message) {
+  return Error{ErrorCode::kInternal, kMeshWriter, message, {}};
+}
+
+/// The invariants that the writers rely on to stay inside their arrays and to write files that can be read.
+template <std::size_t kCorners>
+std::optional<Error> check_elements(const std::vector<Eigen::Vector3d>& points,
+                                    const std::vector<std::array<std::uint32_t, kCorners>>& elements,
+                                    std::size_t attributes, const std::string& name) {
+  if (elements.size() != attributes)
+    return broken(std::to_string(elements.size()) + " " + name + " carry " + std::to_string(attributes) +
+                  " labels, expected as many");
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    for (const std::uint32_t corner : elements[e])
+      if (corner >= points.size())
+        return broken(name + ": element " + std::to_string(e) + " uses point " + std::to_string(corner) +
+                      " of " + std::to_string(points.size()));
+  return {};
+}
+
+std::optional<Error> check_points(const std::vector<Eigen::Vector3d>& points) {
+  if (points.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+    return broken(std::to_string(points.size()) + " points, expected fewer than 2^31");
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (!points[p].allFinite())
+      return broken("point " + std::to_string(p) + " has a coordinate that is not finite");
+  return {};
+}
+
+/// The boundary faces as a surface of their own, with only the points that they use.
+SurfaceMesh boundary_of(const TetMesh& mesh) {
+  SurfaceMesh surface;
+  surface.sides = mesh.face_sides;
+  std::vector<std::uint32_t> place(mesh.points.size(), kUnused);
+  for (const Triangle& face : mesh.faces)
+    for (const std::uint32_t corner : face) place[corner] = 0;
+  for (std::size_t p = 0; p < place.size(); ++p) {
+    if (place[p] == kUnused) continue;
+    place[p] = static_cast<std::uint32_t>(surface.points.size());
+    surface.points.push_back(mesh.points[p]);
+  }
+  for (const Triangle& face : mesh.faces)
+    surface.triangles.push_back({place[face[0]], place[face[1]], place[face[2]]});
+  return surface;
+}
+
+std::optional<Error> check_surface(const SurfaceMesh& surface) {
+  if (surface.triangles.empty())
+    return Error{ErrorCode::kUsage,
+                 kMeshWriter,
+                 "no triangles to write (a mesh read from a file carries no faces)",
+                 {}};
+  if (auto error = check_points(surface.points)) return error;
+  return check_elements(surface.points, surface.triangles, surface.sides.size(), "triangles");
+}
+
+std::optional<Error> check_mesh(const TetMesh& mesh) {
+  if (mesh.tets.empty()) return Error{ErrorCode::kUsage, kMeshWriter, "no tetrahedra to write", {}};
+  if (auto error = check_points(mesh.points)) return error;
+  if (auto error = check_elements(mesh.points, mesh.tets, mesh.labels.size(), "tetrahedra")) return error;
+  return check_elements(mesh.points, mesh.faces, mesh.face_sides.size(), "faces");
+}
+
+std::optional<Error> check_cell_data(const std::vector<Field>& cell_data, std::size_t tets) {
+  for (const Field& data : cell_data) {
+    if (!is_field_name(data.name))
+      return broken("cell data \"" + data.name + "\": expected a name of letters, digits and _");
+    if (data.values.size() != tets)
+      return broken("cell data " + data.name + ": " + std::to_string(data.values.size()) + " values for " +
+                    std::to_string(tets) + " tetrahedra");
+    if (!all_finite(data.values))
+      return broken("cell data " + data.name + " hold a value that is not finite");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> files_of_mesh(const std::string& path) {
+  const Result<MeshFormat> format = mesh_format_of(path);
+  if (!format) return {path};
+  const std::string base = path.substr(0, path.size() - mesh_ending_of(path).size());
+  if (*format == MeshFormat::kCarp) return {base + ".pts", base + ".elem", base + ".lon"};
+  if (*format == MeshFormat::kXdmf) return {base + ".xdmf", base + ".h5"};
+  return {path};
+}
+
+Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat format,
+                                               const WriteMeshOptions& options) {
+  if (auto error = check_mesh(mesh)) return *std::move(error);
+  if (auto error = check_cell_data(options.cell_data, mesh.tets.size())) return *std::move(error);
+  switch (format) {
+    case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(mesh, options)}};
+    case MeshFormat::kMsh: return write_msh(mesh, options);
+    case MeshFormat::kMedit: return write_medit(mesh, options);
+    case MeshFormat::kCarp: return write_carp(mesh, options);
+    case MeshFormat::kAbaqus: return write_abaqus(mesh, options);
+    case MeshFormat::kFebio: return std::vector<OutputFile>{{".feb", write_febio(mesh, options)}};
+    case MeshFormat::kXdmf: return write_xdmf(mesh, options);
+    case MeshFormat::kStl:
+    case MeshFormat::kPly: break;
+  }
+  return write_surface(boundary_of(mesh), format, options);
+}
+
+Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFormat format,
+                                              const WriteMeshOptions& options) {
+  if (auto error = check_surface(surface)) return *std::move(error);
+  switch (format) {
+    case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(surface, options)}};
+    case MeshFormat::kStl: return std::vector<OutputFile>{{".stl", write_stl(surface, options)}};
+    case MeshFormat::kPly: return std::vector<OutputFile>{{".ply", write_ply(surface, options)}};
+    case MeshFormat::kMsh:
+    case MeshFormat::kMedit:
+    case MeshFormat::kCarp:
+    case MeshFormat::kAbaqus:
+    case MeshFormat::kFebio:
+    case MeshFormat::kXdmf: break;
+  }
+  return Error{ErrorCode::kUsage, kMeshWriter, "a surface is written as .stl, .ply or .vtu only", {}};
+}
+
+Status write_files(const std::string& path, const std::vector<OutputFile>& files) {
+  if (const Result<MeshFormat> format = mesh_format_of(path); !format.ok()) return format.error();
+  const std::string base = path.substr(0, path.size() - mesh_ending_of(path).size());
+  std::vector<TargetFile> targets;
+  for (const OutputFile& file : files) {
+    // The ending that was asked for keeps its case.
+    const bool asked = lower_case(mesh_ending_of(path)) == file.suffix;
+    targets.push_back({asked ? path : base + file.suffix, file.bytes});
+  }
+  return place_files(targets);
+}
+
+}  // namespace voxtet

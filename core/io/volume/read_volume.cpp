@@ -1,0 +1,119 @@
+#include "io/volume/read_volume.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
+#include "io/bytes/byte_source.h"
+#include "io/bytes/files.h"
+#include "io/bytes/header_text.h"
+#include "io/volume/read_metaimage.h"
+#include "io/volume/read_nifti.h"
+#include "io/volume/read_nrrd.h"
+
+namespace voxtet {
+namespace {
+
+constexpr const char* kVolumeReader = "read_volume";
+
+bool starts_with(std::span<const std::uint8_t> bytes, std::string_view text) {
+  return bytes.size() >= text.size() && std::equal(text.begin(), text.end(), bytes.begin());
+}
+
+bool is_gzipped(const VolumeFile& file) {
+  return file.bytes.size() >= 2 && file.bytes[0] == 0x1f && file.bytes[1] == 0x8b;
+}
+
+/// The inflated bytes of a .nii.gz.
+Result<std::unique_ptr<ByteSource>> inflated_nifti(const VolumeFile& file) {
+  // A second source reads the volume, so that the look ahead needs no buffer.
+  std::array<std::uint8_t, kNiftiHeaderBytes> start{};
+  Result<std::size_t> got = make_inflate_source(file.bytes)->read(start);
+  if (!got) return got.error();
+  if (!looks_like_nifti({start.data(), *got}))
+    return bad_input(kVolumeReader,
+                     "gzip data that hold no NIfTI header; expected .nii.gz (NRRD and MetaImage compress "
+                     "their voxels only, not the whole file)");
+  return make_inflate_source(file.bytes);
+}
+
+std::string start_of(const VolumeFile& file) {
+  const auto* text = reinterpret_cast<const char*>(file.bytes.data());
+  return in_quotes({text, std::min<std::size_t>(file.bytes.size(), 16)});
+}
+
+Result<LabelVolume> read_any(const VolumeFile& file) {
+  if (file.bytes.empty()) return bad_input(kVolumeReader, "the file is empty");
+  if (is_gzipped(file)) {
+    const Result<std::unique_ptr<ByteSource>> source = inflated_nifti(file);
+    if (!source) return source.error();
+    return read_nifti(**source);
+  }
+  if (starts_with(file.bytes, "NRRD")) return read_nrrd(file);
+  if (looks_like_nifti(file.bytes.first(std::min(file.bytes.size(), kNiftiHeaderBytes))))
+    return read_nifti(*make_memory_source(file.bytes));
+  if (looks_like_metaimage(file.bytes)) return read_metaimage(file);
+  return bad_input(kVolumeReader,
+                   "starts with " + start_of(file) +
+                       "; expected NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)");
+}
+
+Result<ScalarVolume> read_any_scalars(const VolumeFile& file) {
+  if (file.bytes.empty()) return bad_input(kVolumeReader, "the file is empty");
+  if (is_gzipped(file)) {
+    const Result<std::unique_ptr<ByteSource>> source = inflated_nifti(file);
+    if (!source) return source.error();
+    return read_nifti_scalars(**source);
+  }
+  if (looks_like_nifti(file.bytes.first(std::min(file.bytes.size(), kNiftiHeaderBytes))))
+    return read_nifti_scalars(*make_memory_source(file.bytes));
+  return bad_input(kVolumeReader, "starts with " + start_of(file) +
+                                      "; expected an image of numbers as NIfTI (.nii, .nii.gz)");
+}
+
+/// Puts the name of the file before the message.
+template <class Volume>
+Result<Volume> named(const std::string& name, Result<Volume> volume) {
+  if (volume) return volume;
+  Error error = volume.error();
+  error.message = name + ": " + error.message;
+  return error;
+}
+
+template <class Read>
+auto guarded(const std::string& name, Read read) -> decltype(read()) {
+  try {
+    return read();
+  } catch (const std::bad_alloc&) {
+  } catch (const std::length_error&) {
+  }
+  return Error{
+      ErrorCode::kOutOfMemory, kVolumeReader, name + ": there is not enough memory for its voxels", {}};
+}
+
+}  // namespace
+
+Result<LabelVolume> read_volume(const VolumeFile& file) {
+  return guarded(file.name, [&] { return named(file.name, read_any(file)); });
+}
+
+Result<ScalarVolume> read_scalar_volume(const VolumeFile& file) {
+  return guarded(file.name, [&] { return named(file.name, read_any_scalars(file)); });
+}
+
+Result<LabelVolume> read_volume_file(const std::string& path) {
+  return guarded(path, [&]() -> Result<LabelVolume> {
+    const std::filesystem::path place(path);
+    const Result<Bytes> bytes = read_file(path);
+    if (!bytes) return bytes.error();
+    return read_volume({path, *bytes, [&](const std::string& name) {
+                          return read_file((place.parent_path() / name).string());
+                        }});
+  });
+}
+
+}  // namespace voxtet

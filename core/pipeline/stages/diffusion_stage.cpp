@@ -1,0 +1,66 @@
+#include "pipeline/stages/diffusion_stage.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/digest.h"
+#include "physics/diffusion/diffusion.h"
+#include "pipeline/stages/stage_results.h"
+
+namespace voxtet {
+namespace {
+
+const Trajectory& trajectory(const std::any& value) {
+  return *std::any_cast<const std::shared_ptr<const Trajectory>&>(value);
+}
+
+class DiffusionTask : public StageTask {
+ public:
+  explicit DiffusionTask(Diffusion diffusion) : diffusion_(std::move(diffusion)) {}
+
+  Result<bool> step(RunContext& ctx) override {
+    if (result_.times_ms.empty()) emit(ctx);
+    if (Status stepped = diffusion_.step(); !stepped) return stepped.error();
+    if (diffusion_.frame_due()) emit(ctx);
+    return diffusion_.done();
+  }
+  double fraction() const override { return diffusion_.fraction(); }
+  void finish(StageOutput& out) override {
+    result_.frames_digest = frames_.hex();
+    out.put(std::move(result_));
+  }
+
+ private:
+  void emit(RunContext& ctx) {
+    result_.last = {diffusion_.time_ms(), {diffusion_.temperature()}};
+    result_.times_ms.push_back(diffusion_.time_ms());
+    const std::vector<float>& values = result_.last.fields[0].values;
+    frames_.update_values(values.data(), values.size());
+    ctx.snapshot(result_.last);
+  }
+
+  Diffusion diffusion_;
+  Trajectory result_;
+  Sha256 frames_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<StageTask>> start_diffusion(const StageInputs& in, const Recipe& recipe) {
+  if (!recipe.physics || !recipe.physics->diffusion)
+    return usage_error("diffusion", "physics.diffusion: found none, expected what is to spread");
+  Result<Diffusion> diffusion =
+      Diffusion::start(in.get<TetMesh>(Stage::kOptimise), *recipe.physics->diffusion);
+  if (!diffusion) return diffusion.error();
+  return std::unique_ptr<StageTask>(std::make_unique<DiffusionTask>(std::move(diffusion).value()));
+}
+
+nlohmann::json count_trajectory(const std::any& value) {
+  const Trajectory& found = trajectory(value);
+  return {{"frames", found.times_ms.size()}, {"end_ms", found.times_ms.back()}};
+}
+
+std::string digest_trajectory(const std::any& value) {
+  return trajectory(value).frames_digest;
+}
+
+}  // namespace voxtet

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <numeric>
+
+#include "pipeline/stages/stage_results.h"
+
+namespace voxtet {
+namespace {
+
+template <class T>
+std::size_t bytes_of(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
+}
+
+std::size_t bytes_of(const std::vector<Field>& fields) {
+  return std::accumulate(fields.begin(), fields.end(), std::size_t{0},
+                         [](std::size_t sum, const Field& field) { return sum + bytes_of(field.values); });
+}
+
+}  // namespace
+
+std::size_t memory_bytes(const VolumeResult& result) {
+  std::size_t bytes = 0;
+  std::vector<const LabelVolume*> counted;
+  for (const LabelVolume* volume : {result.source.get(), result.prepared.selected.get(),
+                                    result.prepared.prepared.get(), result.prepared.anatomy.get()}) {
+    if (!volume || std::find(counted.begin(), counted.end(), volume) != counted.end()) continue;
+    counted.push_back(volume);
+    bytes += bytes_of(volume->labels);
+  }
+  return bytes;
+}
+
+std::size_t memory_bytes(const SurfaceMesh& surface) {
+  return bytes_of(surface.points) + bytes_of(surface.triangles) + bytes_of(surface.sides);
+}
+
+std::size_t memory_bytes(const TetMesh& mesh) {
+  return bytes_of(mesh.points) + bytes_of(mesh.tets) + bytes_of(mesh.labels) + bytes_of(mesh.faces) +
+         bytes_of(mesh.face_sides);
+}
+
+std::size_t memory_bytes(const WallsResult& result) {
+  std::size_t bytes = bytes_of(result.fields);
+  for (const WallField& wall : result.walls) {
+    bytes += bytes_of(wall.thickness_mm) + bytes_of(wall.potential) + bytes_of(wall.in_wall);
+    for (const std::vector<float>& share : wall.inner_shares) bytes += bytes_of(share);
+  }
+  return bytes;
+}
+
+std::size_t memory_bytes(const SizingField& sizing) {
+  return bytes_of(sizing.h_mm);
+}
+
+std::size_t memory_bytes(const LayersResult&) {
+  return sizeof(LayersResult);
+}
+
+std::size_t memory_bytes(const LabelLookUp& found) {
+  return bytes_of(found.fields);
+}
+
+std::size_t memory_bytes(const QualityReport& report) {
+  return bytes_of(report.fields);
+}
+
+std::size_t memory_bytes(const Trajectory& result) {
+  return bytes_of(result.times_ms) + bytes_of(result.last.fields);
+}
+
+}  // namespace voxtet

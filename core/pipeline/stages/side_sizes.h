@@ -1,0 +1,17 @@
+// The sizing field with the files that the recipe names for it.
+#pragma once
+
+#include "pipeline/stages/loaded_files.h"
+#include "pipeline/stages/stage_results.h"
+#include "sizing/build_sizing_field.h"
+#include "types/sizing_field.h"
+
+namespace voxtet {
+
+/// build_sizing_field with the masks and images that `sizing` names. Errors: its own, and kBadInput for a
+/// file that was not loaded, or is another than the recipe's.
+Result<SizingField> build_sizing_field_of(const LoadedFiles& files, const SizingParams& sizing,
+                                          const LabelVolume& volume, const SurfaceMesh& smooth,
+                                          const Walls& walls, RunContext& ctx);
+
+}  // namespace voxtet

@@ -1,0 +1,129 @@
+// The stages in their order, and the table that says what each is.
+#pragma once
+
+#include <any>
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pipeline/stages/loaded_files.h"
+#include "pipeline/stages/stage_arrays.h"
+#include "recipe/recipe.h"
+#include "types/result.h"
+#include "types/run_context.h"
+
+namespace voxtet {
+
+/// In the order in which they run; the number is the row of stage_table().
+enum class Stage {
+  kVolume,
+  kSurface,
+  kSmooth,
+  kWalls,
+  kSizing,
+  kLayers,
+  kRemesh,
+  kTetra,
+  kOptimise,
+  kLookup,
+  kQuality,
+  kDiffusion
+};
+inline constexpr int kStageCount = 12;
+
+/// Of each stage the digest of everything that it depends on.
+using StageKeys = std::array<std::string, kStageCount>;
+
+/// The results that a stage reads: those that its row names, and no others.
+class StageInputs {
+ public:
+  explicit StageInputs(const LoadedFiles& files) : files(files) {}
+
+  void add(Stage stage, const std::any& value) { values_[static_cast<std::size_t>(stage)] = value; }
+  /// The value of a stage that the row names, of that stage's own type (stage_results.h).
+  template <class T>
+  const std::shared_ptr<const T>& share(Stage stage) const {
+    return std::any_cast<const std::shared_ptr<const T>&>(values_[static_cast<std::size_t>(stage)]);
+  }
+  template <class T>
+  const T& get(Stage stage) const {
+    return *share<T>(stage);
+  }
+
+  const LoadedFiles& files;
+
+ private:
+  std::array<std::any, kStageCount> values_;
+};
+
+/// What a stage gives.
+class StageOutput {
+ public:
+  template <class T>
+  void put(T value) {
+    bytes = memory_bytes(value);
+    this->value = std::make_shared<const T>(std::move(value));
+  }
+
+  std::any value;
+  std::size_t bytes = 0;
+};
+
+/// Work that is done in short steps, so that between them its caller hears what else is wanted.
+class StageTask {
+ public:
+  virtual ~StageTask() = default;
+  /// Some milliseconds of work; true when all is done. Emits frames by ctx.snapshot.
+  virtual Result<bool> step(RunContext& ctx) = 0;
+  virtual double fraction() const = 0;  ///< of the work that is done
+  virtual void finish(StageOutput& out) = 0;
+};
+
+/// Everything that the pipeline knows of a stage. What it names as inputs, and the fields and files that it
+/// reads, are its key: with the same key its result is the same.
+struct StageSpec {
+  Stage stage;
+  std::string_view name;   ///< as it stands in reports, recipes and links
+  std::string_view title;  ///< for people
+  bool shown = true;       ///< of its own in the app; else it runs by itself before one that is
+  std::vector<Stage> inputs;
+  /// Fields of the recipe by their path; "list[].field" is that field of each entry of a list.
+  std::vector<std::string_view> reads;
+  /// Adds the digests of files that it reads. Null: it reads none.
+  void (*add_files)(const LoadedFiles&, const Recipe&, std::string& key) = nullptr;
+  /// All at once. One of `run` and `start` is given.
+  Status (*run)(const StageInputs&, const Recipe&, StageOutput&, RunContext&) = nullptr;
+  /// In steps. The inputs' values outlive the task.
+  Result<std::unique_ptr<StageTask>> (*start)(const StageInputs&, const Recipe&) = nullptr;
+  /// {counts} of the report, from the stage's value.
+  nlohmann::json (*counts)(const std::any& value) = nullptr;
+  /// Adds the arrays that a viewer may ask for. Null: there are none.
+  void (*arrays)(const std::any& value, StageArrays& out) = nullptr;
+  /// Digest of the stage's value. Null: its key stands for it.
+  std::string (*digest)(const std::any& value) = nullptr;
+};
+
+const std::array<StageSpec, kStageCount>& stage_table();
+inline const StageSpec& spec_of(Stage stage) {
+  return stage_table()[static_cast<std::size_t>(stage)];
+}
+inline std::string name_of(Stage stage) {
+  return std::string(spec_of(stage).name);
+}
+
+/// Stage of a name. Errors: kUsage listing the names.
+Result<Stage> stage_of(std::string_view name);
+
+/// The key of every stage for a recipe and the files that were loaded.
+StageKeys keys_of(const Recipe& recipe, const LoadedFiles& files);
+/// What stands in a recipe's JSON at these paths (StageSpec::reads), as text.
+std::string fields_text(const nlohmann::json& recipe, const std::vector<std::string_view>& paths);
+
+/// {name, title, shown, inputs, reads, in_steps} of every stage, in order.
+nlohmann::json stages_schema();
+
+}  // namespace voxtet

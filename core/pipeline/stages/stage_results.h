@@ -1,0 +1,72 @@
+// What each stage gives: the types that pass between stages, beside those of types/.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "types/field.h"
+#include "types/label_lookup.h"
+#include "types/quality_report.h"
+#include "types/sizing_field.h"
+#include "types/surface_mesh.h"
+#include "types/tet_mesh.h"
+#include "volume/prepare_volume.h"
+#include "walls/wall_field.h"
+#include "walls/wall_layers.h"
+
+namespace voxtet {
+
+struct VolumeResult {
+  std::shared_ptr<const LabelVolume> source;  ///< all labels, as read or generated
+  std::string digest;                         ///< digest_of(*source)
+  PreparedVolume prepared;
+};
+
+/// The walls of the recipe's sizing.thickness, in its order.
+using Walls = std::vector<WallField>;
+
+struct WallsResult {
+  Walls walls;
+  /// `thickness_mm` at the voxels of the volume that is meshed, where they lie in a wall; none without walls.
+  std::vector<Field> fields;
+};
+
+/// The sheets of the walls whose layers are to be exact. They refer to `walls`.
+struct LayersResult {
+  std::shared_ptr<const WallsResult> walls;
+  std::vector<std::size_t> exact;  ///< numbers of the walls whose layers are to be exact
+  WallLayers layers;
+};
+
+/// A mesh of the volume's labels; beside it, where layers are exact, the same with a label for each layer.
+template <class Mesh>
+struct Layered {
+  Mesh mesh;
+  std::optional<Mesh> with_layers;
+};
+
+/// A result that lives in time: of its frames the last one, and a digest over all of them.
+struct Trajectory {
+  std::vector<double> times_ms;
+  Snapshot last;
+  std::string frames_digest;
+};
+
+/// Bytes that a result holds, but for what it shares with others.
+std::size_t memory_bytes(const VolumeResult& result);
+std::size_t memory_bytes(const SurfaceMesh& surface);
+std::size_t memory_bytes(const TetMesh& mesh);
+std::size_t memory_bytes(const WallsResult& result);
+std::size_t memory_bytes(const SizingField& sizing);
+std::size_t memory_bytes(const LayersResult& result);
+std::size_t memory_bytes(const LabelLookUp& found);
+std::size_t memory_bytes(const QualityReport& report);
+std::size_t memory_bytes(const Trajectory& result);
+template <class Mesh>
+std::size_t memory_bytes(const Layered<Mesh>& result) {
+  return memory_bytes(result.mesh) + (result.with_layers ? memory_bytes(*result.with_layers) : 0);
+}
+
+}  // namespace voxtet

@@ -1,0 +1,473 @@
+// The table of stages: what each reads, and what it runs.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/digest.h"
+#include "lookup/look_up_labels.h"
+#include "phantom/make_phantom.h"
+#include "pipeline/stages/diffusion_stage.h"
+#include "pipeline/stages/layer_warnings.h"
+#include "pipeline/stages/side_sizes.h"
+#include "pipeline/stages/stage.h"
+#include "pipeline/stages/stage_results.h"
+#include "pipeline/stages/value_json.h"
+#include "pipeline/stages/wall_values.h"
+#include "quality/measure_quality.h"
+#include "remesh/remesh_surface.h"
+#include "sizing/build_sizing_field.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
+#include "tetra/fill/fill_tets.h"
+#include "tetra/optimise/deepen_walls.h"
+#include "tetra/optimise/optimise_tets.h"
+#include "volume/select_labels.h"
+#include "walls/measure_wall.h"
+
+namespace voxtet {
+namespace {
+
+using nlohmann::json;
+
+template <class T>
+const T& value_of(const std::any& value) {
+  return *std::any_cast<const std::shared_ptr<const T>&>(value);
+}
+
+template <class T>
+Status put(Result<T>&& result, StageOutput& out) {
+  if (!result) return result.error();
+  out.put(std::move(result).value());
+  return std::monostate{};
+}
+
+const LabelVolume& volume_of(const StageInputs& in) {
+  return *in.get<VolumeResult>(Stage::kVolume).prepared.prepared;
+}
+
+std::vector<LayeredWall> layered(const Walls& walls, const std::vector<std::size_t>& numbers,
+                                 const Recipe& recipe) {
+  std::vector<LayeredWall> out;
+  for (const std::size_t w : numbers) out.push_back({walls[w], recipe.sizing.thickness[w].layers});
+  return out;
+}
+
+void add_volume(const LoadedFiles& files, const Recipe& recipe, std::string& key) {
+  if (!recipe.source.phantom) key += files.digest;
+}
+
+Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  VolumeResult result;
+  if (recipe.source.phantom) {
+    Result<LabelVolume> made = make_phantom(*recipe.source.phantom);
+    if (!made) return made.error();
+    result.source = std::make_shared<const LabelVolume>(std::move(made).value());
+    result.digest = digest_of(*result.source);
+  } else if (in.files.volume) {
+    result.source = in.files.volume;
+    result.digest = in.files.digest;
+  } else if (recipe.source.file) {
+    return Error{ErrorCode::kBadInput,
+                 "volume",
+                 "source.file: the volume '" + recipe.source.file->name + "' has not been loaded",
+                 {}};
+  } else {
+    return usage_error("volume", "source: no volume; give a phantom or load a file");
+  }
+  Result<PreparedVolume> prepared =
+      prepare_volume(result.source, recipe.labels, recipe.merge, recipe.volume, ctx);
+  if (!prepared) return prepared.error();
+  result.prepared = std::move(prepared).value();
+  out.put(std::move(result));
+  return std::monostate{};
+}
+
+json count_volume(const std::any& value) {
+  const VolumeResult& result = value_of<VolumeResult>(value);
+  json counts = volume_json(*result.source, result.digest);
+  const LabelVolume& prepared = *result.prepared.prepared;
+  const Eigen::Vector3d spacing = prepared.spacing_mm();
+  counts["prepared"] = {{"size", prepared.size}, {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
+  return counts;
+}
+
+std::string digest_volume(const std::any& value) {
+  const VolumeResult& result = value_of<VolumeResult>(value);
+  return result.prepared.prepared == result.source ? result.digest : digest_of(*result.prepared.prepared);
+}
+
+Status run_surface(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const LabelVolume& volume = volume_of(in);
+  if (recipe.surface.method == ExtractMethod::kMarchingCubes)
+    if (const std::size_t labels = count_labels(volume).size(); labels > 1)
+      return usage_error("surface",
+                         "surface.method: found marching_cubes for " + std::to_string(labels) +
+                             " labels, expected auto or marching_tets, or all labels merged to one");
+  return put(extract_surface(volume, recipe.surface, ctx), out);
+}
+
+Status run_smooth(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  return put(smooth_surface(in.get<SurfaceMesh>(Stage::kSurface), volume_of(in), recipe.smooth, ctx), out);
+}
+
+json count_surface(const std::any& value) {
+  const SurfaceMesh& surface = value_of<SurfaceMesh>(value);
+  return {{"points", surface.points.size()}, {"triangles", surface.triangles.size()}};
+}
+
+std::string digest_surface(const std::any& value) {
+  return digest_of(value_of<SurfaceMesh>(value));
+}
+
+Status run_walls(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const PreparedVolume& volume = in.get<VolumeResult>(Stage::kVolume).prepared;
+  WallsResult result;
+  Walls& walls = result.walls;
+  for (const ThicknessSize& wish : recipe.sizing.thickness) {
+    const std::string name = "sizing.thickness[" + std::to_string(walls.size()) + "]";
+    Result<WallField> wall =
+        measure_wall({*volume.anatomy, *volume.prepared, in.get<SurfaceMesh>(Stage::kSmooth)},
+                     {wish.wall, wish.inner, wish.layering == Layering::kExact}, name, ctx);
+    if (!wall) return wall.error();
+    walls.push_back(std::move(wall).value());
+  }
+  if (!walls.empty())
+    result.fields.push_back({"thickness_mm", "Wall thickness", "mm", On::kVoxels, Scale::kSequential, 1,
+                             wall_values(walls, *volume.prepared, WallValue::kThickness)});
+  out.put(std::move(result));
+  return std::monostate{};
+}
+
+json count_walls(const std::any& value) {
+  return {{"walls", value_of<WallsResult>(value).walls.size()}};
+}
+
+void add_side_volumes(const LoadedFiles& files, const Recipe& recipe, std::string& key) {
+  for (const MaskSize& mask : recipe.sizing.masks)
+    if (const auto found = files.masks.find(mask.name); found != files.masks.end())
+      key += found->second.digest;
+  for (const ImageSize& image : recipe.sizing.images)
+    if (const auto found = files.images.find(image.name); found != files.images.end())
+      key += found->second.digest;
+}
+
+Status run_sizing(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  return put(
+      build_sizing_field_of(in.files, recipe.sizing, volume_of(in), in.get<SurfaceMesh>(Stage::kSmooth),
+                            in.get<WallsResult>(Stage::kWalls).walls, ctx),
+      out);
+}
+
+json count_sizing(const std::any& value) {
+  const SizingField& field = value_of<SizingField>(value);
+  const auto [low, high] = std::minmax_element(field.h_mm.begin(), field.h_mm.end());
+  return {{"size", field.size},
+          {"index_to_mm", matrix_json(field.index_to_mm)},
+          {"min_mm", *low},
+          {"max_mm", *high}};
+}
+
+Status run_layers(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext&) {
+  LayersResult result{in.share<WallsResult>(Stage::kWalls), {}, {}};
+  for (std::size_t w = 0; w < result.walls->walls.size(); ++w)
+    if (recipe.sizing.thickness[w].layering == Layering::kExact) result.exact.push_back(w);
+  const LabelVolume& volume = volume_of(in);
+  result.layers = WallLayers(volume, layered(result.walls->walls, result.exact, recipe));
+  if (result.layers.lacks_labels())
+    return usage_error(
+        "layers",
+        "sizing.thickness: exact layers are labels of their own, above the volume's highest: found " +
+            std::to_string(*std::max_element(volume.labels.begin(), volume.labels.end())) +
+            ", expected one that leaves enough of 65535 for them");
+  for (std::size_t e = 0; e < result.exact.size(); ++e)
+    if (!result.layers.has_wall(e))
+      return usage_error(
+          "layers", "sizing.thickness[" + std::to_string(result.exact[e]) +
+                        "].wall: found no meshed label of which most lies in this wall and in none before "
+                        "it, expected one for its exact layers");
+  out.put(std::move(result));
+  return std::monostate{};
+}
+
+json count_layers_of(const std::any& value) {
+  return {{"walls", value_of<LayersResult>(value).exact.size()}};
+}
+
+using LayeredSurface = Layered<SurfaceMesh>;
+using LayeredTets = Layered<TetMesh>;
+
+Status run_remesh(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const WallLayers& layers = in.get<LayersResult>(Stage::kLayers).layers;
+  Result<SurfaceMesh> surface =
+      remesh_surface(volume_of(in), in.get<SurfaceMesh>(Stage::kSmooth), in.get<SizingField>(Stage::kSizing),
+                     recipe.remesh, ctx, layers);
+  if (!surface) return surface.error();
+  // The method remesh may have had to help out, without sheets.
+  if (std::none_of(surface->sides.begin(), surface->sides.end(),
+                   [&](const Sides& sides) { return layers.is_layer(sides[0]); })) {
+    out.put(LayeredSurface{std::move(surface).value(), {}});
+    return std::monostate{};
+  }
+  LayeredSurface result{merge_layers(*surface, layers), {}};
+  result.with_layers = std::move(surface).value();
+  out.put(std::move(result));
+  return std::monostate{};
+}
+
+json count_remesh(const std::any& value) {
+  const SurfaceMesh& surface = value_of<LayeredSurface>(value).mesh;
+  return {{"points", surface.points.size()}, {"triangles", surface.triangles.size()}};
+}
+
+std::string digest_remesh(const std::any& value) {
+  return digest_of(value_of<LayeredSurface>(value).mesh);
+}
+
+Status run_tetra(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const LayeredSurface& surface = in.get<LayeredSurface>(Stage::kRemesh);
+  const SizingField& sizing = in.get<SizingField>(Stage::kSizing);
+  const WallLayers& layers = in.get<LayersResult>(Stage::kLayers).layers;
+  Result<TetMesh> filled = surface.with_layers
+                               ? fill_tets(*surface.with_layers, sizing, recipe.tetra, ctx, layers)
+                               : fill_tets(surface.mesh, sizing, recipe.tetra, ctx);
+  if (!filled) {
+    Error error = filled.error();
+    error.where.stage = name_of(Stage::kRemesh);
+    error.where.on = On::kTriangles;
+    if (surface.with_layers)
+      error.where.elements = merged_triangles(error.where.elements, *surface.with_layers, layers);
+    return error;
+  }
+  LayeredTets result;
+  if (surface.with_layers) {
+    result.mesh = merge_layers(*filled, layers);
+    result.with_layers = std::move(filled).value();
+  } else {
+    result.mesh = std::move(filled).value();
+  }
+  out.put(std::move(result));
+  return std::monostate{};
+}
+
+json tets_json(const TetMesh& mesh) {
+  return {{"points", mesh.points.size()}, {"tets", mesh.tets.size()}, {"faces", mesh.faces.size()}};
+}
+
+json count_tetra(const std::any& value) {
+  return tets_json(value_of<LayeredTets>(value).mesh);
+}
+
+std::string digest_tetra(const std::any& value) {
+  return digest_of(value_of<LayeredTets>(value).mesh);
+}
+
+Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const LayeredTets& tets = in.get<LayeredTets>(Stage::kTetra);
+  const SurfaceMesh& smooth = in.get<SurfaceMesh>(Stage::kSmooth);
+  const SizingField& sizing = in.get<SizingField>(Stage::kSizing);
+  if (!tets.with_layers) return put(optimise_tets(tets.mesh, smooth, sizing, recipe.optimise, ctx), out);
+  const auto& [walls, exact, layers] = in.get<LayersResult>(Stage::kLayers);
+  const SurfaceMesh reference =
+      with_layers(smooth, *in.get<LayeredSurface>(Stage::kRemesh).with_layers, layers);
+  Result<TetMesh> optimised =
+      optimise_tets(*tets.with_layers, reference, sizing, recipe.optimise, ctx, layers);
+  if (!optimised) return optimised.error();
+  const std::vector<std::size_t> worked_on = recipe.optimise.rounds > 0 ? exact : std::vector<std::size_t>{};
+  return put(deepen_walls(merge_layers(std::move(optimised).value(), layers),
+                          layered(walls->walls, worked_on, recipe), sizing, ctx),
+             out);
+}
+
+json count_optimise(const std::any& value) {
+  return tets_json(value_of<TetMesh>(value));
+}
+
+std::string digest_optimise(const std::any& value) {
+  return digest_of(value_of<TetMesh>(value));
+}
+
+Status run_lookup(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  return put(look_up_labels(in.get<TetMesh>(Stage::kOptimise), *in.get<VolumeResult>(Stage::kVolume).source,
+                            recipe.lookup, ctx),
+             out);
+}
+
+json count_lookup(const std::any& value) {
+  return {{"labels", value_of<LabelLookUp>(value).labels.size()}};
+}
+
+Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const Walls& all = in.get<WallsResult>(Stage::kWalls).walls;
+  std::vector<std::size_t> wished;
+  for (std::size_t w = 0; w < all.size(); ++w)
+    if (recipe.sizing.thickness[w].layers > 0) wished.push_back(w);
+  const std::vector<LayeredWall> walls = layered(all, wished, recipe);
+  Result<QualityReport> report =
+      measure_quality(in.get<TetMesh>(Stage::kOptimise),
+                      {volume_of(in), *in.get<VolumeResult>(Stage::kVolume).prepared.selected,
+                       in.get<SurfaceMesh>(Stage::kSmooth), in.get<LayeredSurface>(Stage::kRemesh).mesh,
+                       in.get<SizingField>(Stage::kSizing), walls},
+                      recipe.quality, ctx);
+  if (!report) {
+    Error error = report.error();
+    error.where.stage = name_of(Stage::kOptimise);
+    error.where.on = On::kTets;
+    return error;
+  }
+  for (std::size_t w = 0; w < wished.size(); ++w)
+    warn_about_layers(wished[w], recipe.sizing.thickness[wished[w]].layering, report->layers[w], ctx);
+  return put(std::move(report), out);
+}
+
+template <class T>
+void arrays_of(const std::any& value, StageArrays& out) {
+  add_arrays(value_of<T>(value), out);
+}
+
+template <class Mesh>
+void arrays_of_layered(const std::any& value, StageArrays& out) {
+  add_arrays(value_of<Layered<Mesh>>(value).mesh, out);
+}
+
+template <class T>
+void arrays_of_fields(const std::any& value, StageArrays& out) {
+  add_arrays(value_of<T>(value).fields, out);
+}
+
+void arrays_of_volume(const std::any& value, StageArrays& out) {
+  out.push_back({"labels", 1, std::span<const std::uint16_t>(value_of<VolumeResult>(value).source->labels)});
+}
+
+void arrays_of_sizing(const std::any& value, StageArrays& out) {
+  const SizingField& sizing = value_of<SizingField>(value);
+  out.push_back({"h_mm", 1, std::span<const float>(sizing.h_mm),
+                 Field{"h_mm", "Target edge length", "mm", On::kVoxels, Scale::kSequential, 1, {}}});
+}
+
+void arrays_of_frame(const std::any& value, StageArrays& out) {
+  add_arrays(value_of<Trajectory>(value).last.fields, out);
+}
+
+json count_nothing(const std::any&) {
+  return json::object();
+}
+
+}  // namespace
+
+const std::array<StageSpec, kStageCount>& stage_table() {
+  static const std::array<StageSpec, kStageCount> table{{
+      {.stage = Stage::kVolume,
+       .name = "volume",
+       .title = "Volume",
+       .inputs = {},
+       .reads = {"source.phantom", "labels", "merge", "volume"},
+       .add_files = add_volume,
+       .run = run_volume,
+       .counts = count_volume,
+       .arrays = arrays_of_volume,
+       .digest = digest_volume},
+      {.stage = Stage::kSurface,
+       .name = "surface",
+       .title = "Label surface",
+       .inputs = {Stage::kVolume},
+       .reads = {"surface"},
+       .run = run_surface,
+       .counts = count_surface,
+       .arrays = arrays_of<SurfaceMesh>,
+       .digest = digest_surface},
+      {.stage = Stage::kSmooth,
+       .name = "smooth",
+       .title = "Smoothed surface",
+       .inputs = {Stage::kVolume, Stage::kSurface},
+       .reads = {"smooth"},
+       .run = run_smooth,
+       .counts = count_surface,
+       .arrays = arrays_of<SurfaceMesh>,
+       .digest = digest_surface},
+      {.stage = Stage::kWalls,
+       .name = "walls",
+       .title = "Walls",
+       .shown = false,
+       .inputs = {Stage::kVolume, Stage::kSmooth},
+       .reads = {"sizing.thickness[].wall", "sizing.thickness[].inner", "sizing.thickness[].layering"},
+       .run = run_walls,
+       .counts = count_walls,
+       .arrays = arrays_of_fields<WallsResult>},
+      {.stage = Stage::kSizing,
+       .name = "sizing",
+       .title = "Sizing field",
+       .inputs = {Stage::kVolume, Stage::kSmooth, Stage::kWalls},
+       .reads = {"sizing"},
+       .add_files = add_side_volumes,
+       .run = run_sizing,
+       .counts = count_sizing,
+       .arrays = arrays_of_sizing},
+      {.stage = Stage::kLayers,
+       .name = "layers",
+       .title = "Layers of walls",
+       .shown = false,
+       .inputs = {Stage::kVolume, Stage::kWalls},
+       .reads = {"sizing.thickness[].layers", "sizing.thickness[].layering"},
+       .run = run_layers,
+       .counts = count_layers_of},
+      {.stage = Stage::kRemesh,
+       .name = "remesh",
+       .title = "Adapted surface",
+       .inputs = {Stage::kVolume, Stage::kSmooth, Stage::kSizing, Stage::kLayers},
+       .reads = {"remesh"},
+       .run = run_remesh,
+       .counts = count_remesh,
+       .arrays = arrays_of_layered<SurfaceMesh>,
+       .digest = digest_remesh},
+      {.stage = Stage::kTetra,
+       .name = "tetra",
+       .title = "Filled tetrahedra",
+       .shown = false,
+       .inputs = {Stage::kSizing, Stage::kLayers, Stage::kRemesh},
+       .reads = {"tetra"},
+       .run = run_tetra,
+       .counts = count_tetra,
+       .arrays = arrays_of_layered<TetMesh>,
+       .digest = digest_tetra},
+      {.stage = Stage::kOptimise,
+       .name = "optimise",
+       .title = "Tetrahedra",
+       .inputs = {Stage::kSmooth, Stage::kSizing, Stage::kLayers, Stage::kRemesh, Stage::kTetra},
+       .reads = {"optimise"},
+       .run = run_optimise,
+       .counts = count_optimise,
+       .arrays = arrays_of<TetMesh>,
+       .digest = digest_optimise},
+      {.stage = Stage::kLookup,
+       .name = "lookup",
+       .title = "Labels looked up",
+       .shown = false,
+       .inputs = {Stage::kVolume, Stage::kOptimise},
+       .reads = {"lookup"},
+       .run = run_lookup,
+       .counts = count_lookup,
+       .arrays = arrays_of_fields<LabelLookUp>},
+      // What was looked up stands in the evidence, though no figure of it.
+      {.stage = Stage::kQuality,
+       .name = "quality",
+       .title = "Evidence",
+       .inputs = {Stage::kVolume, Stage::kSmooth, Stage::kWalls, Stage::kSizing, Stage::kRemesh,
+                  Stage::kOptimise, Stage::kLookup},
+       .reads = {"quality"},
+       .run = run_quality,
+       .counts = count_nothing,
+       .arrays = arrays_of_fields<QualityReport>},
+      {.stage = Stage::kDiffusion,
+       .name = "diffusion",
+       .title = "Heat diffusion",
+       .shown = false,
+       .inputs = {Stage::kOptimise},
+       .reads = {"physics.diffusion"},
+       .start = start_diffusion,
+       .counts = count_trajectory,
+       .arrays = arrays_of_frame,
+       .digest = digest_trajectory},
+  }};
+  return table;
+}
+
+}  // namespace voxtet

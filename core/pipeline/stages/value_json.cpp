@@ -1,0 +1,50 @@
+#include "pipeline/stages/value_json.h"
+
+#include <cstdio>
+
+#include "volume/select_labels.h"
+
+namespace voxtet {
+namespace {
+
+using nlohmann::json;
+
+json colour_json(const LabelInfo& info) {
+  if (info.colour[0] < 0) return nullptr;
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(info.colour[0] * 255 + 0.5F) & 255U,
+                static_cast<unsigned>(info.colour[1] * 255 + 0.5F) & 255U,
+                static_cast<unsigned>(info.colour[2] * 255 + 0.5F) & 255U);
+  return text;
+}
+
+}  // namespace
+
+json matrix_json(const Eigen::Matrix4d& m) {
+  json out = json::array();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) out.push_back(m(row, column));
+  return out;
+}
+
+json volume_json(const LabelVolume& volume, const std::string& digest) {
+  const Eigen::Vector3d spacing = volume.spacing_mm();
+  json labels = json::array();
+  for (const auto& [label, count] : count_labels(volume)) {
+    json entry{
+        {"label", label}, {"name", "label " + std::to_string(label)}, {"colour", nullptr}, {"voxels", count}};
+    for (const LabelInfo& info : volume.infos) {
+      if (info.label != label) continue;
+      if (!info.name.empty()) entry["name"] = info.name;
+      entry["colour"] = colour_json(info);
+    }
+    labels.push_back(std::move(entry));
+  }
+  return {{"size", volume.size},
+          {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
+          {"index_to_mm", matrix_json(volume.index_to_mm)},
+          {"digest", digest},
+          {"labels", labels}};
+}
+
+}  // namespace voxtet

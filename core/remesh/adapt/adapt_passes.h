@@ -1,0 +1,129 @@
+// Passes over a whole complex, of which the schedules of adaptation are made.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "geometry/topology/adjacency.h"
+#include "remesh/adapt/adapt_complex.h"
+#include "remesh/adapt/local_operations.h"
+#include "remesh/editor/complex_editor.h"
+#include "remesh/envelope/correspondence.h"
+#include "types/run_context.h"
+#include "types/sizing_field.h"
+#include "types/stage_names.h"
+
+namespace voxtet::remesh {
+
+/// Cosine by Taylor's series: the same on every platform, as std::cos is not.
+double cosine_of_deg(double deg);
+
+/// Each pass goes through vertices, edges or triangles in their order; those that return bool are false when
+/// cancelled. Lengths are in wished lengths.
+class AdaptPasses {
+ public:
+  /// Both complexes have the same table of sides.
+  AdaptPasses(const ComplexMesh& mesh, const ComplexMesh& reference, const Correspondence& correspondence,
+              const SizingField& sizing, const AdaptParams& params, RunContext& ctx);
+
+  SurfaceMesh surface() const { return editor_.mesh().to_surface(); }
+  AdaptRecord record() const { return {operations_.accepted, editor_.violations()}; }
+
+ protected:
+  static constexpr double kShortest = 4.0 / 5, kLongest = 4.0 / 3;  ///< Botsch and Kobbelt 2004
+  static constexpr double kLongestPolished = 1.7;                   ///< where shape is at stake
+
+  /// Cells of the search twice as large as edges are long, as long as they are not much longer or shorter
+  /// than at the last call: measured, the quickest.
+  void fit_cells();
+  struct Near {
+    double length;
+    std::uint32_t v;
+  };
+  /// Each vertex goes to one of its neighbours nearer than `shortest`, if there are any:
+  /// collapse_to_one(v, neighbours, longest), the nearest first, `longest` a bound on edges.
+  template <class CollapseToOne>
+  bool coarsen(double shortest, CollapseToOne&& collapse_to_one);
+  /// ComplexEditor::set_coarsest.
+  void set_coarsest(bool on) {
+    editor_.set_coarsest(on);
+    nearest_.clear();
+  }
+  bool refine();
+  bool flip_all();
+  bool relocate_all();
+  /// Triangles with smaller planar angles than the limit: see open_angle.
+  bool open_angles(double limit_cosine);
+  /// Flips away the longest edges, moves corners, or closes the triangle; whether anything was done.
+  bool open_angle(std::uint32_t t);
+  /// Each edge once, ascending by its ends.
+  std::vector<Edge> edges() const;
+  /// Cosine of the sharpest fold at an edge; `around` becomes the corners opposite to it.
+  double sharpest_fold(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& around) const;
+  /// Edges folded more sharply than the limits: whatever opens them.
+  bool open_folds();
+  /// Flips the edge away, moves corners, or closes triangles; whether anything was done.
+  bool open_fold(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& around);
+  /// Relocation puts sheets where the labels have the reference's volumes, to first order.
+  void lift_towards_volumes();
+
+  bool alive(std::uint32_t v) const { return !editor_.mesh().star(v).empty(); }
+  bool step(double share) {
+    ctx_.progress(kRemeshStage, share);
+    return !ctx_.cancelled();
+  }
+  /// Whether the run is cancelled, asked every few thousand items of a pass.
+  bool cancelled_at(std::size_t item) const { return item % 4096 == 0 && ctx_.cancelled(); }
+
+  const AdaptParams& params_;
+  RunContext& ctx_;
+  ComplexEditor editor_;
+  LocalOperations operations_;
+
+ private:
+  /// How near the nearest vertex was that a vertex may go to, when it was last looked at.
+  struct Nearest {
+    double length = 0;
+    std::uint32_t at = 0;  ///< after which attempt of the editor
+  };
+  /// Whether v has no neighbour to go to that is nearer than `shortest`, as was seen before.
+  bool known_apart(std::uint32_t v, double shortest) const {
+    return nearest_[v].length >= shortest && editor_.changed_at(v) <= nearest_[v].at;
+  }
+
+  const std::vector<double> volumes_;  ///< of the reference, by label
+  std::vector<Nearest> nearest_;       ///< by vertex; length 0 where it was not looked at
+  double cell_mm_ = 0;
+  std::uint32_t fitted_at_ = 0;  ///< after which attempt of the editor
+};
+
+template <class CollapseToOne>
+bool AdaptPasses::coarsen(double shortest, CollapseToOne&& collapse_to_one) {
+  const ComplexMesh& mesh = editor_.mesh();
+  std::vector<Near> near;
+  const double longest = std::min(kLongest, 2.2 * shortest);
+  nearest_.resize(mesh.vertex_count());
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
+    if (cancelled_at(v)) return false;
+    if (!alive(v) || mesh.stratum(v) == Stratum::kCorner) continue;
+    near.clear();
+    if (!known_apart(v, shortest)) {
+      nearest_[v] = {std::numeric_limits<double>::infinity(), editor_.attempts()};
+      for (const std::uint32_t other : operations_.neighbours(v)) {
+        if (mesh.stratum(other) < mesh.stratum(v)) continue;
+        const double length = editor_.metric_length(v, other);
+        nearest_[v].length = std::min(nearest_[v].length, length);
+        if (length < shortest) near.push_back({length, other});
+      }
+    }
+    std::sort(near.begin(), near.end(), [](const Near& p, const Near& q) {
+      return p.length != q.length ? p.length < q.length : p.v < q.v;
+    });
+    collapse_to_one(v, near, longest);
+  }
+  return true;
+}
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,66 @@
+// Split, collapse, flip and relocate: each describes an Edit and lets the editor decide.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "remesh/editor/complex_editor.h"
+#include "remesh/motion/tangential_relaxation.h"
+
+namespace voxtet::remesh {
+
+/// Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004, on a non-manifold complex.
+class LocalOperations {
+ public:
+  explicit LocalOperations(ComplexEditor& editor) : lifts(editor.mesh().sides().size(), 0), editor_(editor) {}
+
+  double shape_weight = 0.7;
+  std::vector<double> lifts;  ///< by pair of labels: how far above the reference its sheets shall be, mm
+  std::array<std::uint64_t, 4> accepted{};  ///< splits, collapses, flips, relocations
+
+  /// A new vertex in the middle, on the reference.
+  bool split(std::uint32_t a, std::uint32_t b, Demand demand = Demand::kAllowed);
+  /// a goes to b, or both to their middle where a may do so. No edge becomes longer than `longest` wished
+  /// lengths, or than it was before.
+  bool collapse(std::uint32_t a, std::uint32_t b, double longest, Demand demand = Demand::kAllowed);
+  bool flip(std::uint32_t a, std::uint32_t b, Demand demand);
+  bool relocate(std::uint32_t v);
+  /// To another place; not on the reference by itself.
+  bool shift(std::uint32_t v, const Eigen::Vector3d& by, Demand demand);
+  /// The same with the poorest triangles first, in smaller and smaller steps until the demand is met.
+  bool open(std::uint32_t v, Demand demand);
+
+  /// How much a flip of the edge would bring the valences nearer to six; vertices on curves do not count.
+  int valence_gain(std::uint32_t a, std::uint32_t b) const;
+  /// Neighbours of v, each once.
+  const std::vector<std::uint32_t>& neighbours(std::uint32_t v);
+
+ private:
+  bool collapse_onto(std::uint32_t a, std::uint32_t b, double longest, Demand demand);
+  bool merge(std::uint32_t a, std::uint32_t b, double longest, Demand demand);
+  void describe_collapse(std::uint32_t a, std::uint32_t b);
+  bool link_allows(std::uint32_t a, std::uint32_t b);
+  bool link_edges_apart(std::uint32_t a, std::uint32_t b) const;
+  bool split_at(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& p, std::uint32_t hint, bool curve,
+                Demand demand);
+  bool attempt_move(std::uint32_t v, std::uint32_t hint, Demand demand);
+  std::uint32_t other_curve_end(std::uint32_t v, std::uint32_t not_this) const;
+  bool move(std::uint32_t v, Demand demand, double step);
+  Eigen::Vector3d surface_target(std::uint32_t v, Demand demand, double step, std::uint32_t& hint);
+  double wished_area(const Triangle& t) const;
+  Eigen::Vector3d curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, double step,
+                               std::uint32_t& hint) const;
+  Eigen::Vector3d fit_height(std::uint32_t v, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,
+                             std::uint32_t& hint) const;
+  bool mark(std::uint32_t v) { return marks_[v] != round_ ? (marks_[v] = round_, true) : false; }
+
+  ComplexEditor& editor_;
+  Edit edit_;
+  std::vector<std::uint32_t> marks_;
+  std::uint32_t round_ = 0;
+  std::vector<std::uint32_t> around_;
+  std::vector<RingTriangle> ring_;
+};
+
+}  // namespace voxtet::remesh

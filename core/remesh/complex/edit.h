@@ -1,0 +1,50 @@
+// One local edit of a complex, described before it is tried.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "remesh/complex/complex_mesh.h"
+
+namespace voxtet::remesh {
+
+using CurveEdge = std::array<std::uint32_t, 2>;
+
+/// Triangles give way to facets that cover the same part of the surface; facet i lies about where triangle i
+/// was. Vectors keep their memory from edit to edit.
+struct Edit {
+  std::vector<std::uint32_t> removed;
+  std::vector<Facet> added;
+  std::vector<CurveEdge> curves_removed, curves_added;
+  std::uint32_t moved = kNone;  ///< vertex with another position, if any
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+
+  void clear() {
+    removed.clear();
+    added.clear();
+    curves_removed.clear();
+    curves_added.clear();
+    moved = kNone;
+  }
+};
+
+/// Why an edit was refused, in the order of the checks.
+enum class Refusal : std::uint8_t {
+  kNo,  ///< accepted
+  kLink,
+  kLength,
+  kAngle,
+  kCurve,
+  kNormal,
+  kEnvelope,
+  kReverse,
+  kIntersection,
+  kDihedral,
+  kGap,
+  kBall,
+};
+inline constexpr std::size_t kRefusalCount = static_cast<std::size_t>(Refusal::kBall) + 1;
+
+}  // namespace voxtet::remesh

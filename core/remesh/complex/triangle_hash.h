@@ -1,0 +1,60 @@
+// Which triangles may be near a box: levels of hashed grids.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "remesh/complex/complex_mesh.h"
+
+namespace voxtet::remesh {
+
+/// Rounded outwards to floats.
+struct FloatBox {
+  std::array<float, 3> low, high;
+  bool meets(const FloatBox& o) const {
+    return low[0] <= o.high[0] && o.low[0] <= high[0] && low[1] <= o.high[1] && o.low[1] <= high[1] &&
+           low[2] <= o.high[2] && o.low[2] <= high[2];
+  }
+  void extend(const FloatBox& o);
+  FloatBox grown(double margin) const;
+};
+FloatBox box_of(const Corners& t);
+
+/// Spatial hashing (Teschner et al., "Optimized spatial hashing for collision detection of deformable
+/// objects", 2003) with one entry a triangle: it stands in the cell of its box's centre, on the level whose
+/// cells are just larger than the box, so that a search looks half a cell beyond its own box.
+class TriangleHash {
+ public:
+  /// `cell_mm`: of the finest level; smaller triangles stand there too.
+  TriangleHash(const ComplexMesh& mesh, double cell_mm);
+
+  void insert(std::uint32_t t, const Corners& corners);
+  void erase(std::uint32_t t);
+  void move(std::uint32_t t, const Corners& corners);
+  const FloatBox& box(std::uint32_t t) const { return entries_[t].box; }
+  /// Every triangle whose box meets `box`, each once, in an order that depends on the edits alone.
+  void find(const FloatBox& box, std::vector<std::uint32_t>& out);
+
+ private:
+  struct Entry {
+    FloatBox box;
+    std::uint32_t next = kNone;
+    std::uint32_t found_by = 0;  ///< the search that met it last
+  };
+  static constexpr int kLevels = 16;
+  std::uint32_t bucket(int level, int i, int j, int k) const;
+  int level_of(const FloatBox& box) const;
+  std::uint32_t bucket_of(const FloatBox& box, int level) const;
+  void link(std::uint32_t t, int level);
+  void unlink(std::uint32_t t, int level);
+
+  std::array<double, kLevels> cell_mm_{}, cells_per_mm_{};
+  std::array<std::uint32_t, kLevels> population_{};
+  std::uint32_t mask_ = 0, search_ = 0;
+  std::vector<std::uint32_t> heads_;
+  std::vector<Entry> entries_;  ///< by triangle
+};
+
+}  // namespace voxtet::remesh

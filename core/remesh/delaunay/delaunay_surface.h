@@ -1,0 +1,29 @@
+// The adapted surface by restricted Delaunay refinement of a label field.
+#pragma once
+
+#include "remesh/field/label_field.h"
+#include "types/result.h"
+#include "types/run_context.h"
+#include "types/sizing_field.h"
+#include "types/surface_mesh.h"
+#include "types/topology_ledger.h"
+
+namespace voxtet::remesh {
+
+struct DelaunayParams {
+  double facet_angle_deg = 30;
+  double max_distance_voxels = 0.5;
+  double missed_voxels = 0.5;  ///< a reference farther than this from the surface was missed
+};
+
+/// Seeds every interface, refines, then mends what a triangulation of finite size gets wrong at junctions
+/// (fragments, needle wedges, pinches), fits the points to the field, and adds points wherever `reference`,
+/// the label surface the field was made of, was missed, for a few rounds: ever closer ones, regardless of the
+/// sizing field, while the topology of the surface is not `wanted`, that of the reference. Facets are a
+/// subset of one Delaunay triangulation until the fit, which is taken back where it would make them
+/// intersect. Errors: kCancelled.
+Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
+                                     const TopologyLedger& wanted, const SizingField& sizing,
+                                     const DelaunayParams& params, RunContext& ctx);
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,268 @@
+#include "remesh/delaunay/find_missed.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "geometry/elements/surface_measures.h"
+#include "geometry/search/closest_point.h"
+#include "geometry/search/near_triangles.h"
+
+namespace voxtet::remesh {
+namespace {
+
+constexpr std::size_t kMostSamples = 100'000;
+constexpr std::size_t kThoroughStride = 2;
+constexpr double kNarrowVoxels = 2;   ///< labels that end within so many of a triangle are narrow
+constexpr double kTurnedShare = 0.1;  ///< of the limit: nearer than this, a turned triangle does no harm
+
+std::uint32_t pair_of(const Sides& sides) {
+  return (static_cast<std::uint32_t>(sides[0]) << 16) | sides[1];
+}
+
+bool beside_any(const Sides& sides, const std::vector<Label>& labels) {
+  return std::binary_search(labels.begin(), labels.end(), sides[0]) ||
+         std::binary_search(labels.begin(), labels.end(), sides[1]);
+}
+
+/// Triangles for which `wanted` holds, grouped by their two labels.
+template <class Wanted>
+std::vector<std::uint32_t> by_pair(const std::vector<Sides>& sides, Wanted&& wanted) {
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t t = 0; t < sides.size(); ++t)
+    if (wanted(t)) ids.push_back(t);
+  std::stable_sort(ids.begin(), ids.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return pair_of(sides[a]) < pair_of(sides[b]); });
+  return ids;
+}
+
+/// Every so many-th triangle is a sample, whatever its labels.
+std::size_t stride_of(const SurfaceMesh& reference) {
+  return std::max<std::size_t>(1, reference.triangles.size() / kMostSamples);
+}
+
+/// By triangle, a number that stands for its corners' places, whatever their order and numbers.
+std::vector<std::uint64_t> names_of(const SurfaceMesh& surface) {
+  std::vector<std::uint64_t> of_point;
+  for (const Eigen::Vector3d& p : surface.points) {
+    std::uint64_t name = 0;
+    for (const double x : p) {  // splitmix64 (Steele et al. 2014)
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &x, sizeof bits);
+      name = (name ^ bits) + 0x9e3779b97f4a7c15;
+      name = (name ^ (name >> 30)) * 0xbf58476d1ce4e5b9;
+      name = (name ^ (name >> 27)) * 0x94d049bb133111eb;
+      name ^= name >> 31;
+    }
+    of_point.push_back(name);
+  }
+  std::vector<std::uint64_t> names;
+  for (const auto& [a, b, c] : surface.triangles) names.push_back(of_point[a] + of_point[b] + of_point[c]);
+  return names;
+}
+
+/// Triangles by name.
+class NamedTriangles {
+ public:
+  explicit NamedTriangles(const std::vector<std::uint64_t>& names) {
+    for (std::uint32_t t = 0; t < names.size(); ++t) sorted_.push_back({names[t], t});
+    std::sort(sorted_.begin(), sorted_.end());
+  }
+
+  std::optional<std::uint32_t> find(std::uint64_t name) const {
+    const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{name, std::uint32_t{0}});
+    if (at == sorted_.end() || at->first != name) return std::nullopt;
+    return at->second;
+  }
+
+ private:
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted_;
+};
+
+Eigen::Vector3d cross_of(const SurfaceMesh& surface, const Triangle& t) {
+  return triangle_cross(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
+}
+
+bool is_turned(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double cosine) {
+  return a.dot(b) < cosine * std::sqrt(a.squaredNorm() * b.squaredNorm());
+}
+
+Eigen::Vector3d centroid(const SurfaceMesh& surface, std::uint32_t t) {
+  const auto [a, b, c] = surface.triangles[t];
+  return (surface.points[a] + surface.points[b] + surface.points[c]) / 3;
+}
+
+double distance_to(const SurfaceMesh& surface, std::uint32_t t, const Eigen::Vector3d& point) {
+  const auto [a, b, c] = surface.triangles[t];
+  return (closest_on_triangle(point, surface.points[a], surface.points[b], surface.points[c]) - point).norm();
+}
+
+/// The point near a triangle's centroid, along its normal, where the field changes between its two labels.
+std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint32_t t,
+                                          const LabelField& field, double reach_mm) {
+  const Eigen::Vector3d middle = centroid(surface, t);
+  const Eigen::Vector3d normal = cross_of(surface, surface.triangles[t]).normalized();
+  const auto [behind, front] = surface.sides[t];
+  for (const double reach : {0.2 * reach_mm, 0.5 * reach_mm, reach_mm}) {
+    const Eigen::Vector3d from = middle - reach * normal, to = middle + reach * normal;
+    const Label at_from = field.at(from), at_to = field.at(to);
+    if (field.layers().parent(at_from) != behind || field.layers().parent(at_to) != front) continue;
+    Label other = kBackground;
+    return field.crossing(from, at_from, to, at_to, other);
+  }
+  return std::nullopt;
+}
+
+ClosestPointTree tree_of(const SurfaceMesh& surface, std::span<const std::uint32_t> ids) {
+  std::vector<Triangle> triangles;
+  for (const std::uint32_t t : ids) triangles.push_back(surface.triangles[t]);
+  return ClosestPointTree(surface.points, triangles);
+}
+
+/// Whether, straight behind or before a triangle, its label ends within so many mm.
+bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& field, double width_mm) {
+  const Eigen::Vector3d middle = centroid(surface, t);
+  const Eigen::Vector3d way = width_mm * cross_of(surface, surface.triangles[t]).normalized();
+  const auto [behind, front] = surface.sides[t];
+  return field.at_index(field.to_index(middle - way)) != behind ||
+         field.at_index(field.to_index(middle + way)) != front;
+}
+
+}  // namespace
+
+MissedPlaces::MissedPlaces(const SurfaceMesh& reference, const LabelField& field)
+    : reference_(reference), field_(field) {
+  const std::size_t stride = stride_of(reference);
+  samples_ =
+      by_pair(reference.sides, [&](std::uint32_t t) { return t % stride == 0 || t % kThoroughStride == 0; });
+  followed_by_.assign(samples_.size(), 0);
+}
+
+std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const MissedCriteria& criteria) {
+  const double separation2 = criteria.separation_mm * criteria.separation_mm;
+  const std::size_t stride = stride_of(reference_);
+  const std::vector<std::uint32_t> ids = by_pair(surface.sides, [](std::uint32_t) { return true; });
+  const std::vector<std::uint64_t> names = names_of(surface);
+  const NamedTriangles named(names);
+  const std::vector<bool>& suspects = criteria.suspects;
+  std::vector<Eigen::Vector3d> missed;
+  std::size_t from = 0;
+  for (std::size_t s = 0; s < samples_.size();) {
+    const Sides& sides = reference_.sides[samples_[s]];
+    const bool broken = beside_any(sides, criteria.thorough);
+    while (from < ids.size() && pair_of(surface.sides[ids[from]]) < pair_of(sides)) ++from;
+    std::size_t to = from;
+    while (to < ids.size() && surface.sides[ids[to]] == sides) ++to;
+    const auto follows = [&](bool thorough, std::uint32_t sample, double limit, std::uint32_t t,
+                             double distance_mm) {
+      return distance_mm <= limit &&
+             (!thorough || distance_mm <= kTurnedShare * limit ||
+              !is_turned(cross_of(reference_, reference_.triangles[sample]),
+                         cross_of(surface, surface.triangles[t]), criteria.turned_cosine));
+    };
+    const std::size_t known = missed.size();
+    const auto add = [&](std::uint32_t sample, double limit) {
+      const std::optional<Eigen::Vector3d> p = onto_field(reference_, sample, field_, limit);
+      const auto close = [&](const Eigen::Vector3d& q) { return (q - *p).squaredNorm() < separation2; };
+      if (p && std::none_of(missed.begin() + static_cast<std::ptrdiff_t>(known), missed.end(), close))
+        missed.push_back(*p);
+    };
+    std::optional<ClosestPointTree> tree;
+    std::uint32_t hint = 0;
+    for (; s < samples_.size() && reference_.sides[samples_[s]] == sides; ++s) {
+      const std::uint32_t sample = samples_[s];
+      const bool thorough =
+          broken && (suspects.empty() || suspects[field_.nearest_voxel(centroid(reference_, sample))]);
+      if (!thorough && sample % stride != 0) continue;
+      const bool narrow = thorough && criteria.narrow_share < 1 &&
+                          is_narrow(reference_, sample, field_, kNarrowVoxels * field_.smallest_spacing_mm());
+      const double limit = (narrow ? criteria.narrow_share : 1) * criteria.limit_mm;
+      if (from == to) {
+        add(sample, limit);
+        continue;
+      }
+      const Eigen::Vector3d middle = centroid(reference_, sample);
+      const std::optional<std::uint32_t> last = named.find(followed_by_[s]);
+      if (last && surface.sides[*last] == sides &&
+          follows(thorough, sample, limit, *last, distance_to(surface, *last, middle)))
+        continue;
+      if (!tree) {
+        tree.emplace(tree_of(surface, std::span(ids).subspan(from, to - from)));
+      }
+      const ClosestPointTree::Hit hit = tree->closest(middle, hint, thorough ? kTurnedShare * limit : limit);
+      hint = hit.triangle;
+      const std::uint32_t closest = ids[from + hit.triangle];
+      followed_by_[s] = names[closest];
+      if (!follows(thorough, sample, limit, closest, hit.distance_mm)) add(sample, limit);
+    }
+    from = to;
+  }
+  return missed;
+}
+
+std::vector<FarPoint> far_points(const SurfaceMesh& reference, const SurfaceMesh& surface,
+                                 const WallLayers& layers, double limit_mm) {
+  std::vector<std::uint32_t> pairs;
+  pairs.reserve(surface.sides.size());
+  for (Sides sides : surface.sides) {
+    for (Label& label : sides) label = layers.parent(label);
+    std::sort(sides.begin(), sides.end(), std::greater());
+    pairs.push_back(pair_of(sides));
+  }
+  const std::size_t stride = std::max<std::size_t>(1, reference.points.size() / kMostSamples);
+  std::vector<NearQuery> queries;
+  queries.reserve(reference.points.size());
+  std::vector<std::uint32_t> seen_at(reference.points.size(), 0);  // a number that stands for two labels
+  for (const std::uint32_t t : by_pair(reference.sides, [](std::uint32_t) { return true; })) {
+    const std::uint32_t pair = pair_of(reference.sides[t]);
+    for (const std::uint32_t p : reference.triangles[t])
+      if (p % stride == 0 && std::exchange(seen_at[p], pair) != pair)
+        queries.push_back({reference.points[p], limit_mm, pair});
+  }
+  const std::vector<NearTriangle> near = near_triangles(queries, surface.points, surface.triangles, pairs);
+  std::vector<FarPoint> far;
+  for (std::size_t q = 0; q < queries.size(); ++q)
+    if (!near[q].within && near[q].triangle != NearTriangle::kNone)
+      far.push_back({queries[q].point, near[q].triangle});
+  return far;
+}
+
+std::vector<Eigen::Vector3d> missed_junctions(const SurfaceMesh& reference, const std::vector<Edge>& edges,
+                                              const SurfaceMesh& surface, double limit_mm) {
+  std::vector<Eigen::Vector3d> missed;
+  if (edges.empty()) return missed;
+  const std::vector<Edge> found = junction_edges(surface);
+  const auto middle = [](const SurfaceMesh& mesh, const Edge& edge) -> Eigen::Vector3d {
+    return 0.5 * (mesh.points[edge[0]] + mesh.points[edge[1]]);
+  };
+  if (found.empty()) {
+    for (const Edge& edge : edges) missed.push_back(middle(reference, edge));
+    return missed;
+  }
+  const auto curves = [](const SurfaceMesh& mesh, const std::vector<Edge>& of) {
+    std::vector<Triangle> segments;
+    for (const auto& [a, b] : of) segments.push_back({a, b, b});
+    return ClosestPointTree(mesh.points, segments);
+  };
+  const ClosestPointTree wanted = curves(reference, edges), have = curves(surface, found);
+  std::uint32_t hint = 0;
+  for (const Edge& edge : edges) {
+    const ClosestPointTree::Hit hit = have.closest(middle(reference, edge), hint, limit_mm);
+    hint = hit.triangle;
+    if (hit.distance_mm > limit_mm) missed.push_back(middle(reference, edge));
+  }
+  for (const Edge& edge : found) {
+    const ClosestPointTree::Hit hit = wanted.closest(middle(surface, edge), hint, limit_mm);
+    hint = hit.triangle;
+    if (hit.distance_mm > limit_mm) missed.push_back(hit.point);
+  }
+  return missed;
+}
+
+}  // namespace voxtet::remesh

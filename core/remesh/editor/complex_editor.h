@@ -1,0 +1,211 @@
+// Edits of a labelled complex as transactions: checked, then done or refused.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "remesh/complex/complex_mesh.h"
+#include "remesh/complex/edit.h"
+#include "remesh/complex/gabriel_balls.h"
+#include "remesh/complex/intersection_verifier.h"
+#include "remesh/complex/triangle_hash.h"
+#include "remesh/envelope/correspondence.h"
+#include "remesh/envelope/reference_surface.h"
+#include "remesh/envelope/reverse_envelope.h"
+#include "types/sizing_field.h"
+
+namespace voxtet::remesh {
+
+/// EditLimits::turn_cosine where slivers are to go, whose normals say little.
+inline constexpr double kTurnCosineOfSlivers = -0.3;
+
+struct EditLimits {
+  double reach_mm = 0.5;  ///< envelope, both directions
+  double nearer_mm = 0;   ///< the envelope for Demand::kNearer, if it is wider
+  double lattice_mm = 1;  ///< spacing of the points at which new facets are compared with the reference
+  /// If positive: where a facet may be farther than this between the points of that lattice, a closer one is
+  /// looked at.
+  double sure_mm = 0;
+  double angle_cosine = 0.95;    ///< planar angles
+  double crease_cosine = 0.5;    ///< angles between two facets inside a surface
+  double junction_cosine = 0.9;  ///< angles between two facets where curves run
+  double turn_cosine = 0.5;      ///< of a facet against the reference, and in one edit
+  double gap_share = 0;          ///< least distance of sheets that face each other, in wished edge lengths
+  /// The complex is adapted already: it may be beyond its reach somewhere, where it must not go farther, and
+  /// where sheets are nearer than the gap edges grow no faster than it.
+  bool adapted = false;
+  /// Facets that may be Delaunay stay so, unless that is demanded that brings facets nearer: tetrahedra
+  /// between sheets that are near each other need no other points then.
+  bool keeps_balls = false;
+  bool verify = false;
+};
+
+enum class Demand : std::uint8_t {
+  kAllowed,      ///< every limit holds, or what breaks it is no worse than before
+  kBetterAngle,  ///< and the smallest planar angle grows; normals count for less
+  kBetterFold,   ///< and the sharpest angle between facets grows; normals count for less
+  kNearer,       ///< and everything is within nearer_mm
+};
+
+/// Holds the complex, what it is compared with, and where its triangles are. The complex stays free of
+/// self-intersections and within the envelope after every accepted edit, if it was so before.
+class ComplexEditor {
+ public:
+  /// Both complexes have the same table of sides.
+  ComplexEditor(ComplexMesh mesh, const ComplexMesh& reference, const Correspondence& correspondence,
+                const SizingField& sizing);
+
+  EditLimits limits;
+
+  const ComplexMesh& mesh() const { return mesh_; }
+  const ReferenceSurface& reference() const { return reference_; }
+  const ReverseEnvelope& samples() const { return samples_; }
+  const Eigen::Vector3d& normal(std::uint32_t t) const { return normals_[t]; }
+  /// Wished edge length at a vertex.
+  double size(std::uint32_t v) const { return std::max(floor_, sizes_[v]); }
+  /// Every wish as large as the largest.
+  void set_coarsest(bool on) { floor_ = on ? *std::max_element(sizes_.begin(), sizes_.end()) : 0; }
+  /// Cosine of the sharpest fold allowed at an edge.
+  double fold_limit(std::uint32_t u, std::uint32_t w) const {
+    return on_curves(u, w) ? limits.junction_cosine : limits.crease_cosine;
+  }
+  /// Length of an edge in wished lengths.
+  double metric_length(std::uint32_t a, std::uint32_t b) const {
+    return (mesh_.point(a) - mesh_.point(b)).norm() * 0.5 * (1 / size(a) + 1 / size(b));
+  }
+  /// A vertex of the reference near v, on a sheet or curve of v's; kNone if there is none.
+  std::uint32_t hint(std::uint32_t v) const { return hints_[v]; }
+  /// New cells for the search of near triangles.
+  void set_cell(double cell_mm) { hash_.emplace(mesh_, cell_mm); }
+
+  std::uint32_t add_vertex(const Eigen::Vector3d& p, Stratum stratum, std::uint32_t hint);
+  void drop_last_vertex();
+  /// `hint` replaces that of the moved vertex.
+  bool attempt(const Edit& edit, Demand demand, std::uint32_t hint = kNone);
+  /// Changes attempted so far.
+  std::uint32_t attempts() const { return attempt_; }
+  /// Which attempt last changed triangles of v, or ended a trial that did; 0 if none. What was taken back
+  /// does not count.
+  std::uint32_t changed_at(std::uint32_t v) const { return v < changed_at_.size() ? changed_at_[v] : 0; }
+  /// From here on edits can be taken back, until keep_trial or undo_trial.
+  void begin_trial();
+  void keep_trial();
+  /// Takes back what was accepted since begin_trial; vertices that were added stay without triangles.
+  void undo_trial();
+  /// Cosine of the smallest planar angle of what stood there before the trial.
+  double trial_cosine_before() const { return trial_cosine_; }
+  /// Triangles that the trial has put there, each at least once.
+  template <class Visit>
+  void for_trial_triangles(Visit&& visit) const {
+    for (const Accepted& step : trial_)
+      for (const std::uint32_t t : step.back.removed)
+        if (mesh_.alive(t)) visit(t);
+  }
+  /// Squared distance where nothing of the reference is known to be near.
+  static constexpr double kNowhere = 1e300;
+  /// Where a triangle is farthest from the reference, or a sample that it or its curve edges host from it.
+  struct Breach {
+    double distance2 = 0;
+    Eigen::Vector3d toward = Eigen::Vector3d::Zero();   ///< from the triangle to the reference
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< of the corners at the triangle's end
+  };
+  Breach farthest(std::uint32_t t) const;
+  /// Whether the triangle lies inside a sheet that is not folded there and hosts samples for most of its
+  /// area, none farther than `reach_mm`.
+  bool well_sampled(std::uint32_t t, double reach_mm) const;
+  /// Books a refusal found before the edit was described in full.
+  bool refuse(Refusal refusal) {
+    ++refusals_[static_cast<std::size_t>(refusal)];
+    return false;
+  }
+  std::uint64_t refusals(Refusal refusal) const { return refusals_[static_cast<std::size_t>(refusal)]; }
+  std::uint64_t violations() const { return violations_; }
+
+ private:
+  inline static const Breach kUnknown{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+
+  void look_at_old(const Edit& edit);
+  Refusal check(const Edit& edit, const Eigen::Vector3d& before);
+  Refusal check_shapes(const Edit& edit);
+  Refusal check_envelope(const Edit& edit) const;
+  const Breach& farthest_point_of(std::uint32_t t, const Corners& p) const;
+  std::vector<std::uint32_t> samples_of(std::uint32_t t) const;
+  bool is_folded(std::uint32_t t) const;
+  void look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const;
+  void look_from(const Eigen::Vector3d& at, std::uint32_t t, const Corners& p, Breach& worst) const;
+  std::uint32_t nearest_hint(const Facet& facet, const Corners& p) const;
+  Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double lattice_mm,
+                        double content2, std::uint32_t hint, double enough2 = 0,
+                        std::span<const std::uint32_t> more_hints = {}) const;
+  void find_near(const Edit& edit);
+  Refusal check_contacts(const Edit& edit);
+  Refusal check_balls(const Edit& edit, const Eigen::Vector3d& before);
+  void gather_near_vertices(const Edit& edit);
+  bool all_have_balls(const Edit& edit) const;
+  bool has_ball(const Triangle& corners, GabrielBalls balls) const;
+  double least_wish(const Edit& edit) const;
+  Refusal check_pair(const Facet& facet, std::size_t i, const Triangle& other, const Corners& corners,
+                     const Eigen::Vector3d& normal, PairId pair, bool boxes_meet);
+  bool closes_tetrahedron(std::uint32_t u, std::uint32_t w, std::uint32_t x, std::uint32_t y) const;
+  bool on_curves(std::uint32_t u, std::uint32_t w) const {
+    return mesh_.stratum(u) != Stratum::kSurface && mesh_.stratum(w) != Stratum::kSurface;
+  }
+  bool fold_allowed(std::uint32_t u, std::uint32_t w, double cosine);
+  double old_fold(bool junction) const;
+  bool gap_allowed(std::size_t i, const Corners& corners, const Eigen::Vector3d& normal, bool same_pair);
+  bool is_removed(std::uint32_t t) const { return t < removed_in_.size() && removed_in_[t] == attempt_; }
+  void remember(const Edit& edit, const Eigen::Vector3d& before);
+  void commit(const Edit& edit, bool backwards);
+  void place(const Edit& edit, std::size_t i);
+  void note_changed(const std::vector<std::uint32_t>& triangles);
+
+  ComplexMesh mesh_;
+  ReferenceSurface reference_;
+  ReverseEnvelope samples_;
+  std::optional<TriangleHash> hash_;
+  const SizingField& sizing_;
+  double floor_ = 0;
+  std::vector<double> sizes_;
+  std::vector<std::uint32_t> hints_, changed_at_;
+  std::vector<Eigen::Vector3d> normals_;
+  std::vector<GabrielBalls> balls_;  ///< by slot, before any other vertex is known
+  std::array<std::uint64_t, kRefusalCount> refusals_{};
+  std::optional<IntersectionVerifier> verifier_;
+  std::uint64_t violations_ = 0;
+  /// Of triangles as they are, by slot, on the lattice of that spacing; distance2 < 0 where not known.
+  mutable std::vector<Breach> breaches_;
+  mutable double breaches_lattice_mm_ = 0;
+
+  // Of the edit under way.
+  const Edit* edit_ = nullptr;
+  Demand demand_ = Demand::kAllowed;
+  std::uint32_t attempt_ = 0;
+  std::vector<std::uint32_t> removed_in_;  ///< by triangle: the attempt that would remove it
+  std::vector<Corners> old_corners_, new_corners_;
+  std::vector<Eigen::Vector3d> old_normals_, new_normals_;
+  std::vector<FloatBox> new_boxes_, wide_boxes_;
+  double gap_mm_ = 0, gap_growth_ = 1, reach_mm_ = 0;
+  std::vector<std::uint32_t> near_, slots_, near_vertices_;
+  std::vector<std::uint32_t> met_in_;  ///< by vertex: the attempt in which it was last near
+  std::vector<Eigen::Vector3d> near_points_;
+
+  /// What takes an accepted edit back.
+  struct Accepted {
+    Edit back;
+    std::vector<Breach> breaches;  ///< of what it adds, where known
+    double size = 0;               ///< of the moved vertex
+    std::uint32_t hint = kNone;
+  };
+  std::vector<Accepted> trial_;
+  double trial_cosine_ = -1;
+  std::uint32_t trial_number_ = 0;
+  std::vector<std::uint32_t> placed_in_;  ///< by triangle: the trial that put it there
+  bool trying_ = false;
+};
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,100 @@
+// Accepted edits, and the way back.
+#include <algorithm>
+
+#include "geometry/elements/surface_measures.h"
+#include "geometry/elements/triangle_measures.h"
+#include "remesh/editor/complex_editor.h"
+
+namespace voxtet::remesh {
+
+void ComplexEditor::begin_trial() {
+  trying_ = true;
+  trial_.clear();
+  ++trial_number_;
+  trial_cosine_ = -1;
+}
+
+void ComplexEditor::keep_trial() {
+  trying_ = false;
+  for (const Accepted& step : trial_) note_changed(step.back.removed);
+}
+
+void ComplexEditor::remember(const Edit& edit, const Eigen::Vector3d& before) {
+  Accepted& step = trial_.emplace_back();
+  for (std::size_t i = 0; i < edit.removed.size(); ++i) {
+    const std::uint32_t t = edit.removed[i];
+    step.back.added.push_back({mesh_.triangle(t), mesh_.pair(t)});
+    const bool own = t < placed_in_.size() && placed_in_[t] == trial_number_;
+    step.breaches.push_back(t < breaches_.size() ? breaches_[t] : kUnknown);
+    if (!own) trial_cosine_ = std::max(trial_cosine_, sharpest_cosine(old_corners_[i]));
+  }
+  step.back.curves_removed = edit.curves_added;
+  step.back.curves_added = edit.curves_removed;
+  if (edit.moved == kNone) return;
+  step.back.moved = edit.moved;
+  step.back.position = before;
+  step.size = sizes_[edit.moved];
+  step.hint = hints_[edit.moved];
+}
+
+void ComplexEditor::undo_trial() {
+  trying_ = false;
+  for (auto step = trial_.rbegin(); step != trial_.rend(); ++step) {
+    const Edit& back = step->back;
+    look_at_old(back);
+    const Eigen::Vector3d before = back.moved == kNone ? Eigen::Vector3d::Zero() : mesh_.point(back.moved);
+    if (back.moved != kNone) {
+      mesh_.set_point(back.moved, back.position);
+      sizes_[back.moved] = step->size;
+      hints_[back.moved] = step->hint;
+    }
+    new_corners_.clear();
+    new_normals_.clear();
+    for (const Facet& facet : back.added) {
+      new_corners_.push_back(mesh_.corners(facet.corners));
+      const Corners& p = new_corners_.back();
+      new_normals_.push_back(triangle_cross(p[0], p[1], p[2]).normalized());
+    }
+    constexpr double kAnywhere = 1e100, kAnyhow = -2;
+    samples_.try_curves(mesh_, back, kAnywhere, before);
+    samples_.try_surface(mesh_, back, kAnywhere, kAnyhow, {old_corners_, old_normals_}, new_normals_);
+    commit(back, true);
+    for (std::size_t i = 0; i < slots_.size(); ++i)
+      if (slots_[i] < breaches_.size()) breaches_[slots_[i]] = step->breaches[i];
+  }
+}
+
+/// Backwards, so that facets return to the slots where they were.
+void ComplexEditor::commit(const Edit& edit, bool backwards) {
+  const std::size_t count = std::max(edit.added.size(), edit.removed.size());
+  slots_.assign(edit.added.size(), kNone);
+  for (std::size_t i = 0; i < count; ++i) place(edit, backwards ? count - 1 - i : i);
+  samples_.commit(edit, slots_);
+}
+
+void ComplexEditor::place(const Edit& edit, std::size_t i) {
+  if (i >= edit.added.size()) {
+    hash_->erase(edit.removed[i]);
+    mesh_.remove(edit.removed[i]);
+    return;
+  }
+  if (i < edit.removed.size()) {
+    slots_[i] = edit.removed[i];
+    mesh_.replace(slots_[i], edit.added[i]);
+    hash_->move(slots_[i], new_corners_[i]);
+  } else {
+    slots_[i] = mesh_.add(edit.added[i]);
+    hash_->insert(slots_[i], new_corners_[i]);
+  }
+  const GabrielBalls balls(new_corners_[i]);
+  if (slots_[i] == normals_.size()) {
+    normals_.push_back(new_normals_[i]);
+    balls_.push_back(balls);
+  } else {
+    normals_[slots_[i]] = new_normals_[i];
+    balls_[slots_[i]] = balls;
+  }
+  if (slots_[i] < breaches_.size()) breaches_[slots_[i]] = kUnknown;
+}
+
+}  // namespace voxtet::remesh

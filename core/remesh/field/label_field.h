@@ -1,0 +1,136 @@
+// The continuous label field whose interfaces are meshed: argmax over the labels' signed distances to the
+// smoothed label surface.
+//
+// Every label, background included, has a signed distance to its boundary, positive inside, known at voxel
+// centres and interpolated between them; the label of a point is the one whose distance is largest. Because
+// background competes like any other label, no cusps of background open along label interfaces. The
+// interpolation follows the extraction, so that diagonal neighbours join where they do on the surface:
+// trilinear for one label, and between voxel centres it joins no more than the extraction
+// (resolve_face_ambiguity.h); linear on the Kuhn tetrahedra for several, and no label closes a way between
+// two others that the extraction leaves open (keep_contacts_open.h).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "geometry/topology/label_components.h"
+#include "remesh/field/label_distances.h"
+#include "types/label_volume.h"
+#include "types/surface_mesh.h"
+#include "walls/wall_layers.h"
+
+namespace voxtet::remesh {
+
+/// The field on a grid padded by `kPad` background voxels on all sides. Immutable once built; outside of the
+/// grid everything is background.
+class LabelField {
+ public:
+  static constexpr int kPad = 2;
+
+  /// `surface`: the smoothed boundary complex of the labels of `volume` (mm), each vertex within half a voxel
+  /// or so of where it was extracted. The labels at voxel centres are those of the volume. Labels that have
+  /// `layers`, which must outlive this, give way to them: with these the field goes on inside of walls.
+  LabelField(const LabelVolume& volume, const SurfaceMesh& surface, const WallLayers& layers = kNoLayers);
+
+  /// Label at a patient-space point (mm).
+  Label at(const Eigen::Vector3d& mm) const { return layers_.at(at_index(to_index(mm)), mm); }
+  /// Label of the volume, without layers, at a continuous index of the padded grid.
+  Label at_index(const Eigen::Vector3d& index) const;
+
+  /// A point where the label changes on the segment from `a` to `b` (mm), nearest to `a` as far as bisection
+  /// sees. Needs at(a) == label_a, at(b) == label_b and label_a != label_b. The point lies within 1e-4 voxel
+  /// of the interface, on the side of label_a; `other` is the label behind it.
+  Eigen::Vector3d crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b, Label label_b,
+                           Label& other) const;
+
+  /// Direction in mm along which label `a` gains most on label `b` at a point; zero where one of the two
+  /// cannot win in that cell. Not normalised.
+  Eigen::Vector3d gradient(const Eigen::Vector3d& mm, Label a, Label b) const;
+
+  /// Signed distance in mm, to first order, from a point to the interface of labels `a` and `b`: positive on
+  /// the side of `a`. Nothing where one of the two cannot win in that cell.
+  std::optional<double> distance(const Eigen::Vector3d& mm, Label a, Label b) const;
+
+  /// How deep a point lies in label `a`, mm, to first order: the distance to the interface with its strongest
+  /// rival, negative outside of `a`; a whole voxel where no other label can win.
+  double depth(const Eigen::Vector3d& mm, Label a) const;
+
+  const std::array<int, 3>& size() const { return size_; }
+  const WallLayers& layers() const { return layers_; }
+  /// Of a voxel of the padded grid, x fastest.
+  std::size_t offset(const Eigen::Vector3i& voxel) const {
+    return static_cast<std::size_t>(voxel[0]) +
+           static_cast<std::size_t>(size_[0]) *
+               (static_cast<std::size_t>(voxel[1]) +
+                static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(voxel[2]));
+  }
+  /// From a voxel to the next one along an axis.
+  std::size_t step(std::size_t axis) const {
+    const auto nx = static_cast<std::size_t>(size_[0]), ny = static_cast<std::size_t>(size_[1]);
+    return axis == 0 ? 1 : axis == 1 ? nx : nx * ny;
+  }
+  /// Offset of the voxel of the padded grid whose centre is nearest to a point (mm).
+  std::size_t nearest_voxel(const Eigen::Vector3d& mm) const;
+  /// Label at each voxel centre of the padded grid, by offset.
+  const std::vector<Label>& centre_labels() const { return centre_labels_; }
+  double smallest_spacing_mm() const { return smallest_spacing_mm_; }
+  /// Which voxels of a label are joined.
+  Connectivity connectivity() const { return connectivity_; }
+
+  Eigen::Vector3d to_index(const Eigen::Vector3d& mm) const { return mm_to_index_ * mm + index_origin_; }
+  Eigen::Vector3d to_mm(const Eigen::Vector3d& index) const { return index_to_mm_ * index + mm_origin_; }
+  /// Around the centres of all voxels, mm.
+  Eigen::AlignedBox3d box() const;
+
+ private:
+  static const WallLayers kNoLayers;
+
+  /// A cell in which exactly two labels can win: difference at the corners, positive where `a` wins.
+  struct Pair {
+    std::array<float, 8> difference;
+    Label a, b;
+  };
+  struct Sample {
+    Label label;
+    bool mixed;
+  };
+
+  /// crossing() of labels of the volume.
+  Eigen::Vector3d parent_crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b,
+                                  Label label_b, Label& other) const;
+  /// Whether two labels are layers of one label, or one of them is what is left of it outside of the wall.
+  bool share_parent(Label a, Label b) const { return layers_.parent(a) == layers_.parent(b); }
+  bool both_layers(Label a, Label b) const { return layers_.is_layer(a) && layers_.is_layer(b); }
+
+  void build_cells(const LabelDistances& distances);
+  /// The code of a cell in which more than one label can win.
+  std::int32_t store_mixed_cell(const LabelDistances& distances, const std::array<std::size_t, 8>& corners);
+  std::int32_t code_at(const Eigen::Vector3d& index, std::array<double, 3>& t) const;
+  /// Corner values of a's distance less b's in the cell of a point, and the place in the cell.
+  bool corner_differences(const Eigen::Vector3d& mm, Label a, Label b, std::array<double, 8>& difference,
+                          std::array<double, 3>& t) const;
+  double margin(const Eigen::Vector3d& index, Label wanted, Sample& sample) const;
+  template <class Number>
+  double interpolate(const Number* corners, const std::array<double, 3>& t) const;
+
+  std::array<int, 3> size_{};
+  std::vector<Label> centre_labels_;
+  /// Per cell: a label (0..65535: only that label), 65536 + index into pairs_, or -1 - index into
+  /// many_start_.
+  std::vector<std::int32_t> cells_;
+  std::vector<Pair> pairs_;
+  std::vector<std::uint32_t> many_start_;  ///< ranges into many_labels_; eight values of many_values_ each
+  std::vector<Label> many_labels_;
+  std::vector<float> many_values_;
+  Eigen::Matrix3d index_to_mm_, mm_to_index_;
+  Eigen::Vector3d mm_origin_, index_origin_;
+  double smallest_spacing_mm_ = 1;
+  Connectivity connectivity_ = Connectivity::kFaces;
+  const WallLayers& layers_;
+};
+
+}  // namespace voxtet::remesh

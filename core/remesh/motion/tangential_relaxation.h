@@ -1,0 +1,27 @@
+// The step of a vertex along its surface to better sizes and shapes of the triangles around it.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+namespace voxtet::remesh {
+
+/// A triangle at a vertex, by its other two corners in order.
+struct RingTriangle {
+  Eigen::Vector3d p, q;
+  double wished_area = 1;  ///< relative to the others
+  double need = 1;         ///< how much its shape counts
+};
+
+struct TangentialStep {
+  Eigen::Vector3d normal;  ///< mean of the triangles', by area; of length 1
+  Eigen::Vector3d step;    ///< perpendicular to it
+};
+
+/// From `x` to a place between that which gives the triangles their wished shares of the area (Surazhsky and
+/// Gotsman, "Explicit surface remeshing", 2003: least squares, areas being linear in the tangent plane) and
+/// the mean of the apexes that would make each triangle equilateral; `shape_weight` is that of the latter.
+TangentialStep tangential_relaxation(const Eigen::Vector3d& x, std::span<const RingTriangle> ring,
+                                     double shape_weight);
+
+}  // namespace voxtet::remesh

@@ -1,0 +1,37 @@
+// How far each vertex of an extracted surface may go from its start.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "surface/smooth/voxel_regions.h"
+
+namespace voxtet {
+
+/// A box around the start of each vertex, in index space: `reach` in both directions of every index axis. A
+/// vertex on the lattice edge between voxels p and q does not go towards p along the axes of that edge where
+/// p is slender, that is, has no neighbour of its region along two axes at least, and the same for q: specks
+/// and wires one voxel thick keep the thickness they were extracted with. Vertices inside a lattice cell are
+/// bounded by `reach` alone.
+class MoveLimits {
+ public:
+  /// `start`: vertices of an extracted surface in index space, exact to a small fraction of a voxel.
+  MoveLimits(const std::vector<Eigen::Vector3d>& start, const VoxelRegions& regions, double reach);
+
+  struct Box {
+    Eigen::Vector3d low, high;  ///< displacement from the start
+  };
+  static constexpr std::size_t kKinds = 64;
+  /// Vertices of one kind have the same box.
+  std::uint8_t kind(std::size_t vertex) const { return kinds_[vertex]; }
+  const Box& box_of_kind(std::size_t kind) const { return boxes_[kind]; }
+  const Box& box(std::size_t vertex) const { return boxes_[kinds_[vertex]]; }
+
+ private:
+  std::array<Box, kKinds> boxes_;
+  std::vector<std::uint8_t> kinds_;  ///< bit d: not down along axis d; bit 3 + d: not up
+};
+
+}  // namespace voxtet

@@ -1,0 +1,199 @@
+#include "surface/smooth/smooth_surface.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "base/parallel.h"
+#include "geometry/elements/surface_measures.h"
+#include "geometry/repair/undo_intersections.h"
+#include "surface/smooth/bilaplacian.h"
+#include "surface/smooth/move_limits.h"
+#include "surface/smooth/shape_guard.h"
+#include "surface/smooth/surface_graph.h"
+#include "surface/smooth/volume_correction.h"
+#include "surface/smooth/voxel_regions.h"
+
+namespace voxtet {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+constexpr int kCorrectionPasses = 2;
+constexpr int kStepsBetweenGuards = 25;
+constexpr double kThickVoxels = 4;
+constexpr double kTurnShare = 0.4;  ///< of the progress, a turn of all steps
+
+Error failure(ErrorCode code, const std::string& message) {
+  return {code, "smooth", message, {}};
+}
+
+Status check_input(const SurfaceMesh& surface, const LabelVolume& volume, const SmoothParams& params) {
+  if (params.iterations < 0)
+    return failure(ErrorCode::kUsage,
+                   "iterations is " + std::to_string(params.iterations) + ", expected 0 or more");
+  if (!(params.step > 0 && params.step < 0.5))
+    return failure(ErrorCode::kUsage,
+                   "step is " + std::to_string(params.step) + ", expected more than 0 and less than 0.5");
+  if (!(params.max_move_voxels > 0 && params.max_move_voxels <= 1))
+    return failure(ErrorCode::kUsage, "max_move_voxels is " + std::to_string(params.max_move_voxels) +
+                                          ", expected more than 0 and at most 1");
+  if (surface.triangles.empty() || surface.sides.size() != surface.triangles.size())
+    return failure(ErrorCode::kBadInput, "the surface has " + std::to_string(surface.triangles.size()) +
+                                             " triangles and " + std::to_string(surface.sides.size()) +
+                                             " pairs of sides, expected some and as many");
+  for (const Triangle& t : surface.triangles)
+    for (const std::uint32_t v : t)
+      if (v >= surface.points.size())
+        return failure(ErrorCode::kBadInput, "a triangle names point " + std::to_string(v) + " of " +
+                                                 std::to_string(surface.points.size()));
+  if (volume.labels.size() != volume.voxel_count())
+    return failure(ErrorCode::kBadInput, "the volume has " + std::to_string(volume.labels.size()) +
+                                             " labels, expected " + std::to_string(volume.voxel_count()));
+  if (!volume.index_to_mm.allFinite() || !(volume.voxel_mm3() > 0))
+    return failure(ErrorCode::kBadInput, "the volume's affine is singular or not finite");
+  return std::monostate{};
+}
+
+/// The only label of a surface against background, which may stand for several of the volume; background if
+/// there are more.
+Label only_label(const SurfaceMesh& surface) {
+  const Label label = surface.sides.front()[0];
+  for (const Sides& sides : surface.sides)
+    if (sides != Sides{label, kBackground}) return kBackground;
+  return label;
+}
+
+/// Regions on both sides of each triangle: an equally labelled corner of the lattice cell it lies in.
+Result<RegionSides> find_region_sides(const SurfaceMesh& surface, const Points& start,
+                                      const VoxelRegions& regions, const std::array<int, 3>& size,
+                                      int threads) {
+  RegionSides found(surface.triangles.size());
+  const Eigen::Vector3d last_cell(size[0], size[1], size[2]);
+  const auto find = [&](std::size_t t) {
+    const Triangle& v = surface.triangles[t];
+    const Eigen::Vector3d cell = ((start[v[0]] + start[v[1]] + start[v[2]]) / 3).array().floor();
+    if (!(cell.array() >= -1).all() || !(cell.array() < last_cell.array()).all()) return false;
+    std::array<bool, 2> known{};
+    for (int corner = 0; corner < 8; ++corner) {
+      const std::uint32_t region = regions.at(static_cast<int>(cell.x()) + (corner & 1),
+                                              static_cast<int>(cell.y()) + (corner >> 1 & 1),
+                                              static_cast<int>(cell.z()) + (corner >> 2));
+      for (std::size_t side = 0; side < 2; ++side)
+        if (regions.label(region) == surface.sides[t][side]) {
+          found[t][side] = region;
+          known[side] = true;
+        }
+    }
+    return known[0] && known[1];
+  };
+  Flags is_found(found.size());
+  parallel_for(threads, found.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) is_found[t] = find(t);
+  });
+  const auto lost = std::find(is_found.begin(), is_found.end(), std::uint8_t{0});
+  if (lost == is_found.end()) return found;
+  const auto t = static_cast<std::size_t>(lost - is_found.begin());
+  return failure(ErrorCode::kBadInput,
+                 "triangle " + std::to_string(t) + " lies between the labels " +
+                     std::to_string(surface.sides[t][0]) + " and " + std::to_string(surface.sides[t][1]) +
+                     ", which do not meet there in the volume: expected the volume it was extracted from");
+}
+
+/// The graph in which the vertices of thin regions are fixed: those whose volume is less than a sheet of four
+/// voxels' thickness has by its area.
+SurfaceGraph graph_of_thick(const CorrectionProblem& problem, SurfaceGraph graph) {
+  std::vector<double> areas(problem.target.size(), 0);  // in voxels' faces
+  for (std::size_t t = 0; t < problem.regions.size(); ++t) {
+    const auto [a, b, c] = problem.surface.triangles[t];
+    const double area = 0.5 * triangle_cross(problem.start[a], problem.start[b], problem.start[c]).norm();
+    for (const std::uint32_t region : problem.regions[t]) areas[region] += area;
+  }
+  const auto is_thin = [&](std::uint32_t region) {
+    return region != VoxelRegions::kOutside && 2 * problem.target[region] < kThickVoxels * areas[region];
+  };
+  for (std::size_t t = 0; t < problem.regions.size(); ++t)
+    if (std::any_of(problem.regions[t].begin(), problem.regions[t].end(), is_thin))
+      for (const std::uint32_t v : problem.surface.triangles[t]) graph.kinds[v] = VertexKind::kFixed;
+  return graph;
+}
+
+/// Smoothing, and the guard after every few steps, so that a surface held at a voxel centre stays smooth
+/// around it. `before`: progress so far. False when cancelled.
+bool smooth_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
+                    const SmoothParams& params, double before, const RunContext& ctx, Points& x) {
+  BilaplacianSmoother smoother(graph, problem.start, problem.limits, params.step);
+  for (int done = 0; done < params.iterations; done += kStepsBetweenGuards) {
+    ctx.progress("smooth", before + kTurnShare * done / params.iterations);
+    const Points safe = x;
+    if (!smoother.run(std::min(kStepsBetweenGuards, params.iterations - done), ctx, x)) return false;
+    guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
+  }
+  return true;
+}
+
+/// Volumes corrected and shapes guarded in turn: points that the guard took back leave their share of the
+/// correction to the others.
+void correct_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
+                     const RunContext& ctx, Points& x) {
+  Flags movable(x.size());
+  for (std::size_t v = 0; v < x.size(); ++v) movable[v] = graph.kinds[v] == VertexKind::kSurface;
+  for (int pass = 0; pass < kCorrectionPasses; ++pass) {
+    const Points safe = x;
+    correct_volumes(problem, movable, x);
+    const Flags back = guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
+    for (std::size_t v = 0; v < x.size(); ++v) movable[v] = movable[v] && !back[v];
+  }
+}
+
+Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume& volume,
+                                   const SmoothParams& params, RunContext& ctx) {
+  const Eigen::Matrix3d to_mm = volume.linear();
+  const Eigen::Matrix3d to_index = to_mm.inverse();
+  const Eigen::Vector3d origin = volume.origin();
+  Points start(surface.points.size());
+  for (std::size_t v = 0; v < start.size(); ++v) start[v] = to_index * (surface.points[v] - origin);
+
+  const Label label = only_label(surface);
+  const VoxelRegions regions(volume, label);
+  const Result<RegionSides> sides = find_region_sides(surface, start, regions, volume.size, ctx.threads);
+  if (!sides) return sides.error();
+  const SurfaceGraph graph = build_surface_graph(surface);
+  const MoveLimits limits(start, regions, params.max_move_voxels);
+  const double orientation = to_mm.determinant() < 0 ? -1 : 1;
+  const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
+  Points x = start;
+  if (!smooth_guarded(problem, regions, graph, params, 0, ctx, x)) return cancelled_error("smooth");
+  // Surfaces of several labels have edges half as long, over which steps reach half as far.
+  if (label == kBackground &&
+      !smooth_guarded(problem, regions, graph_of_thick(problem, graph), params, kTurnShare, ctx, x))
+    return cancelled_error("smooth");
+  if (params.keep_volume) correct_guarded(problem, regions, graph, ctx, x);
+
+  SurfaceMesh out{std::move(x), surface.triangles, surface.sides};
+  for (std::size_t v = 0; v < out.points.size(); ++v)
+    out.points[v] =
+        out.points[v] == start[v] ? surface.points[v] : Eigen::Vector3d(to_mm * out.points[v] + origin);
+  if (undo_intersections(out, surface.points, ctx).cancelled) return cancelled_error("smooth");
+  ctx.progress("smooth", 1.0);
+  return out;
+}
+
+}  // namespace
+
+Result<SurfaceMesh> smooth_surface(const SurfaceMesh& surface, const LabelVolume& volume,
+                                   const SmoothParams& params, RunContext& ctx) {
+  if (const Status status = check_input(surface, volume, params); !status) return status.error();
+  if (params.iterations == 0) return surface;
+  try {
+    return smooth_checked(surface, volume, params, ctx);
+  } catch (const std::bad_alloc&) {
+    return failure(ErrorCode::kOutOfMemory,
+                   "not enough memory to smooth " + std::to_string(surface.triangles.size()) + " triangles");
+  }
+}
+
+}  // namespace voxtet

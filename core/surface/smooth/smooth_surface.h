@@ -1,0 +1,43 @@
+// Staircase removal that keeps shape, volume and labels.
+#pragma once
+
+#include "types/label_volume.h"
+#include "types/result.h"
+#include "types/run_context.h"
+#include "types/surface_mesh.h"
+
+namespace voxtet {
+
+struct SmoothParams {
+  int iterations = 50;           ///< bi-Laplacian steps; 0 returns the surface as it is
+  double step = 0.4;             ///< mu of x - mu*L(L(x)), in (0, 0.5): stable below 0.5
+  double max_move_voxels = 0.5;  ///< clamp of each vertex around its start, per index axis, in (0, 1]
+  bool keep_volume = true;       ///< shift along normals to restore each region's voxel volume
+};
+
+/// Clamped bi-Laplacian smoothing in index space: x <- clamp(x - mu*L(L(x))), umbrella weights. Vertices on
+/// junctions of three or more labels use junction neighbours only; corners of junctions and junction loops of
+/// up to ten vertices stay fixed; specks and straight wires one voxel thick grow no thinner (move_limits.h).
+/// Surfaces of several labels, whose edges are half as long, take as many steps again, except at regions that
+/// are thinner than about four voxels.
+/// Then the interfaces shift along their normals, within the same clamp, until every connected region of a
+/// label has the volume of its voxels; the interface of regions a and b moves by lambda_a - lambda_b, the
+/// distribution of least area-weighted square (volume_correction.h).
+///
+/// Guarantees, whatever the labels:
+/// - No two triangles intersect beyond common corners and edges, if none did before
+/// (geometry/repair/undo_intersections.h).
+/// - Every voxel centre stays on its side of every label, except voxels at the surface of something thicker
+///   than one voxel: those deeper than half a voxel, and those of sheets, wires, gaps and specks one voxel
+///   thick, are kept (shape_guard.h).
+/// - No vertex moves further than `max_move_voxels` along an index axis.
+/// - Triangles and sides are those of the input.
+/// Volumes are met to about 1e-4 of a region unless the first three stand against it.
+///
+/// `volume` is the volume the surface was extracted from. About linear time; identical for any ctx.threads.
+/// Errors: kUsage for parameters out of range, kBadInput for an empty surface, a triangle without its points,
+/// or one whose sides do not meet there in the volume.
+Result<SurfaceMesh> smooth_surface(const SurfaceMesh& surface, const LabelVolume& volume,
+                                   const SmoothParams& params, RunContext& ctx);
+
+}  // namespace voxtet

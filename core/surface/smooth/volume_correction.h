@@ -1,0 +1,36 @@
+// Restores the volumes of a smoothed complex by shifting interfaces along their normals.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/repair/retreat.h"
+#include "surface/smooth/move_limits.h"
+#include "surface/smooth/surface_graph.h"
+#include "types/surface_mesh.h"
+
+namespace voxtet {
+
+/// Regions behind and in front of each triangle (those of its sides).
+using RegionSides = std::vector<std::array<std::uint32_t, 2>>;
+
+/// What does not change from one correction of a surface to the next. References must stay valid.
+struct CorrectionProblem {
+  const SurfaceMesh& surface;                 ///< for its triangles
+  const RegionSides& regions;                 ///< by triangle
+  const std::vector<double>& target;          ///< wanted volume by region, in voxels
+  const std::vector<Eigen::Vector3d>& start;  ///< index space
+  const MoveLimits& limits;
+  double orientation = 1;  ///< sign of the affine's determinant
+};
+
+/// One interface of the regions a|b moves by delta_ab = lambda_a - lambda_b (lambda of the outside is 0), the
+/// solution of least area-weighted square of: sum over neighbours b of area_ab * delta_ab = missing volume of
+/// a. Only points with `movable` not 0 move, along their normal, within their limits around their start; a
+/// point that is stopped there takes no further part and its flag becomes 0. At most eight rounds, fewer once
+/// every region has its volume to a ten-thousandth and a hundredth of a voxel. `points` are in index space.
+void correct_volumes(const CorrectionProblem& problem, Flags& movable, std::vector<Eigen::Vector3d>& points);
+
+}  // namespace voxtet

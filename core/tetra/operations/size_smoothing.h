@@ -1,0 +1,30 @@
+// A vertex goes where its edges are nearer to the lengths wished for.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tetra/mesh/tet_complex.h"
+#include "tetra/operations/size_guard.h"
+#include "tetra/operations/vertex_smoothing.h"
+
+namespace voxtet::tetra {
+
+/// Moves vertices of a complex. Holds what would else be allocated for each.
+class SizeSmoother {
+ public:
+  SizeSmoother(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
+
+  /// Moves a vertex that is on no interface and at an edge much longer or shorter than its wish, so that its
+  /// edges together come nearer to their wishes. No tet becomes worse than the worst at the vertex was, or
+  /// than `enough` if that is less. True when it moved.
+  bool smooth(std::uint32_t vertex, double enough);
+
+ private:
+  TetComplex& complex_;
+  const SizeGuard& guard_;
+  std::vector<std::uint32_t> star_, neighbours_;
+  std::vector<StarSide> sides_;
+};
+
+}  // namespace voxtet::tetra
