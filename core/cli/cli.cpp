@@ -11,6 +11,7 @@
 #include "geometry/parallel.h"
 #include "io/files.h"
 #include "io/read_mesh.h"
+#include "io/write_carp.h"
 #include "io/write_mesh.h"
 #include "io/write_volume.h"
 #include "io/write_vti.h"
@@ -62,6 +63,7 @@ int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::v
       write_tet_mesh(mesh, *format, {output.space(), infos, std::move(cell_data), mesh_name_of(path)});
   if (!files) return fail(files.error());
   if (Status written = write_files(path, *files); !written) return fail(written.error());
+  if (*format == MeshFormat::kCarp) print_warning(path + ": " + std::string(kNoFibres));
   return kExitOk;
 }
 
@@ -182,8 +184,7 @@ int run_convert(const std::string& in, const std::string& out, const Output& out
     Result<TetMesh> mesh = read_tet_mesh_file(in, &arrays);
     if (!mesh) return fail(mesh.error());
     for (const std::string& name : arrays.left_out)
-      std::fprintf(stderr, "warning: %s: left out the array %s, expected a finite number for each cell\n",
-                   in.c_str(), name.c_str());
+      print_warning(in + ": left out the array " + name + ", expected a finite number for each cell");
     add_label_faces(*mesh);
     return export_mesh(*mesh, {}, std::move(arrays.cell_data), out, output);
   }

@@ -8,6 +8,7 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -92,7 +93,7 @@ TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
   ASSERT_EQ(report["lookup"].size(), 2U);
   EXPECT_EQ(report["lookup"][0]["label"], 2);
   EXPECT_NEAR(report["lookup"][0]["by_fraction"]["error_percent"].get<double>(), 0, 5);
-  for (const char* name : {"a.pts", "a.elem", "a.lon", "a.centroid_label.dat", "a.majority_label.dat",
+  for (const char* name : {"a.pts", "a.elem", "a.lon.txt", "a.centroid_label.dat", "a.majority_label.dat",
                            "a.fraction_2.dat", "a.fraction_3.dat"})
     EXPECT_TRUE(fs::exists(at(name))) << name;
   EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--look-up", "9"}), kExitUsage);
@@ -103,6 +104,27 @@ TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
   ASSERT_EQ(run({"convert", at("b.vtu"), at("b.carp")}), kExitOk);
   for (const char* name : {"centroid_label.dat", "majority_label.dat", "fraction_2.dat", "fraction_3.dat"})
     EXPECT_EQ(*read_file(at(std::string("b.") + name)), *read_file(at(std::string("a.") + name))) << name;
+}
+
+TEST_F(CliTest, WritesNoFibresForOpenCarpAndSaysSo) {
+  ASSERT_EQ(run({"phantom", "sphere", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
+                 at("ball.nii.gz")}),
+            kExitOk);
+  ASSERT_EQ(run({"mesh", at("ball.nii.gz"), "--edge-mm", "4", "-o", at("a.vtu")}), kExitOk);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"mesh", at("ball.nii.gz"), "--edge-mm", "4", "-o", at("b.carp")},
+        {"convert", at("a.vtu"), at("c.carp")}}) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run(words), kExitOk);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("warning: " + words.back() + ": no fibres"),
+              std::string::npos);
+  }
+  EXPECT_FALSE(fs::exists(at("b.lon")));
+  // Those of another mesh would be taken for this one's.
+  write("c.lon", "1\n1 0 0\n");
+  EXPECT_EQ(run({"convert", at("a.vtu"), at("c.carp")}), kExitUsage);
+  EXPECT_EQ(run({"convert", at("a.vtu"), at("c.pts")}), kExitUsage);
+  EXPECT_EQ(run({"convert", at("c.lon"), at("d.vtu")}), kExitOk);
 }
 
 TEST_F(CliTest, MergesAllLabelsOrGroups) {
