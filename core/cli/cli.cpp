@@ -188,8 +188,10 @@ int run_convert(const std::string& in, const std::string& out, const Output& out
     add_label_faces(*mesh);
     return export_mesh(*mesh, {}, std::move(arrays.cell_data), out, output);
   }
-  Result<LabelVolume> volume = read_volume_file(in);
+  std::vector<std::string> warnings;
+  Result<LabelVolume> volume = read_volume_file(in, &warnings);
   if (!volume) return fail(volume.error());
+  for (const std::string& warning : warnings) print_warning(warning);
   if (!is_nifti_name(out))
     return fail({ErrorCode::kUsage, "cli", out + ": a volume is written as .nii or .nii.gz", {}});
   Result<Bytes> bytes = write_nifti(*volume, out.ends_with(".gz"));

@@ -210,7 +210,8 @@ json volume_json(const Session& session) {
           {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}},
           {"index_to_mm", matrix_json(volume.index_to_mm)},
           {"digest", session.source_digest()},
-          {"labels", labels}};
+          {"labels", labels},
+          {"warnings", session.record(Stage::kVolume).warnings}};
 }
 
 json stage_json(const Session& session, Stage stage) {

@@ -49,8 +49,12 @@ Result<Stage> stage_of(std::string_view name) {
 }
 
 Status Session::load_volume(const VolumeFile& file) {
-  Result<LabelVolume> read = read_volume(file);
+  std::vector<std::string> warnings;
+  Result<LabelVolume> read = read_volume(file, &warnings);
   if (!read) return read.error();
+  file_warnings_ = std::move(warnings);
+  // Another file may have the same labels, but other names and warnings.
+  records_[static_cast<std::size_t>(Stage::kVolume)].key.clear();
   file_volume_ = std::make_shared<const LabelVolume>(std::move(read).value());
   file_digest_ = digest_of(*file_volume_);
   recipe_.source = {};
@@ -59,10 +63,11 @@ Status Session::load_volume(const VolumeFile& file) {
 }
 
 Status Session::load_mask(const VolumeFile& file) {
-  Result<LabelVolume> read = read_volume(file);
+  std::vector<std::string> warnings;
+  Result<LabelVolume> read = read_volume(file, &warnings);
   if (!read) return read.error();
   std::string digest = digest_of(*read);
-  masks_[file.name] = {std::move(read).value(), std::move(digest)};
+  masks_[file.name] = {std::move(read).value(), std::move(digest), std::move(warnings)};
   return std::monostate{};
 }
 
@@ -70,7 +75,7 @@ Status Session::load_size_image(const VolumeFile& file) {
   Result<ScalarVolume> read = read_scalar_volume(file);
   if (!read) return read.error();
   std::string digest = digest_of(*read);
-  images_[file.name] = {std::move(read).value(), std::move(digest)};
+  images_[file.name] = {std::move(read).value(), std::move(digest), {}};
   return std::monostate{};
 }
 

@@ -49,11 +49,12 @@ struct StageRecord {
 /// A case being meshed. Results stay valid until a run replaces them; each is null before its stage has run.
 class Session {
  public:
-  /// A volume beside the one that is meshed, and the digest of it.
+  /// A volume beside the one that is meshed, the digest of it, and what its reader warned of.
   template <class Volume>
   struct SideVolume {
     Volume volume;
     std::string digest;
+    std::vector<std::string> warnings;
   };
 
   /// Takes the volume of a file; the recipe's source becomes that file. Nothing changes on failure.
@@ -132,6 +133,7 @@ class Session {
   std::map<std::string, SideVolume<ScalarVolume>> images_;
   std::shared_ptr<const LabelVolume> file_volume_;
   std::string file_digest_;
+  std::vector<std::string> file_warnings_;  ///< of its reader
   std::shared_ptr<const LabelVolume> source_;
   std::string source_digest_;
   PreparedVolume volume_;

@@ -1,6 +1,7 @@
 // What each stage runs.
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 #include "geometry/digest.h"
 #include "lookup/look_up_labels.h"
@@ -63,6 +64,7 @@ Status Session::run_volume(RunContext& ctx) {
   } else if (file_volume_) {
     source_ = file_volume_;
     source_digest_ = file_digest_;
+    for (const std::string& warning : file_warnings_) ctx.warn("volume", warning);
   } else if (recipe_.source.file) {
     return Error{ErrorCode::kBadInput,
                  "volume",
@@ -118,6 +120,10 @@ Result<SizingField> Session::size_by(const SizingParams& sizing, RunContext& ctx
 
 Status Session::run_sizing(RunContext& ctx) {
   if (Status measured = measure_walls(ctx); !measured) return measured;
+  std::set<std::string> warned;
+  for (const MaskSize& mask : recipe_.sizing.masks)
+    if (const auto found = masks_.find(mask.name); found != masks_.end() && warned.insert(mask.name).second)
+      for (const std::string& warning : found->second.warnings) ctx.warn("sizing", warning);
   return keep(size_by(recipe_.sizing, ctx), sizing_);
 }
 

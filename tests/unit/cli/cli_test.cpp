@@ -127,6 +127,53 @@ TEST_F(CliTest, WritesNoFibresForOpenCarpAndSaysSo) {
   EXPECT_EQ(run({"convert", at("c.lon"), at("d.vtu")}), kExitOk);
 }
 
+/// Two cubes, one within the other, in 6 x 6 x 6 voxels; with their places in the list of segments.
+std::string two_segments(int inner, int outer) {
+  std::string text =
+      "NRRD0004\ntype: uint8\ndimension: 4\nsizes: 2 6 6 6\nspace: right-anterior-superior\n"
+      "space directions: none (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n"
+      "kinds: list domain domain domain\nencoding: raw\n";
+  const auto segment = [&](int number, const std::string& name, int layer) {
+    const std::string key = "Segment" + std::to_string(number);
+    text += key + "_Name:=" + name + "\n" + key + "_LabelValue:=1\n" + key +
+            "_Layer:=" + std::to_string(layer) + "\n";
+  };
+  segment(inner, "inner", 0);
+  segment(outer, "outer", 1);
+  text += "\n";
+  for (int v = 0; v < 216; ++v) {
+    const auto within = [v](int margin) {
+      const auto inside = [margin](int i) { return i >= margin && i < 6 - margin; };
+      return static_cast<char>(inside(v % 6) && inside(v / 6 % 6) && inside(v / 36));
+    };
+    text += {within(2), within(1)};
+  }
+  return text;
+}
+
+TEST_F(CliTest, WarnsOfOverlappingSegmentsAndRefusesLostOnes) {
+  write("kept.seg.nrrd", two_segments(1, 0));
+  write("lost.seg.nrrd", two_segments(0, 1));
+  const std::string warning =
+      "kept.seg.nrrd: segments outer (label 1) and inner (label 2) overlap in 8 voxels: of the two the later "
+      "one "
+      "wins, inner (label 2)";
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({"mesh", at("kept.seg.nrrd"), "--merge", "--edge-mm", "2", "--report", at("report.json")}),
+            kExitOk);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("warning: volume: " + warning), std::string::npos);
+  const json warnings = read_json("report.json")["warnings"];
+  EXPECT_NE(std::find(warnings.begin(), warnings.end(), "volume: " + warning), warnings.end()) << warnings;
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({"convert", at("kept.seg.nrrd"), at("a.nii.gz")}), kExitOk);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("inner (label 2)"), std::string::npos);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({"mesh", at("lost.seg.nrrd"), "--edge-mm", "2"}), kExitBadInput);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find(
+                "segment inner (label 1) loses all of its 8 voxels to outer (label 2)"),
+            std::string::npos);
+}
+
 TEST_F(CliTest, MergesAllLabelsOrGroups) {
   ASSERT_EQ(run({"phantom", "nested_boxes", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
                  at("boxes.nii.gz")}),
