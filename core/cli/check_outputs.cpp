@@ -19,6 +19,20 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
   return !whole_a.empty() && whole_a == whole_b;
 }
 
+/// Fibres that lie where openCARP would take them for those of a mesh written to `path`.
+Status check_fibres(const NamedPath& output) {
+  const Result<MeshFormat> format = mesh_format_of(output.path);
+  if (!format || *format != MeshFormat::kCarp) return std::monostate{};
+  const std::string fibres =
+      output.path.substr(0, output.path.size() - mesh_ending_of(output.path).size()) + ".lon";
+  std::error_code failed;
+  if (!fs::exists(fibres, failed)) return std::monostate{};
+  return usage_error("cli",
+                     output.word + ": " + fibres +
+                         " holds the fibres of another mesh, and the one written has none; expected no "
+                         "such file (move it away, or give another name)");
+}
+
 }  // namespace
 
 Status check_outputs(const std::vector<NamedPath>& outputs, const std::vector<NamedPath>& inputs) {
@@ -36,6 +50,7 @@ Status check_outputs(const std::vector<NamedPath>& outputs, const std::vector<Na
                                         ", expected another one");
       if (Status there = check_place(file.path); !there) return there;
     }
+    if (Status none = check_fibres(output); !none) return none;
     taken.insert(taken.end(), own.begin(), own.end());
   }
   return std::monostate{};

@@ -14,8 +14,9 @@ struct NamedPath {
 };
 
 /// Whether every output can be written and is neither an input nor another output; empty paths are none. A
-/// mesh file stands for all files that its format always makes. Before anything is read: a run may take long.
-/// Errors: kUsage naming both words and the file, or those of check_place().
+/// mesh file stands for all files that its format always makes; openCARP's finds no .lon of another mesh.
+/// Before anything is read: a run may take long. Errors: kUsage naming both words and the file, or those of
+/// check_place().
 Status check_outputs(const std::vector<NamedPath>& outputs, const std::vector<NamedPath>& inputs);
 
 }  // namespace voxtet

@@ -15,11 +15,11 @@
 #include "io/volume/write_volume.h"
 #include "io/volume/write_vti.h"
 #include "lookup/look_up_labels.h"
-#include "pipeline/version/engine_version.h"
 #include "pipeline/exported_fields.h"
 #include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
+#include "pipeline/version/engine_version.h"
 #include "recipe/link.h"
 
 namespace voxtet {
@@ -64,6 +64,7 @@ int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::v
       write_tet_mesh(mesh, *format, {output.space(), infos, std::move(cell_data), mesh_name_of(path)});
   if (!files) return fail(files.error());
   if (Status written = write_files(path, *files); !written) return fail(written.error());
+  if (*format == MeshFormat::kCarp) print_warning(path + ": " + std::string(kNoFibres));
   return kExitOk;
 }
 
@@ -184,13 +185,14 @@ int run_convert(const std::string& in, const std::string& out, const Output& out
     Result<TetMesh> mesh = read_tet_mesh_file(in, &arrays);
     if (!mesh) return fail(mesh.error());
     for (const std::string& name : arrays.left_out)
-      std::fprintf(stderr, "warning: %s: left out the array %s, expected a finite number for each cell\n",
-                   in.c_str(), name.c_str());
+      print_warning(in + ": left out the array " + name + ", expected a finite number for each cell");
     add_label_faces(*mesh);
     return export_mesh(*mesh, {}, std::move(arrays.cell_data), out, output);
   }
-  Result<LabelVolume> volume = read_volume_file(in);
+  std::vector<std::string> warnings;
+  Result<LabelVolume> volume = read_volume_file(in, &warnings);
   if (!volume) return fail(volume.error());
+  for (const std::string& warning : warnings) print_warning(warning);
   if (!is_nifti_name(out))
     return fail({ErrorCode::kUsage, "cli", out + ": a volume is written as .nii or .nii.gz", {}});
   Result<Bytes> bytes = write_nifti(*volume, out.ends_with(".gz"));

@@ -63,6 +63,10 @@ void print_fidelity(const nlohmann::json& fidelity, std::FILE* out) {
 
 }  // namespace
 
+void print_warning(const std::string& message) {
+  std::fprintf(stderr, "warning: %s\n", message.c_str());
+}
+
 RunContext printing_context(double time_limit_s, int threads) {
   RunContext ctx;
   ctx.threads = threads;
@@ -86,7 +90,7 @@ RunContext printing_context(double time_limit_s, int threads) {
     }
   };
   ctx.on_warning = [](const std::string& stage, const std::string& message) {
-    std::fprintf(stderr, "warning: %s: %s\n", stage.c_str(), message.c_str());
+    print_warning(stage + ": " + message);
   };
   if (time_limit_s > 0) {
     const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(

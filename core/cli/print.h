@@ -13,6 +13,9 @@ namespace voxtet {
 /// `time_limit_s` > 0 cancels when it is over. `threads` as in RunContext.
 RunContext printing_context(double time_limit_s, int threads);
 
+/// A line of warning on standard error.
+void print_warning(const std::string& message);
+
 /// Prints the error and gives its exit code.
 int fail(const Error& error);
 

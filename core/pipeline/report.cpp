@@ -6,8 +6,8 @@
 
 #include "base/digest.h"
 #include "geometry/topology/compare_topology.h"
-#include "pipeline/version/engine_version.h"
 #include "pipeline/stages/value_json.h"
+#include "pipeline/version/engine_version.h"
 
 namespace voxtet {
 namespace {
@@ -127,6 +127,7 @@ json lookup_json(const LabelLookUp& found) {
 json volume_json(const Session& session) {
   json out = volume_json(*session.source_volume(), session.source_digest());
   const Source& source = session.recipe().source;
+  out["warnings"] = session.record(Stage::kVolume).warnings;
   out["name"] = source.file ? source.file->name : "phantom";
   return out;
 }

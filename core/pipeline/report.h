@@ -11,7 +11,8 @@ namespace voxtet {
 /// whose stage has not run are absent.
 nlohmann::json report_json(const Session& session);
 
-/// Name, size, spacing, affine, digest and labels of the volume as it was read.
+/// Name, size, spacing, affine, digest and labels of the volume as it was read, and the warnings of its
+/// stage.
 nlohmann::json volume_json(const Session& session);
 
 /// One entry of "stages" but for its digest, which takes time: name, seconds, cached, peak_mb, notes,

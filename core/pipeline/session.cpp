@@ -8,9 +8,9 @@
 
 #include "base/digest.h"
 #include "pipeline/admission.h"
-#include "pipeline/version/engine_version.h"
 #include "pipeline/memory.h"
 #include "pipeline/stages/side_sizes.h"
+#include "pipeline/version/engine_version.h"
 
 namespace voxtet {
 namespace {
@@ -30,10 +30,12 @@ void collect(Stage stage, std::vector<Stage>& order) {
 }  // namespace
 
 Status Session::load_volume(const VolumeFile& file) {
-  Result<LabelVolume> read = read_volume(file);
+  std::vector<std::string> warnings;
+  Result<LabelVolume> read = read_volume(file, &warnings);
   if (!read) return read.error();
   files_.volume = std::make_shared<const LabelVolume>(std::move(read).value());
   files_.digest = digest_of(*files_.volume);
+  files_.warnings = std::move(warnings);
   recipe_.source = {};
   recipe_.source.file = FileSource{file.name, files_.digest};
   files_changed();
@@ -41,10 +43,11 @@ Status Session::load_volume(const VolumeFile& file) {
 }
 
 Status Session::load_mask(const VolumeFile& file) {
-  Result<LabelVolume> read = read_volume(file);
+  std::vector<std::string> warnings;
+  Result<LabelVolume> read = read_volume(file, &warnings);
   if (!read) return read.error();
   std::string digest = digest_of(*read);
-  files_.masks[file.name] = {std::move(read).value(), std::move(digest)};
+  files_.masks[file.name] = {std::move(read).value(), std::move(digest), std::move(warnings)};
   files_changed();
   return std::monostate{};
 }
@@ -53,7 +56,7 @@ Status Session::load_size_image(const VolumeFile& file) {
   Result<ScalarVolume> read = read_scalar_volume(file);
   if (!read) return read.error();
   std::string digest = digest_of(*read);
-  files_.images[file.name] = {std::move(read).value(), std::move(digest)};
+  files_.images[file.name] = {std::move(read).value(), std::move(digest), {}};
   files_changed();
   return std::monostate{};
 }

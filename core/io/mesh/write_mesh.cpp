@@ -105,7 +105,7 @@ std::vector<std::string> files_of_mesh(const std::string& path) {
   const Result<MeshFormat> format = mesh_format_of(path);
   if (!format) return {path};
   const std::string base = path.substr(0, path.size() - mesh_ending_of(path).size());
-  if (*format == MeshFormat::kCarp) return {base + ".pts", base + ".elem", base + ".lon"};
+  if (*format == MeshFormat::kCarp) return {base + ".pts", base + ".elem", base + ".lon.txt"};
   if (*format == MeshFormat::kXdmf) return {base + ".xdmf", base + ".h5"};
   return {path};
 }

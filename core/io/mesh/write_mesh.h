@@ -13,7 +13,7 @@ namespace voxtet {
 
 /// VTU: binary appended raw, zlib-free, cell array `label`, mm. MSH 4.1: binary, physical groups per label
 /// (volumes, named) and per pair of sides (surfaces). MEDIT: ASCII, mm. openCARP: .pts (um), .elem (Tt,
-/// label), .lon (one axis, unit x direction as placeholder for fibres). Abaqus .inp: element sets, and
+/// label), .lon.txt (says that there are no fibres). Abaqus .inp: element sets, and
 /// element surfaces per pair of sides. FEBio .feb 4.0: parts with a material each, surfaces per pair. XDMF 3:
 /// .xdmf with its numbers in .h5. STL (binary) and PLY (binary): boundary faces. Cell data: arrays in VTU and
 /// XDMF, a _data.msh beside MSH, a .sol beside MEDIT, one .NAME.dat each beside openCARP, one .NAME.inp each
@@ -35,7 +35,7 @@ Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFo
                                               const WriteMeshOptions& options);
 
 /// Writes each file to a temporary name beside its target ("a.vtu.part"), then renames. `path` carries any
-/// known ending: "a.carp" or "a.pts" -> a.pts, a.elem, a.lon. On failure none of the new files remains.
+/// known ending: "a.carp" or "a.pts" -> a.pts, a.elem, a.lon.txt. On failure none of the new files remains.
 /// Errors: kUsage for an unknown ending; kBadInput naming the path that cannot be written.
 Status write_files(const std::string& path, const std::vector<OutputFile>& files);
 

@@ -1,6 +1,7 @@
 #include "io/volume/nrrd_segments.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -67,6 +68,50 @@ Result<NrrdSegment> parse_segment(const std::map<std::string, std::string>& key_
   return segment;
 }
 
+/// "inner (label 1)".
+std::string called(const NrrdSegment& segment) {
+  const std::string label = "label " + std::to_string(segment.info.label);
+  return segment.info.name.empty() ? label : segment.info.name + " (" + label + ")";
+}
+
+std::string voxels(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " voxel" : " voxels");
+}
+
+/// How many voxels segments have, keep, and share with a later one. Segments by their place.
+struct Overlaps {
+  std::vector<std::size_t> claimed, kept;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> shared;  ///< by earlier and later segment
+
+  explicit Overlaps(std::size_t segments) : claimed(segments, 0), kept(segments, 0) {}
+
+  /// `places`: of all segments that claim one voxel.
+  void add(const std::vector<std::size_t>& places) {
+    for (std::size_t a = 0; a < places.size(); ++a) {
+      ++claimed[places[a]];
+      for (std::size_t b = 0; b < a; ++b) ++shared[std::minmax(places[a], places[b])];
+    }
+    if (!places.empty()) ++kept[*std::max_element(places.begin(), places.end())];
+  }
+};
+
+/// The error of segments that have voxels and keep none.
+std::optional<Error> lost_segments(const Overlaps& overlaps, const std::vector<NrrdSegment>& segments) {
+  std::string lost;
+  for (std::size_t n = 0; n < segments.size(); ++n) {
+    if (overlaps.claimed[n] == 0 || overlaps.kept[n] > 0) continue;
+    std::string winners;
+    for (const auto& [pair, count] : overlaps.shared)
+      if (pair.first == n) winners += (winners.empty() ? "" : ", ") + called(segments[pair.second]);
+    lost += (lost.empty() ? "" : "; ") + ("segment " + called(segments[n]) + " loses all of its " +
+                                          voxels(overlaps.claimed[n]) + " to " + winners);
+  }
+  if (lost.empty()) return {};
+  return bad_nrrd(lost +
+                  ": where segments overlap the later one wins; expected a voxel or more left of each (move "
+                  "it behind the others in the list of segments, or remove the overlap)");
+}
+
 }  // namespace
 
 Result<std::vector<NrrdSegment>> parse_segments(const std::map<std::string, std::string>& key_values,
@@ -98,7 +143,8 @@ Result<std::vector<NrrdSegment>> parse_segments(const std::map<std::string, std:
 
 Result<std::vector<Label>> flatten_layers(const std::vector<Label>& values, std::int64_t layers,
                                           const std::vector<NrrdSegment>& segments,
-                                          const std::array<std::int64_t, 3>& size) {
+                                          const std::array<std::int64_t, 3>& size,
+                                          std::vector<std::string>& warnings) {
   // Of each layer the segments by value; a number is the segment's place, from 1.
   std::vector<std::vector<std::uint32_t>> place_of(static_cast<std::size_t>(layers));
   for (std::size_t n = 0; n < segments.size(); ++n) {
@@ -107,9 +153,11 @@ Result<std::vector<Label>> flatten_layers(const std::vector<Label>& values, std:
     table[segments[n].value] = static_cast<std::uint32_t>(n + 1);
   }
   std::vector<Label> labels(values.size() / static_cast<std::size_t>(layers), kBackground);
+  Overlaps overlaps(segments.size());
+  std::vector<std::size_t> places;
   const Label* value = values.data();
   for (std::size_t voxel = 0; voxel < labels.size(); ++voxel) {
-    std::uint32_t winner = 0;
+    places.clear();
     for (std::size_t layer = 0; layer < place_of.size(); ++layer, ++value) {
       if (*value == 0) continue;
       const std::uint32_t place = *value < place_of[layer].size() ? place_of[layer][*value] : 0;
@@ -120,11 +168,26 @@ Result<std::vector<Label>> flatten_layers(const std::vector<Label>& values, std:
                         " has the value " + std::to_string(*value) +
                         ", which no Segment's LabelValue and Layer claim");
       }
-      winner = std::max(winner, place);
+      places.push_back(place - 1);
     }
-    if (winner > 0) labels[voxel] = segments[winner - 1].info.label;
+    overlaps.add(places);
+    if (!places.empty()) labels[voxel] = segments[*std::max_element(places.begin(), places.end())].info.label;
   }
+  if (auto lost = lost_segments(overlaps, segments)) return *std::move(lost);
+  for (const auto& [pair, count] : overlaps.shared)
+    warnings.push_back("segments " + called(segments[pair.first]) + " and " + called(segments[pair.second]) +
+                       " overlap in " + voxels(count) + ": of the two the later one wins, " +
+                       called(segments[pair.second]));
   return labels;
+}
+
+void warn_of_empty_segments(const std::vector<Label>& labels, const std::vector<NrrdSegment>& segments,
+                            std::vector<std::string>& warnings) {
+  if (segments.empty()) return;
+  std::vector<bool> found(std::numeric_limits<Label>::max() + std::size_t{1});
+  for (const Label label : labels) found[label] = true;
+  for (const NrrdSegment& segment : segments)
+    if (!found[segment.info.label]) warnings.push_back("segment " + called(segment) + " has no voxels");
 }
 
 }  // namespace voxtet

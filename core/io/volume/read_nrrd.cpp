@@ -115,7 +115,7 @@ Result<std::vector<Label>> read_values(const VolumeFile& file, const NrrdHeader&
 
 }  // namespace
 
-Result<LabelVolume> read_nrrd(const VolumeFile& file) {
+Result<LabelVolume> read_nrrd(const VolumeFile& file, std::vector<std::string>& warnings) {
   const Result<NrrdHeader> header = parse_nrrd_header(file.bytes);
   if (!header) return header.error();
   const Result<NrrdGeometry> geometry = nrrd_geometry(*header);
@@ -133,9 +133,10 @@ Result<LabelVolume> read_nrrd(const VolumeFile& file) {
   Result<std::vector<Label>> labels = read_values(file, *header, *packing, *layout);
   if (!labels) return labels.error();
   if (layout->layers > 1) {
-    labels = flatten_layers(*labels, layout->layers, *segments, layout->size);
+    labels = flatten_layers(*labels, layout->layers, *segments, layout->size, warnings);
     if (!labels) return labels.error();
   }
+  warn_of_empty_segments(*labels, *segments, warnings);
   LabelVolume volume = make_volume(*layout, geometry->index_to_mm, std::move(*labels));
   for (const NrrdSegment& segment : *segments) volume.infos.push_back(segment.info);
   std::sort(volume.infos.begin(), volume.infos.end(),

@@ -46,14 +46,14 @@ std::string start_of(const VolumeFile& file) {
   return in_quotes({text, std::min<std::size_t>(file.bytes.size(), 16)});
 }
 
-Result<LabelVolume> read_any(const VolumeFile& file) {
+Result<LabelVolume> read_any(const VolumeFile& file, std::vector<std::string>& warnings) {
   if (file.bytes.empty()) return bad_input(kVolumeReader, "the file is empty");
   if (is_gzipped(file)) {
     const Result<std::unique_ptr<ByteSource>> source = inflated_nifti(file);
     if (!source) return source.error();
     return read_nifti(**source);
   }
-  if (starts_with(file.bytes, "NRRD")) return read_nrrd(file);
+  if (starts_with(file.bytes, "NRRD")) return read_nrrd(file, warnings);
   if (looks_like_nifti(file.bytes.first(std::min(file.bytes.size(), kNiftiHeaderBytes))))
     return read_nifti(*make_memory_source(file.bytes));
   if (looks_like_metaimage(file.bytes)) return read_metaimage(file);
@@ -97,22 +97,29 @@ auto guarded(const std::string& name, Read read) -> decltype(read()) {
 
 }  // namespace
 
-Result<LabelVolume> read_volume(const VolumeFile& file) {
-  return guarded(file.name, [&] { return named(file.name, read_any(file)); });
+Result<LabelVolume> read_volume(const VolumeFile& file, std::vector<std::string>* warnings) {
+  return guarded(file.name, [&] {
+    std::vector<std::string> found;
+    Result<LabelVolume> volume = named(file.name, read_any(file, found));
+    if (volume && warnings)
+      for (const std::string& warning : found) warnings->push_back(file.name + ": " + warning);
+    return volume;
+  });
 }
 
 Result<ScalarVolume> read_scalar_volume(const VolumeFile& file) {
   return guarded(file.name, [&] { return named(file.name, read_any_scalars(file)); });
 }
 
-Result<LabelVolume> read_volume_file(const std::string& path) {
+Result<LabelVolume> read_volume_file(const std::string& path, std::vector<std::string>* warnings) {
   return guarded(path, [&]() -> Result<LabelVolume> {
     const std::filesystem::path place(path);
     const Result<Bytes> bytes = read_file(path);
     if (!bytes) return bytes.error();
-    return read_volume({path, *bytes, [&](const std::string& name) {
-                          return read_file((place.parent_path() / name).string());
-                        }});
+    return read_volume(
+        {path, *bytes,
+         [&](const std::string& name) { return read_file((place.parent_path() / name).string()); }},
+        warnings);
   });
 }
 

@@ -14,14 +14,15 @@ namespace voxtet {
 /// or unsupported file is an error that names the file, the field, what was found and what was expected;
 /// memory is only allocated once the header has been checked against the bytes that are there. Accepts .nii,
 /// .nii.gz (NIfTI-1, NIfTI-2), .nrrd, .nhdr, .seg.nrrd, .mha, .mhd; refuses .hdr/.img pairs. Values must be
-/// whole, 0 to 65535. Data longer than the header says are an error too. Errors: kBadInput; kOutOfMemory for
-/// an honest file that is too large for this machine.
-Result<LabelVolume> read_volume(const VolumeFile& file);
+/// whole, 0 to 65535. Data longer than the header says are an error too. `warnings` gets what the file holds
+/// that the volume does not, as segments that overlap; each line begins with the file's name. Errors:
+/// kBadInput; kOutOfMemory for an honest file that is too large for this machine.
+Result<LabelVolume> read_volume(const VolumeFile& file, std::vector<std::string>* warnings = nullptr);
 
 /// Reads an image of numbers, as strictly. Accepts .nii and .nii.gz.
 Result<ScalarVolume> read_scalar_volume(const VolumeFile& file);
 
 /// Reads from disk; siblings are looked up in the same folder.
-Result<LabelVolume> read_volume_file(const std::string& path);
+Result<LabelVolume> read_volume_file(const std::string& path, std::vector<std::string>* warnings = nullptr);
 
 }  // namespace voxtet

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "types/label_volume.h"
 #include "types/scalar_volume.h"
@@ -15,11 +16,13 @@ template <class Volume>
 struct SideVolume {
   Volume volume;
   std::string digest;
+  std::vector<std::string> warnings;  ///< of its reader
 };
 
 struct LoadedFiles {
   std::shared_ptr<const LabelVolume> volume;               ///< null: none was loaded
   std::string digest;                                      ///< digest_of(*volume)
+  std::vector<std::string> warnings;                       ///< of its reader
   std::map<std::string, SideVolume<LabelVolume>> masks;    ///< by the file's name
   std::map<std::string, SideVolume<ScalarVolume>> images;  ///< by the file's name
 };

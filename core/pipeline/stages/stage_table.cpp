@@ -1,6 +1,7 @@
 // The table of stages: what each reads, and what it runs.
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/digest.h"
 #include "lookup/look_up_labels.h"
@@ -51,8 +52,15 @@ std::vector<LayeredWall> layered(const Walls& walls, const std::vector<std::size
   return out;
 }
 
+/// Another file may have the same labels, but other names, colours and warnings.
 void add_volume(const LoadedFiles& files, const Recipe& recipe, std::string& key) {
-  if (!recipe.source.phantom) key += files.digest;
+  if (recipe.source.phantom || !files.volume) return;
+  key += files.digest;
+  for (const LabelInfo& info : files.volume->infos) {
+    key += "\n" + std::to_string(info.label) + " " + info.name;
+    for (const float part : info.colour) key += " " + std::to_string(part);
+  }
+  for (const std::string& warning : files.warnings) key += "\n" + warning;
 }
 
 Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
@@ -65,6 +73,7 @@ Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   } else if (in.files.volume) {
     result.source = in.files.volume;
     result.digest = in.files.digest;
+    for (const std::string& warning : in.files.warnings) ctx.warn("volume", warning);
   } else if (recipe.source.file) {
     return Error{ErrorCode::kBadInput,
                  "volume",
@@ -151,6 +160,11 @@ void add_side_volumes(const LoadedFiles& files, const Recipe& recipe, std::strin
 }
 
 Status run_sizing(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  std::set<std::string> warned;
+  for (const MaskSize& mask : recipe.sizing.masks)
+    if (const auto found = in.files.masks.find(mask.name);
+        found != in.files.masks.end() && warned.insert(mask.name).second)
+      for (const std::string& warning : found->second.warnings) ctx.warn("sizing", warning);
   return put(
       build_sizing_field_of(in.files, recipe.sizing, volume_of(in), in.get<SurfaceMesh>(Stage::kSmooth),
                             in.get<WallsResult>(Stage::kWalls).walls, ctx),

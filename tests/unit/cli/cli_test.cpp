@@ -8,6 +8,7 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -93,7 +94,7 @@ TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
   ASSERT_EQ(report["lookup"].size(), 2U);
   EXPECT_EQ(report["lookup"][0]["label"], 2);
   EXPECT_NEAR(report["lookup"][0]["by_fraction"]["error_percent"].get<double>(), 0, 5);
-  for (const char* name : {"a.pts", "a.elem", "a.lon", "a.centroid_label.dat", "a.majority_label.dat",
+  for (const char* name : {"a.pts", "a.elem", "a.lon.txt", "a.centroid_label.dat", "a.majority_label.dat",
                            "a.fraction_2.dat", "a.fraction_3.dat"})
     EXPECT_TRUE(fs::exists(at(name))) << name;
   EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--look-up", "9"}), kExitUsage);
@@ -104,6 +105,74 @@ TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
   ASSERT_EQ(run({"convert", at("b.vtu"), at("b.carp")}), kExitOk);
   for (const char* name : {"centroid_label.dat", "majority_label.dat", "fraction_2.dat", "fraction_3.dat"})
     EXPECT_EQ(*read_file(at(std::string("b.") + name)), *read_file(at(std::string("a.") + name))) << name;
+}
+
+TEST_F(CliTest, WritesNoFibresForOpenCarpAndSaysSo) {
+  ASSERT_EQ(run({"phantom", "sphere", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
+                 at("ball.nii.gz")}),
+            kExitOk);
+  ASSERT_EQ(run({"mesh", at("ball.nii.gz"), "--edge-mm", "4", "-o", at("a.vtu")}), kExitOk);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"mesh", at("ball.nii.gz"), "--edge-mm", "4", "-o", at("b.carp")},
+        {"convert", at("a.vtu"), at("c.carp")}}) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run(words), kExitOk);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("warning: " + words.back() + ": no fibres"),
+              std::string::npos);
+  }
+  EXPECT_FALSE(fs::exists(at("b.lon")));
+  // Those of another mesh would be taken for this one's.
+  write("c.lon", "1\n1 0 0\n");
+  EXPECT_EQ(run({"convert", at("a.vtu"), at("c.carp")}), kExitUsage);
+  EXPECT_EQ(run({"convert", at("a.vtu"), at("c.pts")}), kExitUsage);
+  EXPECT_EQ(run({"convert", at("c.lon"), at("d.vtu")}), kExitOk);
+}
+
+/// Two cubes, one within the other, in 6 x 6 x 6 voxels; with their places in the list of segments.
+std::string two_segments(int inner, int outer) {
+  std::string text =
+      "NRRD0004\ntype: uint8\ndimension: 4\nsizes: 2 6 6 6\nspace: right-anterior-superior\n"
+      "space directions: none (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\n"
+      "kinds: list domain domain domain\nencoding: raw\n";
+  const auto segment = [&](int number, const std::string& name, int layer) {
+    const std::string key = "Segment" + std::to_string(number);
+    text += key + "_Name:=" + name + "\n" + key + "_LabelValue:=1\n" + key +
+            "_Layer:=" + std::to_string(layer) + "\n";
+  };
+  segment(inner, "inner", 0);
+  segment(outer, "outer", 1);
+  text += "\n";
+  for (int v = 0; v < 216; ++v) {
+    const auto within = [v](int margin) {
+      const auto inside = [margin](int i) { return i >= margin && i < 6 - margin; };
+      return static_cast<char>(inside(v % 6) && inside(v / 6 % 6) && inside(v / 36));
+    };
+    text += {within(2), within(1)};
+  }
+  return text;
+}
+
+TEST_F(CliTest, WarnsOfOverlappingSegmentsAndRefusesLostOnes) {
+  write("kept.seg.nrrd", two_segments(1, 0));
+  write("lost.seg.nrrd", two_segments(0, 1));
+  const std::string warning =
+      "kept.seg.nrrd: segments outer (label 1) and inner (label 2) overlap in 8 voxels: of the two the later "
+      "one "
+      "wins, inner (label 2)";
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({"mesh", at("kept.seg.nrrd"), "--merge", "--edge-mm", "2", "--report", at("report.json")}),
+            kExitOk);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("warning: volume: " + warning), std::string::npos);
+  const json warnings = read_json("report.json")["warnings"];
+  EXPECT_NE(std::find(warnings.begin(), warnings.end(), "volume: " + warning), warnings.end()) << warnings;
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({"convert", at("kept.seg.nrrd"), at("a.nii.gz")}), kExitOk);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("inner (label 2)"), std::string::npos);
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(run({"mesh", at("lost.seg.nrrd"), "--edge-mm", "2"}), kExitBadInput);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find(
+                "segment inner (label 1) loses all of its 8 voxels to outer (label 2)"),
+            std::string::npos);
 }
 
 TEST_F(CliTest, MergesAllLabelsOrGroups) {

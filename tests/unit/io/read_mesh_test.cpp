@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "io/bytes/files.h"
 #include "io/mesh/write_mesh.h"
 #include "support/check_tets.h"
 #include "support/labelled_mesh.h"
@@ -61,6 +62,8 @@ TEST(ReadTetMesh, ReadsOpenCarpFromEitherFile) {
   const TetMesh mesh = test::kuhn_cube(3);
   auto files = write_tet_mesh(mesh, MeshFormat::kCarp, {});
   ASSERT_TRUE(files.ok());
+  // With fibres of somebody else's.
+  files->back() = {".lon", test::bytes_of("2\n1 0 0 0 1 0\n")};
   for (int turn = 0; turn < 3; ++turn, std::rotate(files->begin(), files->begin() + 1, files->end())) {
     const auto read = read_export(*files);
     ASSERT_TRUE(read.ok()) << read.error().message;
@@ -81,6 +84,7 @@ TEST(ReadTetMeshFile, FindsTheFilesOfAMeshByAnyOfTheirNames) {
   const auto files = write_tet_mesh(mesh, MeshFormat::kCarp, {});
   ASSERT_TRUE(files.ok());
   ASSERT_TRUE(write_files((folder / "a.carp").string(), *files).ok());
+  ASSERT_TRUE(write_text_file((folder / "a.lon").string(), "2\n1 0 0 0 1 0\n").ok());
   for (const char* name : {"a.carp", "a.elem", "a.pts", "a.lon"}) {
     const auto read = read_tet_mesh_file((folder / name).string());
     ASSERT_TRUE(read.ok()) << read.error().message;

@@ -154,13 +154,36 @@ TEST(ReadNrrd, FlattensLayersWithTheLaterSegmentOnTop) {
     data[2 * voxel + 1] = second;
   };
   set(0, 1, 0), set(1, 0, 1), set(2, 1, 1), set(3, 2, 1);
-  const Result<LabelVolume> volume = read(nrrd(fields, data, "uchar", "4\nsizes: 2 3 2 2"));
+  const auto read_layers = [&](std::vector<std::string>* warnings) {
+    return read_volume({"a.seg.nrrd", nrrd(fields, data, "uchar", "4\nsizes: 2 3 2 2"), {}}, warnings);
+  };
+  std::vector<std::string> warnings;
+  const Result<LabelVolume> volume = read_layers(&warnings);
   // The scar's value 1 is taken by the pool, so that it becomes 3.
   expect_volume(volume, {1, 3, 3, 2, 0, 0, 0, 0, 0, 0, 0, 0},
                 affine({2, 0, 0, 10, 0, 3, 0, 20, 0, 0, 4, 30}));
   ASSERT_EQ(volume->infos.size(), 3U);
   EXPECT_EQ(volume->infos[1].name, "wall");
   EXPECT_EQ(volume->infos[2].name, "scar");
+  EXPECT_EQ(warnings,
+            (std::vector<std::string>{
+                "a.seg.nrrd: segments pool (label 1) and scar (label 3) overlap in 1 voxel: of the two "
+                "the later one wins, scar (label 3)",
+                "a.seg.nrrd: segments scar (label 3) and wall (label 2) overlap in 1 voxel: of the two "
+                "the later one wins, wall (label 2)"}));
+  // The pool keeps no voxel; the wall never had one.
+  set(0, 0, 0), set(3, 0, 1);
+  const Result<LabelVolume> lost = read_layers(nullptr);
+  ASSERT_FALSE(lost.ok());
+  EXPECT_EQ(lost.error().code, ErrorCode::kBadInput);
+  EXPECT_NE(lost.error().message.find(
+                "a.seg.nrrd: segment pool (label 1) loses all of its 1 voxel to scar (label 3)"),
+            std::string::npos)
+      << lost.error().message;
+  set(2, 0, 1), set(0, 1, 0);
+  warnings.clear();
+  ASSERT_TRUE(read_layers(&warnings).ok());
+  EXPECT_EQ(warnings, std::vector<std::string>{"a.seg.nrrd: segment wall (label 2) has no voxels"});
   set(11, 0, 7);
   expect_refused(nrrd(fields, data, "uchar", "4\nsizes: 2 3 2 2"),
                  "voxel (2, 1, 1) of layer 1 has the value 7");

@@ -168,7 +168,16 @@ TEST(WriteTetMesh, WritesOpenCarpInMicrometres) {
   ASSERT_TRUE(files.ok());
   EXPECT_EQ(test::text_of((*files)[0].bytes), "4\n0 0 0\n-1000 0 0\n0 -250 0\n0 0 -3500\n");
   EXPECT_EQ(test::text_of((*files)[1].bytes), "1\nTt 0 2 1 3 12\n");
-  EXPECT_EQ(test::text_of((*files)[2].bytes), "1\n1 0 0\n");
+}
+
+TEST(WriteTetMesh, WritesNoFibresForOpenCarpAndSaysSo) {
+  const auto files = write_tet_mesh(test::kuhn_cube(2), MeshFormat::kCarp, {});
+  ASSERT_TRUE(files.ok());
+  std::vector<std::string> suffixes;
+  for (const OutputFile& file : *files) suffixes.push_back(file.suffix);
+  EXPECT_EQ(suffixes, (std::vector<std::string>{".pts", ".elem", ".lon.txt"}));
+  EXPECT_EQ(test::text_of(files->back().bytes), std::string(kNoFibres) + "\n");
+  EXPECT_EQ(files_of_mesh("a.carp"), (std::vector<std::string>{"a.pts", "a.elem", "a.lon.txt"}));
 }
 
 TEST(WriteTetMesh, WritesStlFacetsWithTheirNormals) {

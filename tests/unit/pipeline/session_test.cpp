@@ -52,6 +52,48 @@ TEST(Session, TakesAVolumeToAMeasuredMesh) {
   EXPECT_EQ(topology["differences"].empty(), topology["contacts"]["before"] == topology["contacts"]["after"]);
 }
 
+/// A cube in 6 x 6 x 6 voxels; `named`: and a second segment, which has no voxels.
+Bytes cube_with_empty_segment(bool named) {
+  std::string text =
+      "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 6 6 6\nspace: right-anterior-superior\n"
+      "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\n"
+      "Segment0_Name:=cube\nSegment0_LabelValue:=1\n";
+  if (named) text += "Segment1_Name:=scar\nSegment1_LabelValue:=2\n";
+  text += "\n";
+  for (int v = 0; v < 216; ++v) {
+    const auto inside = [](int i) { return i > 0 && i < 5; };
+    text += static_cast<char>(inside(v % 6) && inside(v / 6 % 6) && inside(v / 36));
+  }
+  return {text.begin(), text.end()};
+}
+
+TEST(Session, WarnsOfWhatTheReaderFoundAsLongAsTheFileIsTheSource) {
+  const Bytes with = cube_with_empty_segment(true), without = cube_with_empty_segment(false);
+  const std::vector<std::string> warning{"volume: a.nrrd: segment scar (label 2) has no voxels"};
+  Session session;
+  RunContext ctx;
+  // The two files have the same labels, and so the same digest.
+  for (const bool warned : {false, true, false}) {
+    ASSERT_TRUE(session.load_volume({"a.nrrd", warned ? with : without, {}}).ok());
+    ASSERT_TRUE(session.run(Stage::kVolume, ctx).ok());
+    Recipe recipe = session.recipe();
+    recipe.labels = {1};
+    ASSERT_TRUE(session.set_recipe(recipe).ok());
+    for (const char* times : {"once", "again, from the cache"}) {
+      ASSERT_TRUE(session.run(Stage::kVolume, ctx).ok()) << times;
+      EXPECT_EQ(session.warnings(), warned ? warning : std::vector<std::string>{}) << times;
+      EXPECT_EQ(volume_json(session)["warnings"], session.warnings()) << times;
+    }
+  }
+  Recipe recipe = session.recipe();
+  recipe.sizing.masks.push_back({"mask.nrrd", {}, {{1, 1.0}}});
+  ASSERT_TRUE(session.load_mask({"mask.nrrd", with, {}}).ok());
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  ASSERT_TRUE(session.run(Stage::kSizing, ctx).ok());
+  EXPECT_EQ(session.warnings(),
+            std::vector<std::string>{"sizing: mask.nrrd: segment scar (label 2) has no voxels"});
+}
+
 TEST(Session, MeshesThickSlicesInterpolatedAndMeasuresAgainstTheSlices) {
   Session session;
   Recipe recipe = small_case();

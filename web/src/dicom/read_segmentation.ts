@@ -22,7 +22,7 @@ interface SegmentationImage {
 /** Where the build has put the package's files. */
 const filesUrl = () => new URL('dicom', document.baseURI).href;
 
-/** The image in patient space RAS; DICOM's is LPS. */
+/** The image in patient space RAS; DICOM's is LPS. Overlaps are left to the engine: the later segment wins there. */
 export function toNrrd(image: SegmentationImage, segments: readonly Segment[]): Uint8Array<ArrayBuffer> {
   const { size, spacing, origin, direction, data } = image;
   const { components } = image.imageType;
@@ -32,13 +32,12 @@ export function toNrrd(image: SegmentationImage, segments: readonly Segment[]): 
     ...spacing.map((step, axis) => sign * direction[3 * row + axis] * step),
     sign * origin[row],
   ]);
-  // Where segments overlap the later one stands, as in segmentations of 3D Slicer.
-  const labels = new Uint16Array(data.length / components);
-  for (let i = 0; i < data.length; i++) {
-    const voxel = Math.floor(i / components);
-    labels[voxel] = Math.max(labels[voxel], data[i]);
-  }
-  return writeNrrd({ size, indexToMm: [...indexToMm, 0, 0, 0, 1] }, labels, segments);
+  return writeNrrd(
+    { size, indexToMm: [...indexToMm, 0, 0, 0, 1] },
+    Uint16Array.from(data),
+    segments,
+    components,
+  );
 }
 
 /** The labels of a DICOM segmentation object, with names and colours, as the NRRD file that the engine reads. */
@@ -54,11 +53,16 @@ export async function readDicomSegmentation(
       { webWorker: worker, mergeSegments: true },
     );
     const groups = (metaInfo as unknown as { segmentAttributes?: SegmentAttributes[][] }).segmentAttributes;
-    const segments = (groups ?? []).flat().map((one) => ({
-      label: one.labelID,
-      name: one.SegmentLabel ?? '',
-      colour: one.recommendedDisplayRGBValue?.map((part) => part / 255),
-    }));
+    const segments = (groups ?? []).flatMap((group, layer) =>
+      group.map((one) => ({
+        label: one.labelID,
+        name: one.SegmentLabel ?? '',
+        colour: one.recommendedDisplayRGBValue?.map((part) => part / 255),
+        layer,
+      })),
+    );
+    // In the file's order, which the groups need not keep.
+    segments.sort((a, b) => a.label - b.label);
     return toNrrd(segImage as SegmentationImage, segments);
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);

@@ -249,7 +249,7 @@ describe('EngineClient', () => {
 
   it('exports the files of a format', async () => {
     const files = await start().exportMesh(JSON.stringify(phantom), phantom.source, 'carp', 'lps', 'heart');
-    expect(files.map((one) => one.suffix)).toEqual(['.pts', '.elem', '.lon']);
+    expect(files.map((one) => one.suffix)).toEqual(['.pts', '.elem', '.lon.txt']);
     expect(new TextDecoder().decode(files[0].bytes)).toBe('carp lps heart');
   });
 });

@@ -41,6 +41,8 @@ export interface VolumeSummary {
   index_to_mm: number[];
   digest: string;
   labels: LabelSummary[];
+  /** Of reading and preparing it. */
+  warnings: string[];
   /** The grid that is meshed; known once the volume has been prepared. */
   prepared?: { size: Vec3; spacing_mm: Vec3 };
 }

@@ -7,31 +7,37 @@ export interface Segment {
   name: string;
   /** 0 to 1. */
   colour?: readonly number[];
+  /** Which of a voxel's values it is in; the first where absent. */
+  layer?: number;
 }
 
-/** Uncompressed, in patient space RAS. */
+/** Uncompressed, in patient space RAS. Several values a voxel are layers of segments, which may overlap. */
 export function writeNrrd(
   { size, indexToMm }: Grid,
   voxels: Uint8Array | Uint16Array,
   segments: readonly Segment[] = [],
+  layers = 1,
 ): Uint8Array<ArrayBuffer> {
   // Minus nothing would be read back as nothing, which is another number to a digest.
   const vector = (numbers: readonly number[]) => `(${numbers.map((x) => x + 0).join(',')})`;
   const column = (axis: number) => vector([0, 1, 2].map((row) => indexToMm[4 * row + axis]));
+  // An axis of layers comes before those of space.
+  const behind = (layered: string, plain: string) => (layers > 1 ? `${layered} ${plain}` : plain);
   const header = [
     'NRRD0004',
     `type: ${voxels instanceof Uint8Array ? 'uint8' : 'uint16'}`,
-    'dimension: 3',
+    `dimension: ${layers > 1 ? 4 : 3}`,
     'space: right-anterior-superior',
-    `sizes: ${size.join(' ')}`,
-    `space directions: ${[0, 1, 2].map(column).join(' ')}`,
+    `sizes: ${behind(String(layers), size.join(' '))}`,
+    `space directions: ${behind('none', [0, 1, 2].map(column).join(' '))}`,
     `space origin: ${vector(toMm(indexToMm, [0, 0, 0]))}`,
-    'kinds: domain domain domain',
+    `kinds: ${behind('list', 'domain domain domain')}`,
     'endian: little',
     'encoding: raw',
-    ...segments.flatMap(({ label, name, colour }, at) => [
+    ...segments.flatMap(({ label, name, colour, layer = 0 }, at) => [
       `Segment${at}_Name:=${name.replace(/[\r\n]+/g, ' ')}`,
       `Segment${at}_LabelValue:=${label}`,
+      `Segment${at}_Layer:=${layer}`,
       ...(colour ? [`Segment${at}_Color:=${colour.join(' ')}`] : []),
     ]),
   ].join('\n');

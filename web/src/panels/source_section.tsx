@@ -81,6 +81,11 @@ export function SourceSection({ current }: { current: Recipe }) {
       )}
       {phantom && <PhantomFields phantom={phantom} />}
       {known && <ReadFacts known={known} />}
+      {known?.warnings.map((warning) => (
+        <p key={warning} class="stale">
+          {warning}
+        </p>
+      ))}
     </section>
   );
 }

@@ -28,7 +28,7 @@ const formatNotes: Record<ExportFormat, [string, string]> = {
   xdmf: ['XDMF', 'FEniCS, ParaView; two files: .xdmf, .h5, mm'],
   msh: ['Gmsh MSH', 'Gmsh, FEniCS; labels and interfaces named, mm'],
   medit: ['Medit', 'MMG, FreeFEM; mm'],
-  carp: ['openCARP', 'Three files: .pts, .elem, .lon; µm'],
+  carp: ['openCARP', '.pts, .elem; no fibres, so no .lon; µm'],
   inp: ['Abaqus', 'Abaqus, CalculiX; labels and interfaces named, mm'],
   feb: ['FEBio', 'FEBio Studio; parts and interfaces named, mm'],
   stl: ['STL', 'Boundary surface, for printing and viewing, mm'],
@@ -70,6 +70,12 @@ function ExportDialog({ close }: { close(): void }) {
           {space === 'ras' ? 'x to the right, as in NIfTI' : 'x to the left, as in DICOM'}
         </span>
       </div>
+      {format === 'carp' && (
+        <p class="stale">
+          No fibres are known, so no .lon file is written. openCARP requires one: make the fibres, a direction
+          for each element, before simulating.
+        </p>
+      )}
       {!upToDate.value && (
         <p class="stale">The recipe has changed since; this exports the mesh that is shown.</p>
       )}

@@ -25,6 +25,12 @@ struct WriteMeshOptions {
   std::string name = "mesh";                ///< of the files without their endings, where one names another
 };
 
+/// What is said of a mesh written for openCARP without fibres. A placeholder in .lon, whatever its direction,
+/// would be simulated as if it were real; openCARP requires the file, so that a missing one is noticed.
+inline constexpr std::string_view kNoFibres =
+    "no fibres are known, so no .lon file is written; openCARP requires one: make the fibres, a direction "
+    "for each element of .elem, before simulating";
+
 /// A file of an export: openCARP makes three, XDMF two, every other format one; cell data may add more.
 /// `suffix` is appended to the base name.
 struct OutputFile {

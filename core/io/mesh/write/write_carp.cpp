@@ -36,10 +36,10 @@ Bytes write_elements(const TetMesh& mesh) {
   return out.take();
 }
 
-Bytes write_fibres(const TetMesh& mesh) {
-  ByteWriter out(6 * mesh.tets.size() + 64);
-  out.text("1\n");
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t) out.text("1 0 0\n");
+Bytes write_note() {
+  ByteWriter out(kNoFibres.size() + 1);
+  out.text(kNoFibres);
+  out.text("\n");
   return out.take();
 }
 
@@ -57,7 +57,7 @@ Bytes write_values(const std::vector<float>& values) {
 std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& options) {
   std::vector<OutputFile> files{{".pts", write_points(mesh, options.space)},
                                 {".elem", write_elements(mesh)},
-                                {".lon", write_fibres(mesh)}};
+                                {".lon.txt", write_note()}};
   for (const Field& data : options.cell_data)
     files.push_back({"." + data.name + ".dat", write_values(data.values)});
   return files;

@@ -9,9 +9,9 @@ namespace voxtet {
 
 inline constexpr double kUmPerMm = 1000;
 
-/// .pts in um; .elem of type Tt with region = label; .lon with one fibre axis per element, (1, 0, 0)
-/// throughout as a placeholder; .NAME.dat for each cell data, one value a line, in the order of .elem. The
-/// files have no place to say their space.
+/// .pts in um; .elem of type Tt with region = label; .lon.txt, which says kNoFibres in place of .lon;
+/// .NAME.dat for each cell data, one value a line, in the order of .elem. The files have no place to say
+/// their space.
 std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& options);
 
 }  // namespace voxtet

@@ -187,6 +187,7 @@ class Session {
         { label: 1, name: 'Wall', colour: null, voxels: 700 },
         { label: 2, name: 'Core', colour: null, voxels: 200 },
       ],
+      warnings: [],
     };
   }
   loadVolume(name, bytes) {
@@ -299,7 +300,7 @@ class Session {
     return array === 'points' ? this.mesh.points : boundary(this.mesh)[array];
   }
   exportMesh(format, space, name) {
-    const several = { carp: ['.pts', '.elem', '.lon'], xdmf: ['.xdmf', '.h5'] };
+    const several = { carp: ['.pts', '.elem', '.lon.txt'], xdmf: ['.xdmf', '.h5'] };
     const files = several[format] ?? [`.${format}`];
     this.exported = files.map((suffix) => ({
       suffix,
