@@ -189,6 +189,28 @@ Result<Recipe> read_case(const std::string& input) {
   return recipe;
 }
 
+Result<Expected> expected_of(const Recipe& recipe, const std::string& input) {
+  if (!recipe.expected.digest.empty()) return recipe.expected;
+  const std::string beside = (std::filesystem::path(input).parent_path() / "expected.json").string();
+  if (is_link(input) || !std::filesystem::exists(beside))
+    return Error{ErrorCode::kUsage,
+                 "verify",
+                 input + ": the case promises no digest (field expected.digest, or " + beside + ")",
+                 {}};
+  Result<Bytes> bytes = read_file(beside);
+  if (!bytes) return bytes.error();
+  const nlohmann::json value = nlohmann::json::parse(bytes->begin(), bytes->end(), nullptr, false);
+  if (!value.is_object() || !value.contains("digest"))
+    return Error{
+        ErrorCode::kBadInput, "verify", beside + ": expected a JSON object with the text field digest", {}};
+  nlohmann::json promise = nlohmann::json::object();
+  for (const char* field : {"engine", "digest", "tets"})
+    if (value.contains(field)) promise[field] = value[field];
+  Result<Recipe> read = parse_recipe(nlohmann::json{{"expected", promise}});
+  if (!read) return Error{ErrorCode::kBadInput, "verify", beside + ": " + read.error().message, {}};
+  return read->expected;
+}
+
 Status open_case(const CaseOptions& options, Session& session) {
   Result<Recipe> recipe = read_case(options.input);
   if (!recipe) return recipe.error();

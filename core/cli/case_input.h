@@ -30,6 +30,10 @@ std::vector<NamedPath> inputs_of(const CaseOptions& options);
 /// Recipe of a case file or link; default recipe (source still empty) for a volume.
 Result<Recipe> read_case(const std::string& input);
 
+/// What a case promises: its field `expected`, or else an expected.json beside the case file. Errors: kUsage
+/// where there is neither, kBadInput naming a file that cannot be read.
+Result<Expected> expected_of(const Recipe& recipe, const std::string& input);
+
 /// Loads the volume, masks and images that the case names (looked up beside the case) and those that the
 /// options add, and applies the options.
 Status open_case(const CaseOptions& options, Session& session);

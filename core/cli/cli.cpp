@@ -7,6 +7,7 @@
 #include "base/digest.h"
 #include "base/parallel.h"
 #include "cli/case_input.h"
+#include "cli/dump_results.h"
 #include "cli/print.h"
 #include "geometry/topology/adjacency.h"
 #include "io/bytes/files.h"
@@ -68,38 +69,66 @@ int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::v
   return kExitOk;
 }
 
-int run_mesh(const CaseOptions& options, const std::string& out, const std::string& report_path,
-             bool measures, const Output& output) {
-  if (!out.empty())
-    if (Result<MeshFormat> format = mesh_format_of(out); !format) return fail(format.error());
-  if (Status there = check_outputs({{"-o", out}, {"--report", report_path}}, inputs_of(options)); !there)
-    return fail(there.error());
+/// What `mesh` writes, and how far it goes.
+struct MeshOptions {
+  std::string out, report, dump;
+  std::string until = name_of(Stage::kQuality);
+  bool measures = false;  ///< in the mesh file
+};
+
+/// Before anything is read: a run may take long.
+Status check_mesh_outputs(const CaseOptions& options, const MeshOptions& wanted, Stage until) {
+  if (!wanted.out.empty()) {
+    if (Result<MeshFormat> format = mesh_format_of(wanted.out); !format) return format.error();
+    if (until < Stage::kLookup)
+      return usage_error("cli", "-o: there is no mesh to write when a run ends with the stage " +
+                                    wanted.until + ", expected --until lookup or quality, or --dump");
+  }
+  std::vector<NamedPath> outputs{{"-o", wanted.out}, {"--report", wanted.report}};
+  if (!wanted.dump.empty()) {
+    std::error_code failed;
+    std::filesystem::create_directories(wanted.dump, failed);  // what cannot be made is found below
+    for (const std::string& path : files_of_dump(wanted.dump)) outputs.push_back({"--dump", path});
+  }
+  return check_outputs(outputs, inputs_of(options));
+}
+
+/// Writes what was asked for, also when a run has failed: then its report ends with the error.
+Status write_report(const Session& session, const MeshOptions& wanted, const json& report) {
+  if (!wanted.dump.empty())
+    if (Status written = dump_results(session, wanted.dump); !written) return written;
+  if (wanted.report.empty()) return std::monostate{};
+  return write_text_file(wanted.report, text_of(report));
+}
+
+int run_mesh(const CaseOptions& options, const MeshOptions& wanted, const Output& output) {
+  const Result<Stage> until = stage_of(wanted.until);
+  if (!until) return fail(until.error());
+  if (Status there = check_mesh_outputs(options, wanted, *until); !there) return fail(there.error());
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
-  const Status done = session.run(Stage::kQuality, ctx);
+  const Status done = session.run(*until, ctx);
+  json report = report_json(session);
   if (!done) {
-    json failed = report_json(session);
-    failed["error"] = error_json(done.error());
-    if (output.as_json) print_json(failed);
-    if (!report_path.empty())
-      if (Status written = write_text_file(report_path, text_of(failed)); !written) fail(written.error());
+    report["error"] = error_json(done.error());
+    if (output.as_json) print_json(report);
+    if (Status written = write_report(session, wanted, report); !written) fail(written.error());
     return fail_run(done.error(), output);
   }
-  if (!out.empty())
+  if (!wanted.out.empty())
     if (const int code = export_mesh(*session.mesh(), session.volume()->infos,
-                                     exported_fields(session, measures), out, output);
+                                     exported_fields(session, wanted.measures), wanted.out, output);
         code != kExitOk)
       return code;
-  const json report = report_json(session);
-  if (!report_path.empty())
-    if (Status written = write_text_file(report_path, text_of(report)); !written)
-      return fail(written.error());
+  if (Status written = write_report(session, wanted, report); !written) return fail(written.error());
   if (output.as_json)
     print_json(report);
-  else
+  else if (session.quality())
     print_report(report, stdout);
-  if (!session.quality()->passed())
+  else
+    print_stages(report["stages"], stdout);
+  if (session.quality() && !session.quality()->passed())
     return fail({ErrorCode::kMeshing, "quality", "the mesh fails a hard check, see the checklist", {}});
   return kExitOk;
 }
@@ -214,29 +243,6 @@ int run_url(const std::string& input, const std::string& base) {
   return kExitOk;
 }
 
-/// `expected` of the case itself, or of an expected.json beside the case file.
-Result<Expected> expected_of(const Recipe& recipe, const std::string& input) {
-  if (!recipe.expected.digest.empty()) return recipe.expected;
-  const std::string beside = (std::filesystem::path(input).parent_path() / "expected.json").string();
-  if (is_link(input) || !std::filesystem::exists(beside))
-    return Error{ErrorCode::kUsage,
-                 "verify",
-                 input + ": the case promises no digest (field expected.digest, or " + beside + ")",
-                 {}};
-  Result<Bytes> bytes = read_file(beside);
-  if (!bytes) return bytes.error();
-  const json value = json::parse(bytes->begin(), bytes->end(), nullptr, false);
-  if (!value.is_object() || !value.contains("digest"))
-    return Error{
-        ErrorCode::kBadInput, "verify", beside + ": expected a JSON object with the text field digest", {}};
-  json promise = json::object();
-  for (const char* field : {"engine", "digest", "tets"})
-    if (value.contains(field)) promise[field] = value[field];
-  Result<Recipe> read = parse_recipe(json{{"expected", promise}});
-  if (!read) return Error{ErrorCode::kBadInput, "verify", beside + ": " + read.error().message, {}};
-  return read->expected;
-}
-
 int run_verify(const CaseOptions& options, const Output& output) {
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
@@ -304,20 +310,22 @@ int run_cli(int argc, const char* const* argv) {
   app.set_version_flag("--version", engine_version());
   CaseOptions options;
   Output output;
-  std::string in, out, report, base;
+  MeshOptions wanted;
+  std::string in, out, base;
   std::vector<std::string> set;
   int code = kExitOk;
 
   CLI::App* mesh = app.add_subcommand("mesh", "mesh a volume or a case");
   add_case_options(*mesh, options, output, "VOLUME|CASE.json");
-  mesh->add_option("-o,--output", out, "mesh file: .vtu .msh .mesh .carp .inp .feb .xdmf .stl .ply")
+  mesh->add_option("-o,--output", wanted.out, "mesh file: .vtu .msh .mesh .carp .inp .feb .xdmf .stl .ply")
       ->check(not_empty);
-  mesh->add_option("--report", report, "write the report as JSON to this file")->check(not_empty);
-  bool measures = false;
-  mesh->add_flag("--measures", measures, "write the measures of tetrahedra into the mesh file too");
+  mesh->add_option("--report", wanted.report, "write the report as JSON to this file")->check(not_empty);
+  mesh->add_option("--until", wanted.until, "end with this stage: volume, surface, smooth, ...");
+  mesh->add_option("--dump", wanted.dump, "write what each stage gave into this folder")->check(not_empty);
+  mesh->add_flag("--measures", wanted.measures, "write the measures of tetrahedra into the mesh file too");
   mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")
       ->check(CLI::IsMember({"ras", "lps"}));
-  mesh->callback([&] { code = run_mesh(options, out, report, measures, output); });
+  mesh->callback([&] { code = run_mesh(options, wanted, output); });
 
   CLI::App* field =
       app.add_subcommand("field", "write edge length, wall thickness or wall potential as an image");

@@ -48,7 +48,17 @@ test('a real heart with a scar gives the digest that the command line gives unde
   test.skip(path === null, 'The folder of real volumes is not on this machine (set VOXTET_DATA).');
   const sizes = [5, 6].map((label) => ({ label, edge_mm: 0.8 }));
   const recipe = { labels: [1, 2, 5, 6], sizing: { edge_mm: 2, labels: sizes } };
-  const options = ['--labels', '1,2,5,6', '--edge-mm', '2', '--edge-label', '5=0.8', '--edge-label', '6=0.8', '--json'];
+  const options = [
+    '--labels',
+    '1,2,5,6',
+    '--edge-mm',
+    '2',
+    '--edge-label',
+    '5=0.8',
+    '--edge-label',
+    '6=0.8',
+    '--json',
+  ];
   const report = JSON.parse(
     execFileSync(process.execPath, [join(root, 'build/wasm/voxtet.mjs'), 'mesh', path!, ...options], {
       encoding: 'utf8',

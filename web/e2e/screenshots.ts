@@ -66,7 +66,9 @@ test.describe('view alone', () => {
       await openAndRun(page, recipe);
       await page.addStyleTag(viewAlone);
       await page.waitForTimeout(1000);
-      await page.locator('.view-host').screenshot({ path: join(pictures, `${name}.png`), omitBackground: true });
+      await page
+        .locator('.view-host')
+        .screenshot({ path: join(pictures, `${name}.png`), omitBackground: true });
     });
   }
 
@@ -101,7 +103,8 @@ test('examples', async ({ page }) => {
     if (!entry.isDirectory()) continue;
     const folder = join(examples, entry.name);
     // Others have pictures of their own.
-    if (!(await readFile(join(folder, 'README.md'), 'utf8')).includes('![Cut through the mesh](picture.png)')) continue;
+    if (!(await readFile(join(folder, 'README.md'), 'utf8')).includes('![Cut through the mesh](picture.png)'))
+      continue;
     await openCut(page, JSON.parse(await readFile(join(folder, 'case.json'), 'utf8')), 'light');
     await page.locator('main').screenshot({ path: join(folder, 'picture.png') });
     await page.goto('about:blank');

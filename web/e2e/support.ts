@@ -87,7 +87,9 @@ export async function pixels(page: Page, places: { x: number; y: number }[]): Pr
     async ([png, at]) => {
       const bytes = Uint8Array.from(atob(png), (c) => c.charCodeAt(0));
       const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
-      const context = new OffscreenCanvas(image.width, image.height).getContext('2d', { willReadFrequently: true })!;
+      const context = new OffscreenCanvas(image.width, image.height).getContext('2d', {
+        willReadFrequently: true,
+      })!;
       context.drawImage(image, 0, 0);
       return at.map(({ x, y }) => [...context.getImageData(x, y, 1, 1).data]);
     },

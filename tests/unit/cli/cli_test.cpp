@@ -427,5 +427,38 @@ TEST_F(CliTest, ReportsTheLayersOfAWall) {
   EXPECT_EQ(layers[0]["by_lines"]["at_least"], 1);
 }
 
+TEST_F(CliTest, EndsWithAStageAndWritesWhatEachGave) {
+  write("case.json", kSphere);
+  ASSERT_EQ(run({"mesh", at("case.json"), "--until", "remesh", "--dump", at("a"), "--report", at("a.json")}),
+            kExitOk);
+  for (const char* name : {"volume.nii.gz", "surface.ply", "smooth.ply", "sizing.nii.gz", "remesh.ply"})
+    EXPECT_TRUE(fs::exists(at("a/" + std::string(name)))) << name;
+  EXPECT_FALSE(fs::exists(at("a/tetra.vtu")));
+  EXPECT_EQ(read_json("a/report.json"), read_json("a.json"));
+  EXPECT_EQ(read_json("a.json")["stages"].size(), 5U);
+  ASSERT_EQ(run({"mesh", at("case.json"), "--dump", at("a"), "--report", at("a.json")}), kExitOk);
+  EXPECT_EQ(read_tet_mesh_file(at("a/tetra.vtu"))->tets.size(),
+            read_json("a.json")["stages"][5]["counts"]["tets"]);
+  EXPECT_EQ(read_tet_mesh_file(at("a/optimise.vtu"))->tets.size(), read_json("a.json")["tets"]);
+}
+
+TEST_F(CliTest, DumpsWhatStandsBeforeTheStageThatFails) {
+  write("case.json", kSphere);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--set", "limits.tets=200", "--dump", at("a")}), kExitLimits);
+  EXPECT_TRUE(fs::exists(at("a/sizing.nii.gz")));
+  EXPECT_FALSE(fs::exists(at("a/remesh.ply")));
+  EXPECT_EQ(read_json("a/report.json")["stages"].size(), 4U);
+}
+
+TEST_F(CliTest, RefusesStagesAndFoldersThatCannotBe) {
+  write("case.json", kSphere);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--until", "paint"}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--until", "optimise", "-o", at("a.vtu")}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--until", "volume", "--dump", at("case.json")}), kExitBadInput);
+  ASSERT_EQ(run({"phantom", "sphere", "--set", "radius_mm=6", "-o", at("volume.nii.gz")}), kExitOk);
+  EXPECT_EQ(run({"mesh", at("volume.nii.gz"), "--until", "volume", "--dump", folder_.string()}), kExitUsage);
+  EXPECT_EQ(files(), 2U);
+}
+
 }  // namespace
 }  // namespace voxtet

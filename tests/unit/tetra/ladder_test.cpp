@@ -150,7 +150,7 @@ TEST(Ladder, NamesTheTrianglesWhereNothingHelps) {
   EXPECT_EQ(out.notes.size(), 6U) << "the angles, and why each way failed";
 }
 
-TEST(Ladder, GivesTheSameBytesWhicheverWayItTook) {
+TEST(Ladder, GivesTheSameBytesOnEveryPlatform) {
   const SurfaceMesh surface = needled(sphere({0, 0, 0}, 10, 2, 1, 0), 100, 0.003, 14);
   const Filled first = fill_noted(surface, 4), second = fill_noted(surface, 4);
   ASSERT_TRUE(first.mesh.ok() && second.mesh.ok());

@@ -282,7 +282,7 @@ TEST(OptimiseTets, InsertedVerticesDoNotAllowEachOtherEverShorterEdges) {
   }
 }
 
-TEST(OptimiseTets, GivesTheSameBytesEverywhere) {
+TEST(OptimiseTets, GivesTheSameBytesOnEveryPlatform) {
   const SurfaceMesh surface = two_balls();
   const SizingField sizing = test::uniform_sizing(1.4);
   const TetMesh before = filled(rough_balls(), sizing);

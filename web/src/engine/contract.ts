@@ -8,7 +8,13 @@ export const stageNames = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'o
 export type StageName = (typeof stageNames)[number];
 
 export type ErrorCode =
-  'usage' | 'bad_input' | 'meshing' | 'differs' | 'out_of_memory' | 'cancelled' | 'internal';
+  | 'usage'
+  | 'bad_input'
+  | 'meshing'
+  | 'differs'
+  | 'out_of_memory'
+  | 'cancelled'
+  | 'internal';
 
 /** Where an error is. Elements are triangles of the adapted surface, and the points their centroids. */
 export interface ErrorPlace {

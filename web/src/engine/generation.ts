@@ -1,11 +1,5 @@
 import * as Comlink from 'comlink';
-import {
-  EngineError,
-  type EngineApi,
-  type EngineInfo,
-  type ErrorCode,
-  type VolumeFile,
-} from './contract';
+import { EngineError, type EngineApi, type EngineInfo, type ErrorCode, type VolumeFile } from './contract';
 
 /** The part of a Worker that the client needs; tests give it a message port. */
 export interface WorkerLike extends Comlink.Endpoint {
@@ -70,9 +64,7 @@ export function startGeneration(
   let reject: (error: EngineError) => void = () => undefined;
   const ended = new Promise<never>((_, fail) => (reject = fail));
   ended.catch(() => undefined);
-  const started = compiled.then((module) =>
-    Promise.race([api.start(module, setup.scriptUrl, lock), ended]),
-  );
+  const started = compiled.then((module) => Promise.race([api.start(module, setup.scriptUrl, lock), ended]));
   const generation: Generation = {
     worker,
     api,

@@ -3,7 +3,13 @@
 export type Vec3 = [number, number, number];
 
 export type PhantomKind =
-  'sphere' | 'shell' | 'torus' | 'slab' | 'nested_boxes' | 'branching_tube' | 'biventricle';
+  | 'sphere'
+  | 'shell'
+  | 'torus'
+  | 'slab'
+  | 'nested_boxes'
+  | 'branching_tube'
+  | 'biventricle';
 
 export interface PhantomParams {
   kind: PhantomKind;

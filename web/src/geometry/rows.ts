@@ -2,7 +2,10 @@
 export const texelsPerRow = 2048;
 
 type Texels =
-  Float32Array<ArrayBuffer> | Uint32Array<ArrayBuffer> | Int32Array<ArrayBuffer> | Uint8Array<ArrayBuffer>;
+  | Float32Array<ArrayBuffer>
+  | Uint32Array<ArrayBuffer>
+  | Int32Array<ArrayBuffer>
+  | Uint8Array<ArrayBuffer>;
 type Maker<T> = new (from: number | ArrayBuffer, offset?: number, length?: number) => T;
 
 function wholeRows(length: number, perRow: number): number {

@@ -9,8 +9,7 @@ export function LookUpFields({ current }: { current: Recipe }) {
   const toggle = (label: number) =>
     editRecipe('Look up label', (draft) => {
       const others = labels.filter((one) => one !== label);
-      draft.lookup.labels =
-        others.length < labels.length ? others : [...others, label].sort((a, b) => a - b);
+      draft.lookup.labels = others.length < labels.length ? others : [...others, label].sort((a, b) => a - b);
     });
   const samples = (text: string, key: 'samples_min' | 'samples_max') => (
     <NumberField
@@ -22,9 +21,7 @@ export function LookUpFields({ current }: { current: Recipe }) {
   );
   return (
     <details class="more">
-      <summary>
-        Look up in the image{labels.length > 0 && <span class="tag">{labels.length}</span>}
-      </summary>
+      <summary>Look up in the image{labels.length > 0 && <span class="tag">{labels.length}</span>}</summary>
       <p class="facts">
         Every tetrahedron is told what share of it these labels have, whether the mesh follows their boundary
         or not.

@@ -77,9 +77,7 @@ export function StageSection({ current }: { current: Recipe }) {
         ))}
       </details>
       <details class="more">
-        <summary>
-          Limits{exceeded.value.length > 0 && <span class="tag caution">exceeded</span>}
-        </summary>
+        <summary>Limits{exceeded.value.length > 0 && <span class="tag caution">exceeded</span>}</summary>
         <p class="facts">A case that is forecast to take more is not meshed. 0: no limit.</p>
         <StageFields group="limits" title="Limits" current={current} />
         {exceeded.value.map((beyond) => (

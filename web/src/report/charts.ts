@@ -9,7 +9,13 @@ export interface Series {
 }
 
 export type ChartKind =
-  'edges' | 'ratios' | 'aspects' | 'angles' | 'radius_ratio' | 'mean_ratio' | 'aspect_ratio';
+  | 'edges'
+  | 'ratios'
+  | 'aspects'
+  | 'angles'
+  | 'radius_ratio'
+  | 'mean_ratio'
+  | 'aspect_ratio';
 export type Charts = Record<ChartKind, Series[]>;
 
 function histogramOf(found: Report, metric: string): Histogram | null {

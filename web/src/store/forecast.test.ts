@@ -182,7 +182,11 @@ it('sizes for a number of tetrahedra are one step of undo, four digits of each',
   const found = await asked;
   expect(engine.forecast).toHaveBeenLastCalledWith(expect.anything(), expect.anything(), 5000, signal);
   useSizes(found, 5000);
-  expect(recipe.value!.sizing).toEqual({ ...before, edge_mm: 1.235, labels: [{ label: 1, edge_mm: 0.6173 }] });
+  expect(recipe.value!.sizing).toEqual({
+    ...before,
+    edge_mm: 1.235,
+    labels: [{ label: 1, edge_mm: 0.6173 }],
+  });
   undo();
   expect(recipe.value!.sizing).toEqual(before);
 });

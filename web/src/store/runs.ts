@@ -123,9 +123,7 @@ async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<bool
         if (!newest()) return;
         const known = stages.value[summary.name].summary;
         const kept =
-          known?.key === summary.key && summary.cached
-            ? { ...summary, seconds: known.seconds }
-            : summary;
+          known?.key === summary.key && summary.cached ? { ...summary, seconds: known.seconds } : summary;
         const madeFrom = stageInput(current, summary.name);
         setStage(summary.name, { state: 'done', fraction: 1, summary: kept, madeFrom });
         // Whatever follows the volume is made anew with another one, the same again is none.

@@ -1,0 +1,10 @@
+# cmake --install: the command line, and the libraries with a package for find_package(voxtet)
+# (examples/library/README.md).
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/voxtet)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/voxtetConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES cmake/voxtetConfig.cmake ${CMAKE_BINARY_DIR}/voxtetConfigVersion.cmake DESTINATION ${package})
+install(EXPORT voxtet NAMESPACE voxtet:: FILE voxtetTargets.cmake DESTINATION ${package})
+install(DIRECTORY core/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/voxtet FILES_MATCHING PATTERN "*.h")
+install(TARGETS voxtet tetgen voxtet_headers voxtet_warnings EXPORT voxtet)
