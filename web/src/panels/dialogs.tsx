@@ -19,7 +19,7 @@ function OfferDialog() {
       source.phantom
         ? `generated: ${source.phantom.kind.replaceAll('_', ' ')}, ${source.phantom.spacing_mm.join(' × ')} mm`
         : source.file
-          ? `${source.file.name}${offer.origin === 'link' ? ', which you are asked to drop in' : ''}`
+          ? `${source.file.name}${offer.origin !== 'interrupted' ? ', which you are asked to drop in' : ''}`
           : 'none',
     ],
     ['Labels', labels.length > 0 ? labels.join(', ') : 'all'],
@@ -48,7 +48,7 @@ function OfferDialog() {
   if (sideFiles.length > 0)
     rows.push([
       'Size files',
-      `${sideFiles.join(', ')}${offer.origin === 'link' ? ', to be dropped in' : ''}`,
+      `${sideFiles.join(', ')}${offer.origin !== 'interrupted' ? ', to be dropped in' : ''}`,
     ]);
   if (offer.promise) {
     const { tets, digest, engine } = offer.promise.expected;
@@ -56,13 +56,13 @@ function OfferDialog() {
   }
   return (
     <Dialog
-      title={offer.origin === 'link' ? 'Open this case?' : 'Go on with the last case?'}
+      title={offer.origin === 'interrupted' ? 'Go on with the last case?' : 'Open this case?'}
       onClose={closeOffer}
     >
       <p>
-        {offer.origin === 'link'
-          ? 'A link brought this recipe. Nothing has been run or fetched.'
-          : 'The page was left while the engine was at work on it. Nothing has been run.'}
+        {offer.origin === 'interrupted'
+          ? 'The page was left while the engine was at work on it. Nothing has been run.'
+          : `A ${offer.origin} brought this recipe. Nothing has been run or fetched.`}
       </p>
       <dl class="offer">
         {rows.map(([name, value]) => (

@@ -1,7 +1,6 @@
 import { useEffect } from 'preact/hooks';
 import { stageNames } from '../engine/contract';
-import { isCaseFragment } from '../link/codec';
-import { openFragment, redoEdit, undoEdit } from '../store/actions';
+import { redoEdit, undoEdit } from '../store/actions';
 import { cancelRun, runAll } from '../store/runs';
 import { pinned } from '../store/compare';
 import { downloadPicture } from '../store/exchange';
@@ -73,14 +72,7 @@ export function useShortcuts(): void {
     const onKey = (event: KeyboardEvent) => {
       if (obeyKey(event)) event.preventDefault();
     };
-    const onHash = () => {
-      if (isCaseFragment(location.hash)) void openFragment(location.hash);
-    };
     window.addEventListener('keydown', onKey);
-    window.addEventListener('hashchange', onHash);
-    return () => {
-      window.removeEventListener('keydown', onKey);
-      window.removeEventListener('hashchange', onHash);
-    };
+    return () => window.removeEventListener('keydown', onKey);
   }, []);
 }

@@ -8,13 +8,15 @@ import {
   type Recipe,
   type VolumeSummary,
 } from '../engine/contract';
+import { canonicalJson } from '../link/canonical';
 import { decodeFragment } from '../link/codec';
+import { caseInAddress, keepAddress, nameEntry } from './address';
 import { autosave, savedCase, type SavedCase } from './autosave';
 import { engine, tellError, useEngine } from './engine';
 import { fitRecipe } from './fit_recipe';
 import type { Example } from './gallery';
 import { awaitedFile, volume } from './input';
-import { amendRecipe, editRecipe, recipe, redo, startRecipe, undo } from './recipe';
+import { amendRecipe, editRecipe, hasSource, recipe, redo, startRecipe, undo } from './recipe';
 import {
   activity,
   defaults,
@@ -27,14 +29,17 @@ import {
 } from './run';
 import { cancelRun, preview, previewSoon, runAll } from './runs';
 import { forgetSides, holdSide, type SideFile } from './side_files';
+import { sameRecipe } from './stage_inputs';
 import { forgetPainting, restorePainting, strokesDone } from './painting';
 import { ownColours, resetView } from './view';
 
 /** A case that a link or a file offers, checked and waiting for the user's word. */
 export interface OfferedCase {
+  /** The name of a case that is taken up again. */
+  id?: string;
   recipe: Recipe;
   promise: Expectation | null;
-  origin: 'link' | 'interrupted';
+  origin: 'link' | 'file' | 'interrupted';
   colours: SavedCase['colours'];
   /** Masks and images of sizes that are at hand. */
   sides: SideFile[];
@@ -138,52 +143,79 @@ function startingEdge(summary: VolumeSummary): number {
   return Number((2 * Math.cbrt(x * y * z)).toPrecision(2));
 }
 
+/** Asks about the case of a link. */
 export async function openFragment(fragment: string): Promise<void> {
   try {
-    await offerCase(await decodeFragment(fragment));
+    await offerCase(await decodeFragment(fragment), 'link');
   } catch (error) {
     tellError(error);
   }
 }
 
+/**
+ * Opens what the page begins with: the case of the address bar, else the one that was saved last. What the page itself
+ * has put into the address, or has saved, is the user's own: there is nothing to ask.
+ */
+export async function openAddress(): Promise<void> {
+  const { link, own } = caseInAddress();
+  // Without storage there is nothing to take up, and nothing to say.
+  const found = await savedCase().catch(() => null);
+  if (found && (!link || own === found.saved.id)) return resumeCase(found);
+  if (!link) return;
+  await openFragment(link);
+  const offer = offered.value;
+  if (!offer) return;
+  if (found && isOf(found.saved, offer)) return resumeCase(found);
+  if (own && !found?.interrupted) acceptOffer(false);
+}
+
+/** Whether a link brings the case that was saved, and promises no more of it. */
+function isOf(saved: SavedCase, offer: OfferedCase): boolean {
+  const promised = offer.promise?.expected;
+  return (
+    sameRecipe(saved.recipe, offer.recipe) &&
+    (!promised || canonicalJson(promised) === canonicalJson(saved.promise?.expected))
+  );
+}
+
 /** Takes up the case that the last page left; by itself only where the engine was at rest. */
-export async function resumeCase(): Promise<void> {
+async function resumeCase({ saved, interrupted }: NonNullable<Awaited<ReturnType<typeof savedCase>>>) {
   try {
-    const found = await savedCase();
-    if (found) {
-      const { saved, interrupted } = found;
-      const digest = saved.recipe.source.file?.sha256;
-      if (digest && saved.file) engine.keepVolume(digest, saved.file);
-      const { fitted, left } = fitRecipe(saved.recipe, defaults.value ?? {});
-      const accepted = withoutPromise((await engine.checkRecipe(fitted)).recipe);
-      const { colours, sides } = saved;
-      const promise = left.length === 0 ? saved.promise : null;
-      offered.value = { recipe: accepted, promise, origin: 'interrupted', colours, sides };
-      if (left.length > 0)
-        tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
-      if (!interrupted) acceptOffer(false);
-    }
+    const digest = saved.recipe.source.file?.sha256;
+    if (digest && saved.file) engine.keepVolume(digest, saved.file);
+    const { fitted, left } = fitRecipe(saved.recipe, defaults.value ?? {});
+    const accepted = withoutPromise((await engine.checkRecipe(fitted)).recipe);
+    const { id, colours, sides } = saved;
+    const promise = left.length === 0 ? saved.promise : null;
+    offered.value = { id, recipe: accepted, promise, origin: 'interrupted', colours, sides };
+    if (left.length > 0)
+      tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
+    if (!interrupted) acceptOffer(false);
   } catch (error) {
-    // Without storage there is nothing to take up, and nothing to say.
     offered.value = null;
     if (error instanceof EngineError)
       tell('error', 'Your last case cannot be taken up', `The engine refuses it: ${error.message}.`);
   }
 }
 
-export function keepSaving(): void {
+/** From now on the case is saved with each change, and stands in the address bar. */
+export function keepCase(): void {
   autosave((digest) => engine.volumeFile(digest));
+  keepAddress(() => offered.value !== null, openFragment);
 }
 
 /** Checks a case and holds it for the user's word; nothing of it runs. */
-export async function offerCase(value: Record<string, unknown>): Promise<void> {
+export async function offerCase(
+  value: Record<string, unknown>,
+  origin: 'link' | 'file' = 'file',
+): Promise<void> {
   const { recipe: full } = await engine.checkRecipe(value);
   const { expected } = full as Recipe & { expected?: Expected };
   const accepted = withoutPromise(full);
   offered.value = {
     recipe: accepted,
     promise: expected?.digest ? { expected, recipe: accepted } : null,
-    origin: 'link',
+    origin,
     colours: {},
     sides: [],
   };
@@ -196,7 +228,8 @@ export function acceptOffer(thenRun: boolean): void {
   // What the engine is at belongs to the case that is left.
   if (activity.value !== 'idle') void cancelRun();
   leaveCase();
-  startRecipe(offer.recipe);
+  startRecipe(offer.recipe, offer.id);
+  if (offer.origin !== 'file') nameEntry();
   ownColours.value = offer.colours;
   offer.sides.forEach(holdSide);
   restorePainting();
@@ -216,10 +249,8 @@ export function acceptOffer(thenRun: boolean): void {
   })();
 }
 
-/** The link has been dealt with: a reload goes on with the case as it then stands. */
 export function closeOffer(): void {
   offered.value = null;
-  history.replaceState(null, '', location.pathname + location.search);
 }
 
 export async function undoEdit(): Promise<void> {
@@ -247,7 +278,7 @@ export function editColour(label: number, colour: string): void {
 }
 
 function afterHistory(): void {
-  if (recipe.value?.source.phantom || recipe.value?.source.file) previewSoon();
+  if (recipe.value && hasSource(recipe.value)) previewSoon();
 }
 
 function withoutPromise(full: Recipe): Recipe {

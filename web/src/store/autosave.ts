@@ -1,13 +1,15 @@
 /** The tab's case in IndexedDB, so that a reload loses nothing. One case: the last one edited. */
 import { effect } from '@preact/signals';
 import type { Recipe, VolumeFile } from '../engine/contract';
-import { recipe } from './recipe';
+import { caseId, hasSource, recipe } from './recipe';
 import { activity, expectation, type Expectation } from './run';
 import { heldSides, type SideFile } from './side_files';
 import { ownColours } from './view';
 import { keepText, keptText } from './web_storage';
 
 export interface SavedCase {
+  /** The name of the case, as the browser's history has it. */
+  id: string;
   recipe: Recipe;
   promise: Expectation | null;
   /** Of labels, where they are the user's own. */
@@ -59,10 +61,10 @@ export async function savedCase(): Promise<{ saved: SavedCase; interrupted: bool
   ]);
   if (!kept) return null;
   const digest = kept.recipe.source.file?.sha256;
-  // What an earlier version kept has neither.
-  const { colours = {}, promise = null } = kept as Partial<typeof kept>;
+  // What an earlier version kept has none of these.
+  const { id = '', colours = {}, promise = null } = kept as Partial<typeof kept>;
   const own = digest && file?.digest === digest ? file.file : null;
-  return { saved: { ...kept, colours, promise, file: own, sides: sides ?? [] }, interrupted };
+  return { saved: { ...kept, id, colours, promise, file: own, sides: sides ?? [] }, interrupted };
 }
 
 /** Saves every change from now on. Where the browser allows no storage, the tab works all the same. */
@@ -95,12 +97,13 @@ export function autosave(fileOf: (digest: string) => VolumeFile | undefined): vo
   };
   effect(() => {
     const current = recipe.value;
+    const id = caseId.value;
     const promise = expectation.value;
     const colours = ownColours.value;
     clearTimeout(timer);
-    if (!current || !(current.source.phantom || current.source.file)) return;
+    if (!current || !hasSource(current)) return;
     timer = setTimeout(
-      () => void save({ recipe: current, promise, colours }).catch(() => undefined),
+      () => void save({ id, recipe: current, promise, colours }).catch(() => undefined),
       delayMs,
     );
   });

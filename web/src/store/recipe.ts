@@ -30,8 +30,17 @@ export const recipe = signal<Recipe | null>(null);
 export const undoLabel = computed(() => past.value.at(-1)?.label ?? null);
 export const redoLabel = computed(() => future.value.at(-1)?.label ?? null);
 
-/** Replaces the recipe and forgets its history: another case begins. */
-export function startRecipe(next: Recipe): void {
+/** Names the case that the recipe is of, in the browser's history and where the case is saved. */
+export const caseId = signal('');
+
+/** Whether a recipe says what is to be meshed. */
+export function hasSource({ source }: Recipe): boolean {
+  return source.phantom !== undefined || source.file !== undefined;
+}
+
+/** Replaces the recipe and forgets its history: another case begins, or that of this name is taken up again. */
+export function startRecipe(next: Recipe, id = Math.random().toString(36).slice(2)): void {
+  caseId.value = id;
   recipe.value = next;
   past.value = [];
   future.value = [];
