@@ -2,6 +2,15 @@ import { expectation, report, verdict } from '../store/run';
 import { whole } from './format';
 import { Icon } from './icons';
 
+const titles = {
+  reproduced: 'Reproduced, byte for byte',
+  differs: 'Differs from what the link promises',
+  other_engine: 'Made with another engine',
+};
+
+/** Engines are told apart by their last characters too; of a digest the first are enough. */
+const shown = (row: string, text: string) => (row === 'Digest' ? `${text.slice(0, 10)}…` : text);
+
 export function VerdictCard() {
   const found = verdict.value;
   const promise = expectation.value;
@@ -19,16 +28,17 @@ export function VerdictCard() {
       </section>
     );
   }
-  const titles = {
-    reproduced: 'Reproduced, byte for byte',
-    differs: 'Differs from what the link promises',
-    other_engine: 'Made with another engine',
-  };
   return (
     <section class={`verdict ${found.kind}`} role="status" data-testid="verdict">
       <h2>
         <Icon name={found.kind === 'reproduced' ? 'check' : 'warn'} /> {titles[found.kind]}
       </h2>
+      {found.kind === 'other_engine' && (
+        <p>
+          The link was made with voxtet {promise.expected.engine}. Another version of the engine may make another mesh
+          of the same case.
+        </p>
+      )}
       <table>
         <thead>
           <tr>
@@ -43,10 +53,8 @@ export function VerdictCard() {
           {found.rows.map((row) => (
             <tr key={row.name} class={row.same ? '' : 'other'}>
               <th scope="row">{row.name}</th>
-              <td title={row.expected}>
-                {row.expected.length > 20 ? `${row.expected.slice(0, 10)}…` : row.expected}
-              </td>
-              <td title={row.found}>{row.found.length > 20 ? `${row.found.slice(0, 10)}…` : row.found}</td>
+              <td title={row.expected}>{shown(row.name, row.expected)}</td>
+              <td title={row.found}>{shown(row.name, row.found)}</td>
             </tr>
           ))}
         </tbody>

@@ -1,7 +1,9 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { EngineClient } from '../engine/client';
+import type { Expected } from '../engine/contract';
 import { mockFile, Workers } from '../engine/testing/workers';
 import { acceptOffer, offerCase, openPhantom, startEngine } from './actions';
+import { shareCase } from './exchange';
 import { awaitedFile, volume } from './input';
 import { dropFiles, openFiles, openSizeFiles } from './open_files';
 import { editRecipe, recipe, undo } from './recipe';
@@ -19,7 +21,7 @@ let client: EngineClient;
 
 beforeEach(async () => {
   vi.stubGlobal('history', { replaceState: () => undefined });
-  vi.stubGlobal('location', { pathname: '/', search: '' });
+  vi.stubGlobal('location', { href: 'http://localhost/' });
   workers = new Workers();
   client = new EngineClient(workers.setup());
   await startEngine(client);
@@ -59,6 +61,28 @@ describe('the promise of a link', () => {
     await runAll();
     expect(recipe.value?.source.file?.name).toBe('heart (1).nii');
     expect(verdict.value?.kind).toBe('differs');
+  });
+
+  it('of an older engine is no promise of this one, whose mesh may be another', async () => {
+    await openLinked({ expected: { ...expected, engine: '0.1.0' } });
+    await dropFiles([fileOf('heart.nii')]);
+    await atRest();
+    await runAll();
+    expect(verdict.value?.kind).toBe('other_engine');
+    expect(verdict.value?.rows[0]).toMatchObject({ expected: '0.1.0', found: 'mock' });
+    // What is handed on names the engine that made it.
+    const { minimal } = await shareCase();
+    expect(minimal.expected).toMatchObject({ engine: 'mock', digest: report.value?.digest });
+  });
+
+  it('of an older engine is kept where the bytes are the same', async () => {
+    await openPhantom({ kind: 'sphere' });
+    await atRest();
+    await runAll();
+    const { minimal } = await shareCase();
+    await offerCase({ ...minimal, expected: { ...(minimal.expected as Expected), engine: '0.1.0' } });
+    acceptOffer(true);
+    await vi.waitFor(() => expect(verdict.value?.kind).toBe('reproduced'), 5000);
   });
 
   it('is for its recipe, not for what comes of it', async () => {

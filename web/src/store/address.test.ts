@@ -6,8 +6,8 @@ import { decodeFragment, encodePlainFragment } from '../link/codec';
 import { acceptOffer, closeOffer, keepCase, offered, openAddress, openPhantom, startEngine, undoEdit } from './actions';
 import type { SavedCase } from './autosave';
 import { caseId, editRecipe, recipe } from './recipe';
-import { expectation } from './run';
-import { cancelRun } from './runs';
+import { activity, expectation, report } from './run';
+import { cancelRun, runAll } from './runs';
 import { ownColours } from './view';
 
 /** What the tab before has saved. */
@@ -172,6 +172,18 @@ describe('the address bar', () => {
     await vi.waitFor(async () =>
       expect(await decodeFragment(entries.now.hash)).toMatchObject({ source: { file }, sizing: { edge_mm: 3 } }),
     );
+  });
+
+  it('promises nothing of its own: after an update the engine may make another mesh', async () => {
+    await load();
+    await openPhantom({ kind: 'torus' });
+    await vi.waitFor(() => expect(activity.value).toBe('idle'), 5000);
+    await runAll();
+    expect(report.value).not.toBeNull();
+    edge(3);
+    await undoEdit();
+    await shows('torus', 2);
+    expect((await decodeFragment(entries.now.hash)).expected).toBeUndefined();
   });
 
   it("hands on the link's promise while the recipe is the promised one", async () => {
