@@ -3,11 +3,11 @@ import { render } from 'preact';
 import { browserSetup } from './engine/browser_setup';
 import { EngineClient } from './engine/client';
 import { App } from './panels/app';
-import { keepCase, openAddress, startEngine } from './store/actions';
-import { keepForecast } from './store/forecast';
-import { keepSizingShown } from './store/runs';
+import { keepCase, openAddress, startEngine } from './store/case/open_case';
+import { keepForecast } from './store/run/forecast';
+import { keepSizingShown } from './store/run/run_stages';
 import { dark, theme, type ThemeChoice } from './store/view';
-import { keepText, keptText } from './store/web_storage';
+import { keepText, keptText } from './store/case/web_storage';
 import './styles/main.css';
 
 const themeKey = 'voxtet-theme';

@@ -1,8 +1,8 @@
 /** The numbers of one element, in words: no three.js. */
 import type { StageArrays, StageName, TetArrays } from '../engine/contract';
 import { coordinate } from '../geometry/orientation';
-import { nameOf, voxelMm } from '../store/input';
-import { shownResult } from '../store/results';
+import { nameOf, voxelMm } from '../store/case/input';
+import { shownResult } from '../store/run/results';
 import { fractionLabel, type Picked } from '../store/view';
 
 /** What was looked up in the image at one tet. */
