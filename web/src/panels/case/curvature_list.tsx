@@ -4,7 +4,7 @@ import { carriersOf } from '../../store/case/labels';
 import { editRecipe } from '../../store/case/recipe';
 import { NumberField } from '../controls/fields';
 import { LabelChips } from '../controls/label_chips';
-import { WishList } from '../controls/wish_list';
+import { SizeList } from '../controls/size_list';
 
 function newCurvature(current: Recipe): CurvatureSize {
   return {
@@ -21,8 +21,8 @@ function unmeshed(current: Recipe): number[] {
   return all.filter((label) => !carriers.includes(label));
 }
 
-function CurvatureFields(props: { current: Recipe; wish: CurvatureSize; index: number; name: string }) {
-  const { current, wish, index, name } = props;
+function CurvatureFields(props: { current: Recipe; size: CurvatureSize; index: number; name: string }) {
+  const { current, size, index, name } = props;
   const set = (label: string, change: Partial<CurvatureSize>) =>
     editRecipe(
       label,
@@ -34,7 +34,7 @@ function CurvatureFields(props: { current: Recipe; wish: CurvatureSize; index: n
       <LabelChips
         legend="Surfaces of"
         hint="Labels whose surfaces count. None: all."
-        chosen={wish.labels}
+        chosen={size.labels}
         taken={unmeshed(current)}
         onChange={(labels) => set('Labels of curvature', { labels })}
       />
@@ -43,7 +43,7 @@ function CurvatureFields(props: { current: Recipe; wish: CurvatureSize; index: n
         owner={name}
         path="sizing.curvature.edges_per_turn"
         step={1}
-        value={wish.edges_per_turn}
+        value={size.edges_per_turn}
         onChange={(edges_per_turn) => set('Edges to a full turn', { edges_per_turn })}
       />
       <NumberField
@@ -52,7 +52,7 @@ function CurvatureFields(props: { current: Recipe; wish: CurvatureSize; index: n
         unit="mm"
         path="sizing.curvature.edge_min_mm"
         step={0.1}
-        value={wish.edge_min_mm}
+        value={size.edge_min_mm}
         onChange={(edge_min_mm) => set('Smallest edge of curvature', { edge_min_mm })}
       />
     </>
@@ -62,7 +62,7 @@ function CurvatureFields(props: { current: Recipe; wish: CurvatureSize; index: n
 /** Surfaces that are sized by how sharply they bend. */
 export function CurvatureList({ current }: { current: Recipe }) {
   return (
-    <WishList
+    <SizeList
       title="Bends"
       kind="Curvature"
       hint="Smaller elements where a surface bends sharply."
@@ -71,8 +71,8 @@ export function CurvatureList({ current }: { current: Recipe }) {
       fresh={newCurvature}
       nameOf={({ labels }) => (labels.length > 0 ? labels.map(nameOf).join(', ') : 'All surfaces')}
       noteOf={({ edges_per_turn }) => `${edges_per_turn} to a turn`}
-      fields={(wish, index, name) => (
-        <CurvatureFields current={current} wish={wish} index={index} name={name} />
+      fields={(size, index, name) => (
+        <CurvatureFields current={current} size={size} index={index} name={name} />
       )}
     />
   );

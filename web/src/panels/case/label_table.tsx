@@ -93,13 +93,13 @@ export function LabelTable({ current }: { current: Recipe }) {
   const all = known.labels;
   const chosenLabels = new Set(current.labels.length > 0 ? current.labels : all.map(({ label }) => label));
   const chosen = all.filter(({ label }) => chosenLabels.has(label));
-  const wished = new Map(current.sizing.labels.map((entry) => [entry.label, entry.edge_mm]));
+  const targets = new Map(current.sizing.labels.map((entry) => [entry.label, entry.edge_mm]));
   const voxelMl = known.spacing_mm.reduce((product, step) => product * step, 1) / 1000;
   const heads: [string, string][] = [
     ['Label', ''],
     ['Mesh', 'Whether it is meshed'],
     ['Into', 'The region of the mesh that it goes into'],
-    ['Edge mm', 'Edge length wished inside it'],
+    ['Edge mm', 'Target edge length inside it'],
   ];
   return (
     <div class="label-scroll">
@@ -164,7 +164,7 @@ export function LabelTable({ current }: { current: Recipe }) {
                     label={`Edge length of ${text}`}
                     path="sizing.labels.edge_mm"
                     step={0.1}
-                    value={wished.get(label) ?? null}
+                    value={targets.get(label) ?? null}
                     placeholder={String(current.sizing.edge_mm)}
                     disabled={!meshed || carrierOf(current.merge, label) !== label}
                     onChange={(edge) => setEdge(label, edge)}

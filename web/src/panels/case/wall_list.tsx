@@ -6,7 +6,7 @@ import { sizingFields } from '../../store/run/sizing_fields';
 import { CheckField, NumberField, Segments } from '../controls/fields';
 import { short } from '../controls/format';
 import { LabelChips } from '../controls/label_chips';
-import { WishList } from '../controls/wish_list';
+import { SizeList } from '../controls/size_list';
 
 function newWall(current: Recipe): ThicknessSize {
   const labels = volume.value?.labels.map(({ label }) => label) ?? [];
@@ -133,7 +133,7 @@ function WallFields({ wall, index, name }: { wall: ThicknessSize; index: number;
 /** Walls that are sized by their thickness. */
 export function WallList({ current }: { current: Recipe }) {
   return (
-    <WishList
+    <SizeList
       title="Walls"
       kind="Wall"
       hint="Labels that form a wall, sized by how thick it is."

@@ -87,7 +87,7 @@ const charts: Chart[] = [
   },
   {
     kind: 'ratios',
-    title: 'Achieved / prescribed edge',
+    title: 'Edge length / target edge length',
     of: 'edges',
     unit: 'log₂',
     brushed: { metric: 'size_log2', name: 'size ratio', unit: 'log₂' },

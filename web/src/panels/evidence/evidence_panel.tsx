@@ -68,7 +68,7 @@ export function EvidencePanel() {
           </svg>
           <h2>Evidence</h2>
           <p>
-            After a run: the checklist, prescribed against achieved edge length, aspect ratios before and
+            After a run: the checklist, edge length against target edge length, aspect ratios before and
             after, dihedral angles, and the fidelity to the labels.
           </p>
         </div>

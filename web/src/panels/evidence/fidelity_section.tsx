@@ -48,7 +48,7 @@ function LabelTable({ labels }: { labels: LabelFidelity[] }) {
               <td class="num" title="the mesh sampled at voxel centres against the voxels">
                 {row.dice.toFixed(3)}
               </td>
-              <td class="num" title="median achieved / prescribed">
+              <td class="num" title="median edge length / median target edge length">
                 {short(row.median_edge_mm)} / {short(row.wished_edge_mm)}
               </td>
             </tr>
@@ -147,7 +147,7 @@ function LayerTable({ walls }: { walls: LayerCount[] }) {
       <h3>Elements across walls</h3>
       <div class="table-scroll" tabIndex={0} role="region" aria-label="Elements across walls">
         <table class="measures" data-testid="layers">
-          <Heads first="Wall" numbers={['Wished', 'Exactly', 'At least']} />
+          <Heads first="Wall" numbers={['Target', 'Exactly', 'At least']} />
           <tbody>
             {walls.map(({ wall, wished, by_edges }) => (
               <tr key={wall.join()}>
@@ -161,7 +161,7 @@ function LayerTable({ walls }: { walls: LayerCount[] }) {
         </table>
       </div>
       <p class="facts">
-        Share of the outer area with as many edges from the outer surface to the inner one as wished, and with
+        Share of the outer area with the target number of edges from the outer surface to the inner one, and with
         no fewer.
       </p>
     </>

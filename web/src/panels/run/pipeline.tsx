@@ -21,8 +21,8 @@ const lessons: Record<StageName, string> = {
   volume: 'The labels, voxel by voxel',
   surface: 'Boundaries of the labels, staircase and all',
   smooth: 'The same boundaries without the staircase, volumes kept',
-  sizing: 'The edge length asked for at every place',
-  remesh: 'Triangles adapted to the wished edge length',
+  sizing: 'The target edge length at every place',
+  remesh: 'Triangles adapted to the target edge length',
   optimise: 'The inside filled with labelled tetrahedra, their shapes improved',
   quality: 'Every element measured',
 };

@@ -7,14 +7,14 @@ import { forecastParts } from './forecast_text';
 import { short } from '../controls/format';
 
 /** The limit that the recipe is beyond, or about what it gives now. */
-function firstWish(): number {
+function firstCount(): number {
   const limit = exceeded.value.find(({ field }) => field === 'tets')?.limit;
   return limit ?? Number((forecast.value?.numbers?.tets ?? 100_000).toPrecision(1));
 }
 
 /** Which edge lengths give so many tetrahedra? */
 export function SizesDialog({ close }: { close(): void }) {
-  const [elements, setElements] = useState(firstWish);
+  const [elements, setElements] = useState(firstCount);
   const [found, setFound] = useState<{ elements: number; fitting: FittingSizes } | null>(null);
   const [problem, setProblem] = useState('');
   const [asking, setAsking] = useState(false);

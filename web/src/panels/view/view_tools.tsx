@@ -34,7 +34,7 @@ const cutAxes: [string, string, Vec3][] = [
 ];
 
 const measureOptions: [ColourBy, string][] = [
-  ['target_mm', 'Prescribed edge'],
+  ['target_mm', 'Target edge length'],
   ['size_log2', 'Size ratio'],
   ['min_dihedral_deg', 'Smallest angle'],
   ['max_dihedral_deg', 'Largest angle'],
@@ -67,7 +67,7 @@ function ColourChoice() {
   ];
   if (onTets) options.push(...measureOptions, ...otherOptions());
   else {
-    options.push(['target_mm', 'Prescribed edge']);
+    options.push(['target_mm', 'Target edge length']);
     if (recipe.value?.sizing.thickness.length) options.push(['thickness_mm', 'Wall thickness']);
   }
   const chosen = options.some(([value]) => value === colourBy.value) ? colourBy.value : 'label';
@@ -301,7 +301,7 @@ export function SliceChoice() {
   if (layout.value !== 'slices') return null;
   const options: [SliceOverlay, string, string?][] = [
     ['labels', 'Labels'],
-    ['size', 'Edge length', 'The edge length asked for at every place'],
+    ['size', 'Edge length', 'The target edge length at every place'],
   ];
   if (recipe.value?.sizing.thickness.length)
     options.push(['thickness', 'Thickness', 'How thick the walls are']);

@@ -95,9 +95,9 @@ export function addScaleBar(viewer: Viewer, container: HTMLElement): void {
     const distance = viewer.camera.position.distanceTo(viewer.controls.target);
     const height = 2 * distance * Math.tan((viewer.camera.fov * Math.PI) / 360);
     const pixelsPerMm = container.clientHeight / height;
-    const wish = 90 / pixelsPerMm;
-    const power = 10 ** Math.floor(Math.log10(wish));
-    const round = [5, 2, 1].find((step) => step * power <= wish) ?? 1;
+    const longest = 90 / pixelsPerMm;
+    const power = 10 ** Math.floor(Math.log10(longest));
+    const round = [5, 2, 1].find((step) => step * power <= longest) ?? 1;
     const length = round * power;
     bar.style.width = `${(length * pixelsPerMm).toFixed(1)}px`;
     text.textContent =

@@ -19,7 +19,7 @@ describe('colours of tetrahedra', () => {
     expect(tetPaint(measures).kind).toBe('scale');
   });
 
-  it('tell the edge that was asked for from the one achieved and their ratio', () => {
+  it('tell the target edge length from the edge length and their ratio', () => {
     colourBy.value = 'target_mm';
     const paint = tetPaint(measures);
     expect(paint.kind === 'scale' && [paint.values[0], paint.legend.unit]).toEqual([6, 'mm']);

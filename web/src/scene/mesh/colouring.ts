@@ -35,13 +35,13 @@ type Scale = Omit<Legend, 'lo' | 'hi'>;
 
 const scales: Record<TetMeasure | DistanceUnit | LayerArray | 'target_mm' | 'thickness_mm', Scale> = {
   edge_mm: { title: 'Mean edge length', unit: 'mm', map: 'viridis' },
-  target_mm: { title: 'Prescribed edge length', unit: 'mm', map: 'viridis' },
+  target_mm: { title: 'Target edge length', unit: 'mm', map: 'viridis' },
   thickness_mm: { title: 'Wall thickness', unit: 'mm', map: 'cividis' },
   distance_mm: { title: 'Distance to the label surface', unit: 'mm', map: 'viridis' },
   distance_voxels: { title: 'Distance to the label surface', unit: 'voxels', map: 'viridis' },
   layer: { title: 'Layer, from the inner surface', unit: '', map: 'viridis', whole: true },
   layers_across: { title: 'Layers across the wall', unit: '', map: 'viridis', whole: true },
-  size_log2: { title: 'Achieved over prescribed edge', unit: 'log₂', map: 'vik' },
+  size_log2: { title: 'Edge length over target', unit: 'log₂', map: 'vik' },
   min_dihedral_deg: { title: 'Smallest dihedral angle', unit: '°', map: 'cividis' },
   max_dihedral_deg: { title: 'Largest dihedral angle', unit: '°', map: 'cividis' },
   radius_ratio: { title: 'Radius ratio', unit: '', map: 'cividis' },
@@ -49,14 +49,14 @@ const scales: Record<TetMeasure | DistanceUnit | LayerArray | 'target_mm' | 'thi
   aspect_ratio: { title: 'Aspect ratio', unit: '', map: 'cividis' },
 };
 
-/** Edge lengths that were asked for, from those achieved and their ratio. */
+/** Target edge lengths, from the edge lengths and their ratio. */
 function targets(measures: StageArrays['quality']): Float32Array {
   return measures.edge_mm.map((edge, tet) => edge / 2 ** measures.size_log2[tet]);
 }
 
 function scaled(values: Float32Array, scale: Scale): TetPaint {
   let [lo, hi] = robustRange(values);
-  // Ratios are read from their middle: as much above the wish as below it.
+  // Ratios are read from their middle: as much above the target as below it.
   if (scale.map === 'vik') [lo, hi] = [-Math.max(-lo, hi), Math.max(-lo, hi)];
   return { kind: 'scale', values, legend: { ...scale, lo, hi } };
 }

@@ -142,7 +142,7 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
       if (!field) return;
       const counts = untracked(() => (thick ? hasValue(field.values) : meshedVoxels(field.grid)));
       const [lo, hi] = robustRange(field.values, counts);
-      const title = thick ? 'Wall thickness' : 'Prescribed edge length';
+      const title = thick ? 'Wall thickness' : 'Target edge length';
       const shown: Legend = { title, unit: 'mm', map: thick ? 'cividis' : 'viridis', lo, hi };
       image.setField(field, shown, thick);
       sliceLegend.value = shown;

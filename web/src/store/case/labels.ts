@@ -35,15 +35,15 @@ export function groupedWith(groups: Groups, label: number, other: number): numbe
   return other === label ? rest : [...rest, joined].sort((a, b) => a[0] - b[0]);
 }
 
-/** Takes away sizes wished for labels that have no region of their own among those chosen. */
+/** Takes away target sizes of labels that have no region of their own among those chosen. */
 export function dropIdleSizes(draft: Recipe, chosen: readonly number[]): void {
   const carriers = carriersOf(draft.merge, chosen);
   const carries = ({ label }: { label: number }) => carriers.includes(label);
   const { sizing } = draft;
   sizing.labels = sizing.labels.filter(carries);
   sizing.distances = sizing.distances.filter(carries);
-  // A wish for no label at all is one for all labels.
+  // A size for no label at all is one for all labels.
   sizing.curvature = sizing.curvature
     .filter(({ labels }) => labels.length === 0 || labels.some((label) => carriers.includes(label)))
-    .map((wish) => ({ ...wish, labels: wish.labels.filter((label) => carriers.includes(label)) }));
+    .map((size) => ({ ...size, labels: size.labels.filter((label) => carriers.includes(label)) }));
 }

@@ -5,8 +5,8 @@ import { editRecipe } from '../../store/case/recipe';
 import { FoldedItem } from './folded_item';
 import { Icon } from './icons';
 
-/** A list of wishes for element size, of which one shows its fields. */
-export function WishList<T>(props: {
+/** A list of rules for the target edge length, of which one shows its fields. */
+export function SizeList<T>(props: {
   title: string;
   /** What one of them is called, as "Wall". */
   kind: string;
@@ -15,16 +15,16 @@ export function WishList<T>(props: {
   of(recipe: Recipe): T[];
   current: Recipe;
   fresh(current: Recipe): T;
-  nameOf(wish: T): string;
-  noteOf(wish: T): string;
-  fields(wish: T, index: number, name: string): ComponentChildren;
+  nameOf(size: T): string;
+  noteOf(size: T): string;
+  fields(size: T, index: number, name: string): ComponentChildren;
 }) {
   const { kind, current } = props;
   const [shown, setShown] = useState<number | null>(null);
-  const wishes = props.of(current);
+  const sizes = props.of(current);
   const add = () => {
     editRecipe(`Add ${kind.toLowerCase()}`, (draft) => void props.of(draft).push(props.fresh(current)));
-    setShown(wishes.length);
+    setShown(sizes.length);
   };
   const remove = (index: number) => {
     setShown(null);
@@ -38,19 +38,19 @@ export function WishList<T>(props: {
           <Icon name="plus" size={13} /> {kind}
         </button>
       </div>
-      {wishes.length === 0 && <p class="hint">{props.hint}</p>}
-      {wishes.map((wish, index) => {
-        const name = props.nameOf(wish);
+      {sizes.length === 0 && <p class="hint">{props.hint}</p>}
+      {sizes.map((size, index) => {
+        const name = props.nameOf(size);
         return (
           <FoldedItem
             key={index}
             name={name}
-            note={props.noteOf(wish)}
+            note={props.noteOf(size)}
             open={shown === index}
             onToggle={() => setShown(shown === index ? null : index)}
             onRemove={() => remove(index)}
           >
-            {props.fields(wish, index, name)}
+            {props.fields(size, index, name)}
           </FoldedItem>
         );
       })}
