@@ -1,22 +1,45 @@
 #!/usr/bin/env node
-/** Checks the rules of src/: who may import whom, which package lives where, no long files, no `any`. */
+/** Checks the rules of src/: who may import whom, which package lives where, no long file, no crowded folder, no `any`. */
 import { readdirSync, readFileSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
 const src = join(dirname(fileURLToPath(import.meta.url)), 'src');
 const maxLines = 400;
+const maxFiles = 20;
+const isTest = (path) => /\.test\.tsx?$|\/testing\//.test(path);
 
-/** Folders, or single files of theirs, that each folder may import beside itself. */
+/**
+ * Rooms: folders of src/, and sub-folders that have rules of their own. Each may import from itself and from these
+ * folders or single files; a folder's own files, beside its sub-rooms, are a room as well. Two circles are meant: the
+ * types of `engine/contract` are seen by `geometry`, and `store/run` reads three files of `store/case`, which reads all
+ * of the run.
+ */
+const engineAndShapes = ['engine/contract', 'geometry'];
+const aroundPanels = [...engineAndShapes, 'link', 'report', 'store'];
 const maySee = {
   engine: ['geometry'],
   geometry: ['engine/contract'],
   link: ['engine/contract'],
-  report: ['engine/contract', 'geometry'],
+  report: engineAndShapes,
   dicom: ['geometry'],
-  store: ['engine', 'geometry', 'link', 'report', 'dicom'],
-  scene: ['engine/contract', 'geometry', 'store'],
-  panels: ['engine/contract', 'geometry', 'link', 'report', 'scene/scene', 'store'],
+  store: [...engineAndShapes, 'store/case/input'],
+  'store/run': [
+    ...['engine', 'geometry', 'link', 'store/view', 'store/notices'],
+    ...['store/case/recipe', 'store/case/input', 'store/case/side_files'],
+  ],
+  'store/case': ['engine', 'geometry', 'link', 'report', 'dicom', 'store/run', 'store/view', 'store/notices'],
+  scene: [...engineAndShapes, 'store', 'scene'],
+  'scene/frame': [...engineAndShapes, 'store'],
+  'scene/mesh': [...engineAndShapes, 'store', 'scene/frame'],
+  'scene/slices': [...engineAndShapes, 'store', 'scene/frame'],
+  panels: [...aroundPanels, 'panels'],
+  'panels/controls': aroundPanels,
+  'panels/run': [...aroundPanels, 'panels/controls'],
+  'panels/case': [...aroundPanels, 'panels/controls', 'panels/run'],
+  'panels/view': [...aroundPanels, 'panels/controls', 'panels/case', 'scene/scene'],
+  'panels/evidence': [...aroundPanels, 'panels/controls'],
+  'panels/dialogs': [...aroundPanels, 'panels/controls', 'panels/run', 'panels/case', 'panels/view'],
   styles: [],
 };
 /** Packages, and the only folders that may name them; '.' is main.tsx. */
@@ -39,10 +62,28 @@ function withoutCommentsAndTexts(text) {
   );
 }
 
+/** The room of a file, by its path in src/; '.' is src/ itself. */
+function roomOf(path) {
+  const folders = dirname(path).split('/');
+  const inner = folders.slice(0, 2).join('/');
+  return inner in maySee ? inner : folders[0];
+}
+
+/** Folders that hold too many source files directly, by the paths of all files of src/. Tests do not count. */
+export function crowdedFolders(paths) {
+  const counts = new Map();
+  for (const path of paths.filter((one) => !isTest(one)))
+    counts.set(dirname(path), (counts.get(dirname(path)) ?? 0) + 1);
+  return [...counts]
+    .filter(([, count]) => count > maxFiles)
+    .map(([folder, count]) => `${folder}: ${count} files, more than ${maxFiles}; make rooms in it`);
+}
+
 export function faultsOf(path, text) {
   const faults = [];
   const folder = path.includes('/') ? path.slice(0, path.indexOf('/')) : '.';
-  const test = /\.test\.tsx?$|\/testing\//.test(path);
+  const room = roomOf(path);
+  const test = isTest(path);
   const lines = text.split('\n').length - 1;
   if (lines > maxLines) faults.push(`${path}: ${lines} lines, more than ${maxLines}`);
   if (path.endsWith('.css')) return faults;
@@ -52,9 +93,9 @@ export function faultsOf(path, text) {
     if (target.startsWith('.')) {
       const seen = relative(src, join(src, dirname(path), target));
       const allowed =
-        folder === '.' || seen.startsWith(`${folder}/`) || (test && seen.startsWith('engine/testing/'));
-      if (!allowed && !(maySee[folder] ?? []).some((one) => seen === one || seen.startsWith(`${one}/`)))
-        faults.push(`${path}: ${folder}/ may not import ${seen}`);
+        folder === '.' || roomOf(seen) === room || (test && seen.startsWith('engine/testing/'));
+      if (!allowed && !(maySee[room] ?? []).some((one) => seen === one || seen.startsWith(`${one}/`)))
+        faults.push(`${path}: ${room}/ may not import ${seen}`);
     } else if (!(test && testPackages.some((name) => target.startsWith(name)))) {
       const owner = Object.keys(packages)
         .filter((name) => target === name || target.startsWith(`${name}/`))
@@ -72,6 +113,7 @@ function main() {
     /\.(tsx?|css)$/.test(path),
   );
   const faults = files.flatMap((path) => faultsOf(path, readFileSync(join(src, path), 'utf8')));
+  faults.push(...crowdedFolders(files));
   console.log(faults.join('\n') || `rules of src/ hold in ${files.length} files`);
   return faults.length > 0 ? 1 : 0;
 }

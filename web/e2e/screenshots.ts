@@ -4,7 +4,7 @@ import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { sampleCase } from '../serve.mjs';
-import { gallery } from '../src/store/gallery';
+import { gallery } from '../src/store/case/gallery';
 import { meshed, openAndRun, test } from './support';
 
 const here = dirname(fileURLToPath(import.meta.url));

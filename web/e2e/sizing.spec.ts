@@ -34,7 +34,7 @@ test('a wall is sized by its thickness, which is seen on slices and surface befo
   const thickness = await sampled(page, 'model');
   expect(thickness).not.toEqual(before);
   await page.getByLabel('Colour by').selectOption('target_mm');
-  await expect(page.locator('.legend')).toContainText('Prescribed edge length mm');
+  await expect(page.locator('.legend')).toContainText('Target edge length mm');
   expect(await sampled(page, 'model')).not.toEqual(thickness);
 
   await page.getByRole('button', { name: 'Slices', exact: true }).click();

@@ -61,7 +61,7 @@ test('one crosshair goes through the three slices and the 3-D view, by mouse, wh
   const box = (await model.boundingBox())!;
   await model.click({ position: { x: box.width * 0.5, y: box.height * 0.6 } });
   await expect(page.locator('.picked')).toContainText('Tetrahedron');
-  await expect(page.locator('.picked')).toContainText('Prescribed');
+  await expect(page.locator('.picked')).toContainText('Target edge');
   await expect(place(page, 'axial')).not.toHaveText(moved);
 });
 
@@ -100,8 +100,8 @@ test('a cut leaves tetrahedra whole or goes through them; labels come apart; eve
   await page.getByLabel('Pull the labels apart').fill('0');
   for (const [value, title] of [
     ['edge_mm', 'Mean edge length mm'],
-    ['target_mm', 'Prescribed edge length mm'],
-    ['size_log2', 'Achieved over prescribed edge'],
+    ['target_mm', 'Target edge length mm'],
+    ['size_log2', 'Edge length over target'],
     ['min_dihedral_deg', 'Smallest dihedral angle °'],
     ['max_dihedral_deg', 'Largest dihedral angle °'],
     ['radius_ratio', 'Radius ratio'],

@@ -137,12 +137,12 @@ export class EngineClient {
   }
 
   /**
-   * Whether the engine accepts a case; the reply names every field. The case's volume need not be there. Beside a
-   * job that runs, the spare worker answers: nothing has to wait for a mesh to learn whether a recipe is sound.
+   * Whether the engine accepts a case; the reply names every field. The case's volume need not be there. The spare
+   * worker answers where there is one: nothing has to wait for a mesh, nor end one, to learn whether a recipe is sound.
    */
   async checkRecipe(value: object): Promise<RecipeReply> {
     const { spare } = this;
-    if (this.busy && spare) {
+    if (spare) {
       await unlessEnded(spare, spare.started).catch(() => undefined);
       // Once it has taken the place of another worker, its recipe is that of a job.
       if (spare === this.spare && spare.alive) return this.check(spare, value);

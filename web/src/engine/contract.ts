@@ -138,7 +138,7 @@ export interface DistanceSummary {
   uncertainty_mm: number;
 }
 
-/** Parts of a wall's outer area: with as many layers beneath as wished, and with no fewer. */
+/** Parts of a wall's outer area: with the target number of layers beneath, and with no fewer. */
 export interface LayerShares {
   /** Index: number of layers. */
   area_mm2: number[];
@@ -171,7 +171,7 @@ export interface Report {
   stages: (Omit<StageSummary, 'key'> & { digest: string })[];
   /** Absent where no label was to be looked up. */
   lookup?: LookedUpLabel[];
-  /** Absent where no number of layers was wished. */
+  /** Absent where no number of layers is a target. */
   layers?: LayerCount[];
   quality: { metrics: Metric[]; checklist: ChecklistItem[]; passed: boolean };
   fidelity: {
@@ -281,7 +281,7 @@ export type TetMeasure = (typeof tetMeasures)[number];
 
 /**
  * Per tet, -1 where there is none: its layer of a wall, from 1 at the inner surface; the layers of the wall there.
- * Absent where no number of layers was wished.
+ * Absent where no number of layers is a target.
  */
 export type LayerArray = 'layer' | 'layers_across';
 

@@ -18,4 +18,11 @@ describe('verdictOf', () => {
   it('says that another engine made it, where that explains the difference', () => {
     expect(verdictOf(expected, { engine: '0.2.0', digest: 'bb', tets: 990 }).kind).toBe('other_engine');
   });
+
+  it('takes engines of one release for two where their sources differ', () => {
+    const promised = { ...expected, engine: '0.2.0+0123456789ab' };
+    const verdict = verdictOf(promised, { engine: '0.2.0+0123456789ac', digest: 'bb', tets: 1000 });
+    expect(verdict.kind).toBe('other_engine');
+    expect(verdict.rows[0]).toMatchObject({ expected: '0.2.0+0123456789ab', found: '0.2.0+0123456789ac' });
+  });
 });

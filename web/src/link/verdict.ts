@@ -7,7 +7,10 @@ export interface Verdict {
   rows: { name: string; expected: string; found: string; same: boolean }[];
 }
 
-/** What a link promised against what this run gave. */
+/**
+ * What a link promised against what this run gave. Engines are the same only where their whole versions are: release
+ * and digest of their sources.
+ */
 export function verdictOf(expected: Expected, report: Pick<Report, 'engine' | 'digest' | 'tets'>): Verdict {
   const row = (name: string, promised: string, found: string) => ({
     name,

@@ -1,14 +1,15 @@
 import { useEffect, useState } from 'preact/hooks';
-import { dropFiles } from '../store/open_files';
-import { activity, announcement, dismiss, lastCancelMs, notices } from '../store/run';
-import { CasePanel } from './case_panel';
-import { Dialogs } from './dialogs';
-import { EvidencePanel } from './evidence_panel';
-import { Header } from './header';
-import { Icon } from './icons';
-import { Pipeline } from './pipeline';
-import { useShortcuts } from './shortcuts';
-import { ViewPanel } from './view_panel';
+import { dropFiles } from '../store/case/open_files';
+import { announcement, dismiss, notices } from '../store/notices';
+import { activity, lastCancelMs } from '../store/run/stages';
+import { CasePanel } from './case/case_panel';
+import { Dialogs } from './dialogs/dialogs';
+import { EvidencePanel } from './evidence/evidence_panel';
+import { Header } from './run/header';
+import { Icon } from './controls/icons';
+import { Pipeline } from './run/pipeline';
+import { useShortcuts } from './view/shortcuts';
+import { ViewPanel } from './view/view_panel';
 
 function Notices() {
   return (

@@ -32,8 +32,8 @@ function make(found: Report, pinned: Report | null): Charts {
     pinned ? [...one(metric, 'Pinned', 'pinned', pinned), ...one(metric, 'This run')] : one(metric, name);
   return {
     edges: pinned
-      ? against('edge_mm', 'Achieved')
-      : [...one('wished_edge_mm', 'Prescribed', 'before'), ...one('edge_mm', 'Achieved')],
+      ? against('edge_mm', 'Edge length')
+      : [...one('wished_edge_mm', 'Target', 'before'), ...one('edge_mm', 'Edge length')],
     ratios: against('size_log2', 'Size ratio'),
     aspects: pinned
       ? against('triangle_aspect_after', 'Adapted surface')

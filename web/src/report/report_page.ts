@@ -104,7 +104,7 @@ export function reportPage(
   const figures = (
     [
       ['Edge length', 'mm', charts.edges],
-      ['Achieved over prescribed edge', 'log₂', charts.ratios],
+      ['Edge length over target', 'log₂', charts.ratios],
       ['Dihedral angles', 'degrees', charts.angles],
       ['Aspect ratio of surface triangles', '', charts.aspects],
       ['Radius ratio', '', charts.radius_ratio],
@@ -155,7 +155,7 @@ ${warnings && `<h2>Warnings</h2><ul>${warnings}</ul>`}
 <h2>Distributions</h2>
 <div class="charts">${figures.join('\n')}</div>
 <h2>Fidelity to the labels</h2>
-${table(['Label', 'Tetrahedra', 'Voxels, ml', 'Mesh, ml', 'Error, %', 'Dice', 'Edge / wished, mm'], labels, 6)}
+${table(['Label', 'Tetrahedra', 'Voxels, ml', 'Mesh, ml', 'Error, %', 'Dice', 'Edge length / target, mm'], labels, 6)}
 <p></p>
 ${table(['Distance, mm', 'Mean', 'RMS', '95 %', 'Largest found', 'None above', 'Sample spacing'], distances, 6)}
 <h2>Measures</h2>

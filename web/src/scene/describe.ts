@@ -1,8 +1,8 @@
 /** The numbers of one element, in words: no three.js. */
 import type { StageArrays, StageName, TetArrays } from '../engine/contract';
 import { coordinate } from '../geometry/orientation';
-import { nameOf, voxelMm } from '../store/input';
-import { shownResult } from '../store/results';
+import { nameOf, voxelMm } from '../store/case/input';
+import { shownResult } from '../store/run/results';
 import { fractionLabel, type Picked } from '../store/view';
 
 /** What was looked up in the image at one tet. */
@@ -27,7 +27,7 @@ function measureLines(measures: StageArrays['quality'], tet: number): [string, s
       `${measures.min_dihedral_deg[tet].toFixed(1)}° to ${measures.max_dihedral_deg[tet].toFixed(1)}°`,
     ],
     ['Mean edge', `${edge.toFixed(2)} mm`],
-    ['Prescribed', `${(edge / ratio).toFixed(2)} mm (× ${ratio.toFixed(2)})`],
+    ['Target edge', `${(edge / ratio).toFixed(2)} mm (× ${ratio.toFixed(2)})`],
     ['Radius ratio', measures.radius_ratio[tet].toFixed(3)],
     ['Mean ratio', measures.mean_ratio[tet].toFixed(3)],
     ['Aspect ratio', measures.aspect_ratio[tet].toFixed(2)],

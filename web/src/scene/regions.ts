@@ -16,9 +16,9 @@ import {
 import { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
 import { effect } from '@preact/signals';
 import type { SizeRegion, Vec3 } from '../engine/contract';
-import { editRecipe, recipe } from '../store/recipe';
+import { editRecipe, recipe } from '../store/case/recipe';
 import { gizmoMode, regionShown } from '../store/view';
-import type { Viewer } from './viewer';
+import type { Viewer } from './frame/viewer';
 
 const degrees = 180 / Math.PI;
 const rounded = (value: number) => Math.round(value * 100) / 100;

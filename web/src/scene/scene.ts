@@ -3,10 +3,10 @@ import { batch, effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
 import type { StageName, Vec3 } from '../engine/contract';
 import { toIndex } from '../geometry/orientation';
-import { pinned, pinnedArrays } from '../store/compare';
-import { volume } from '../store/input';
-import { recipe } from '../store/recipe';
-import { pointsOf, shownResult } from '../store/results';
+import { pinned, pinnedArrays } from '../store/run/compare';
+import { volume } from '../store/case/input';
+import { recipe } from '../store/case/recipe';
+import { pointsOf, shownResult } from '../store/run/results';
 import {
   command,
   cut,
@@ -22,22 +22,22 @@ import {
   slicePlaces,
   stageShown,
 } from '../store/view';
-import { BodyView } from './body_view';
-import { Canvas } from './canvas';
-import { contourOf } from './contour';
+import { BodyView } from './mesh/body_view';
+import { Canvas } from './frame/canvas';
+import { contourOf } from './slices/contour';
 import { describe } from './describe';
-import { buildMarkers, disposeMarkers, sightOf } from './markers';
-import { addScaleBar, addTriad } from './overlay';
-import { surfaceBody } from './paint';
-import { pickAt } from './pick';
-import { takePicture } from './picture';
+import { buildMarkers, disposeMarkers, sightOf } from './mesh/markers';
+import { addScaleBar, addTriad } from './frame/overlay';
+import { surfaceBody } from './mesh/colouring';
+import { pickAt } from './mesh/pick';
+import { takePicture } from './frame/picture';
 import { addRegions } from './regions';
-import { addSlices } from './slices_view';
-import type { Plane } from './tet_model';
-import { arrayTexture } from './textures';
-import { followTets, tetCentre, type TetSource } from './tets_view';
-import { Twin } from './twin';
-import { Viewer } from './viewer';
+import { addSlices } from './slices/slices_view';
+import type { Plane } from './mesh/tet_model';
+import { arrayTexture } from './frame/textures';
+import { followTets, tetCentre, type TetSource } from './mesh/tets_view';
+import { Twin } from './frame/twin';
+import { Viewer } from './frame/viewer';
 import { WarmUp } from './warm_up';
 
 /** Offset of the cutting plane along its normal, from the fraction of the body's extent. */

@@ -11,11 +11,11 @@ import {
 import type { TetArrays } from '../engine/contract';
 import { tetFaces } from '../geometry/tet_faces';
 import { tetNeighbours } from '../geometry/tet_neighbours';
-import { contourOf } from './contour';
-import { elementMaterial } from './element_material';
-import { nextTask } from './tasks';
-import { TetModel } from './tet_model';
-import { arrayTexture } from './textures';
+import { contourOf } from './slices/contour';
+import { elementMaterial } from './mesh/element_material';
+import { nextTask } from './frame/tasks';
+import { TetModel } from './mesh/tet_model';
+import { arrayTexture } from './frame/textures';
 
 function oneTet(): TetArrays {
   const points = Float32Array.from([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);

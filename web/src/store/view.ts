@@ -1,7 +1,7 @@
 import { computed, signal } from '@preact/signals';
 import type { ErrorPlace, LayerArray, LookedUpArray, StageName, TetMeasure, Vec3 } from '../engine/contract';
 import { labelColour, type ColourMapName } from '../geometry/colours';
-import { volume } from './input';
+import { volume } from './case/input';
 
 export type DistanceUnit = 'distance_mm' | 'distance_voxels';
 export type ColourBy =

@@ -1,0 +1,103 @@
+import type { Recipe } from '../../engine/contract';
+import { forecast } from '../../store/run/forecast';
+import { awaitedFile, volume } from '../../store/case/input';
+import { editRecipe, recipe } from '../../store/case/recipe';
+import { activity } from '../../store/run/stages';
+import { CurvatureList } from './curvature_list';
+import { dialogShown } from '../controls/dialog_shown';
+import { NumberField } from '../controls/fields';
+import { LabelTable } from './label_table';
+import { LookUpFields } from './look_up_fields';
+import { MergeAllField } from './merge_all_field';
+import { PaintSection } from './paint_section';
+import { RegionList } from './region_list';
+import { SizeFiles } from './size_files';
+import { SourceSection } from './source_section';
+import { StageSection } from './stage_section';
+import { WallList } from './wall_list';
+
+function LabelSection({ current }: { current: Recipe }) {
+  const known = volume.value;
+  if (!known) return null;
+  const chosen = current.labels.length > 0 ? current.labels : known.labels.map(({ label }) => label);
+  return (
+    <section class="section">
+      <h2>Labels</h2>
+      <LabelTable current={current} />
+      {chosen.length > 1 && <MergeAllField current={current} chosen={chosen} />}
+      <LookUpFields current={current} />
+    </section>
+  );
+}
+
+function SizingSection({ current }: { current: Recipe }) {
+  const number = (
+    label: string,
+    key: 'edge_mm' | 'edge_min_mm' | 'edge_max_mm' | 'gradation',
+    unit: string,
+    step: number,
+  ) => (
+    <NumberField
+      label={label}
+      unit={unit}
+      path={`sizing.${key}`}
+      step={step}
+      value={current.sizing[key]}
+      onChange={(value) => editRecipe(label, (draft) => void (draft.sizing[key] = value), key)}
+    />
+  );
+  return (
+    <section class="section">
+      <div class="section-head">
+        <h2>Element size</h2>
+        <button
+          type="button"
+          class="button small"
+          title="Which edge lengths give so many tetrahedra?"
+          disabled={!forecast.value || activity.value !== 'idle'}
+          onClick={() => (dialogShown.value = 'sizes')}
+        >
+          By number…
+        </button>
+      </div>
+      {number('Edge length', 'edge_mm', 'mm', 0.1)}
+      {number('Growth per mm', 'gradation', '', 0.05)}
+      <RegionList current={current} />
+      <WallList current={current} />
+      <CurvatureList current={current} />
+      <PaintSection />
+      <SizeFiles current={current} />
+      <details class="more">
+        <summary>Bounds</summary>
+        {number('Smallest edge', 'edge_min_mm', 'mm', 0.1)}
+        {number('Largest edge', 'edge_max_mm', 'mm', 1)}
+      </details>
+    </section>
+  );
+}
+
+export function CasePanel() {
+  const current = recipe.value;
+  const awaited = awaitedFile.value;
+  if (!current) return <aside class="panel left" aria-label="Case" />;
+  const chosen = current.source.phantom !== undefined || current.source.file !== undefined;
+  return (
+    <aside class="panel left" aria-label="Case" aria-busy={activity.value === 'opening'}>
+      <SourceSection current={current} />
+      {awaited && <p class="hint">This case was made from {awaited.name}. Drop that file to go on.</p>}
+      {chosen && (
+        <>
+          <LabelSection current={current} />
+          <SizingSection current={current} />
+          <StageSection current={current} />
+        </>
+      )}
+      {!chosen && (
+        <p class="hint">
+          Labels, sizes and stage parameters appear here once a volume is open. Files stay on this computer:
+          the mesher runs in this tab.
+        </p>
+      )}
+    </aside>
+  );
+}

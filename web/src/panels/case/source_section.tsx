@@ -1,0 +1,163 @@
+import type { PhantomKind, PhantomParams, Recipe, Vec3, VolumeSummary } from '../../engine/contract';
+import { obliqueness, orientationLetters } from '../../geometry/orientation';
+import { editPhantom, openPhantom } from '../../store/case/open_case';
+import { openFiles } from '../../store/case/open_files';
+import { previewSoon } from '../../store/run/run_stages';
+import { volume } from '../../store/case/input';
+import { dialogShown } from '../controls/dialog_shown';
+import { CheckField, NumberField, SelectField, VectorField } from '../controls/fields';
+import { FileInput } from '../controls/file_input';
+import { short } from '../controls/format';
+import { Icon } from '../controls/icons';
+
+const bodies: readonly (readonly [PhantomKind, string])[] = [
+  ['biventricle', 'Heart (two ventricles)'],
+  ['sphere', 'Sphere'],
+  ['shell', 'Shell'],
+  ['torus', 'Torus'],
+  ['slab', 'Slab'],
+  ['nested_boxes', 'Nested boxes'],
+  ['branching_tube', 'Branching tube'],
+];
+
+export function FileButton({ label, primary }: { label: string; primary?: boolean }) {
+  return (
+    <FileInput
+      class={primary ? 'button primary' : 'button'}
+      testId="file-input"
+      onFiles={(files) => void openFiles(files)}
+    >
+      <Icon name="file" /> {label}
+    </FileInput>
+  );
+}
+
+/** What was read, so that a wrong spacing or a turned image is seen before it is meshed. */
+function ReadFacts({ known }: { known: VolumeSummary }) {
+  const { size, spacing_mm, index_to_mm, prepared } = known;
+  const turned = obliqueness(index_to_mm);
+  const product = (numbers: readonly (number | string)[]) => numbers.join(' × ');
+  const rows: [string, string, string?][] = [
+    ['Voxels', product(size)],
+    ['Spacing', `${product(spacing_mm.map(short))} mm`],
+    ['Extent', `${product(size.map((n, axis) => short(n * spacing_mm[axis])))} mm`],
+    [
+      'Orientation',
+      `${orientationLetters(index_to_mm)}${turned > 0.5 ? `, oblique by ${short(turned)}°` : ''}`,
+      'Where each voxel axis leads: right or left, anterior or posterior, superior or inferior',
+    ],
+  ];
+  const voxels = ([x, y, z]: Vec3) => x * y * z;
+  if (prepared && voxels(prepared.size) !== voxels(size))
+    rows.push(['Interpolated to', `${product(prepared.spacing_mm.map(short))} mm`]);
+  return (
+    <dl class="read-facts">
+      {rows.map(([name, value, title]) => (
+        <div key={name} title={title}>
+          <dt>{name}</dt>
+          <dd>{value}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+export function SourceSection({ current }: { current: Recipe }) {
+  const { phantom, file } = current.source;
+  const known = volume.value;
+  return (
+    <section class="section">
+      <h2>Volume</h2>
+      <div class="source-buttons">
+        <FileButton label="Open file…" />
+        <button type="button" class="button" onClick={() => (dialogShown.value = 'examples')}>
+          Examples…
+        </button>
+      </div>
+      {file && (
+        <p class="source-name" title={file.name}>
+          <Icon name="file" /> {file.name}
+        </p>
+      )}
+      {phantom && <PhantomFields phantom={phantom} />}
+      {known && <ReadFacts known={known} />}
+      {known?.warnings.map((warning) => (
+        <p key={warning} class="stale">
+          {warning}
+        </p>
+      ))}
+    </section>
+  );
+}
+
+function PhantomFields({ phantom }: { phantom: PhantomParams }) {
+  const edit = (label: string, change: Partial<PhantomParams>) => {
+    editPhantom(label, change);
+    previewSoon();
+  };
+  const number = (label: string, key: keyof PhantomParams, unit?: string) => (
+    <NumberField
+      label={label}
+      unit={unit}
+      path={`source.phantom.${key}`}
+      value={phantom[key] as number}
+      onChange={(value) => edit(label, { [key]: value })}
+    />
+  );
+  const heart = phantom.kind === 'biventricle';
+  const round = phantom.kind !== 'slab' && !heart;
+  return (
+    <>
+      <SelectField
+        label="Generated body"
+        value={phantom.kind}
+        options={bodies}
+        onChange={(kind) => void openPhantom({ kind, spacing_mm: phantom.spacing_mm })}
+      />
+      <NumberField
+        label="Voxel size"
+        unit="mm"
+        path="source.phantom.spacing_mm"
+        value={phantom.spacing_mm[0]}
+        onChange={(value) => edit('Voxel size', { spacing_mm: [value, value, value] as Vec3 })}
+      />
+      <details class="more">
+        <summary>Shape of the body</summary>
+        {heart && number('Scale', 'scale')}
+        {heart && number('Roughness', 'roughness_mm', 'mm')}
+        {heart && number('Seed', 'seed')}
+        {round && number('Radius', 'radius_mm', 'mm')}
+        {(phantom.kind === 'shell' || phantom.kind === 'torus') &&
+          number('Inner radius', 'inner_radius_mm', 'mm')}
+        {phantom.kind === 'slab' && number('Thickness', 'thickness_mm', 'mm')}
+        {heart && (
+          <CheckField
+            label="Scar with isthmus"
+            checked={phantom.scar}
+            onChange={(scar) => edit('Scar', { scar })}
+          />
+        )}
+        {heart && (
+          <CheckField
+            label="Blood pools"
+            checked={phantom.blood_pools}
+            onChange={(blood_pools) => edit('Blood pools', { blood_pools })}
+          />
+        )}
+        <CheckField
+          label="Mirrored image axis"
+          checked={phantom.mirrored}
+          onChange={(mirrored) => edit('Mirrored', { mirrored })}
+        />
+        <VectorField
+          label="Image rotation"
+          unit="°"
+          names={['x', 'y', 'z']}
+          path="source.phantom.rotation_deg"
+          value={phantom.rotation_deg}
+          onChange={(rotation_deg) => edit('Image rotation', { rotation_deg })}
+        />
+      </details>
+    </>
+  );
+}

@@ -1,0 +1,157 @@
+import { useEffect, useRef } from 'preact/hooks';
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+import { coveringRange, rebin } from '../../geometry/histogram';
+import type { Series } from '../../report/charts';
+import { dark } from '../../store/view';
+import { short } from './format';
+
+interface HistogramProps {
+  title: string;
+  unit: string;
+  /** What is counted, as in "share of edges". */
+  of: string;
+  series: Series[];
+  range?: [number, number];
+  selected?: [number, number] | null;
+  onSelect?(lo: number, hi: number): void;
+}
+
+const bins = 56;
+const height = 118;
+
+function cssColour(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+function showSelection(chart: uPlot, selected: [number, number] | null | undefined): void {
+  if (!selected) {
+    chart.setSelect({ left: 0, width: 0, top: 0, height: 0 }, false);
+    return;
+  }
+  const left = chart.valToPos(selected[0], 'x');
+  const right = chart.valToPos(selected[1], 'x');
+  const tall = chart.bbox.height / devicePixelRatio;
+  chart.setSelect({ left, width: right - left, top: 0, height: tall }, false);
+}
+
+/** Percentages in equal bins, one stepped line a series. Dragging across it selects a range. */
+export function HistogramChart(props: HistogramProps) {
+  const { series, unit, onSelect, selected } = props;
+  const host = useRef<HTMLDivElement>(null);
+  const plot = useRef<uPlot | null>(null);
+  const select = useRef(onSelect);
+  select.current = onSelect;
+  const isDark = dark.value;
+
+  const draw = (element: HTMLElement): (() => void) => {
+    const [lo, hi] = props.range ?? coveringRange(series.map((one) => one.histogram));
+    const width = (hi - lo) / bins;
+    // Edges of the bins, the last one repeated, so that the steps close.
+    const x = Float64Array.from({ length: bins + 1 }, (_, i) => lo + i * width);
+    const columns = series.map((one) => {
+      const shares = rebin(one.histogram, lo, hi, bins);
+      return [...shares, shares[bins - 1]];
+    });
+    const ink = cssColour('--text-soft');
+    const grid = cssColour('--line-soft');
+    const axis = {
+      stroke: ink,
+      font: '11px "Inter Variable", system-ui, sans-serif',
+      grid: { stroke: grid, width: 1 },
+      ticks: { show: false },
+    };
+    const stepped = uPlot.paths.stepped?.({ align: 1 });
+    const chart = new uPlot(
+      {
+        width: element.clientWidth || 300,
+        height,
+        padding: [6, 10, 0, 0],
+        legend: { show: false },
+        cursor: {
+          y: false,
+          points: { show: false },
+          drag: { x: select.current !== undefined, y: false, setScale: false },
+        },
+        scales: {
+          x: { time: false, range: [lo, hi] },
+          y: { range: (_, __, max) => [0, Math.max(1, max * 1.08)] },
+        },
+        axes: [
+          { ...axis, size: 22, gap: 4, values: (_, ticks) => ticks.map((tick) => short(tick)) },
+          { ...axis, size: 34, gap: 4, values: (_, ticks) => ticks.map((tick) => `${tick}%`) },
+        ],
+        series: [
+          {},
+          ...series.map((one) => {
+            const stroke = cssColour(`--chart-${one.tone}`);
+            const fill = cssColour(`--chart-${one.tone}-fill`);
+            return { label: one.name, stroke, fill, width: 1.5, paths: stepped, points: { show: false } };
+          }),
+        ],
+        hooks: {
+          setSelect: [
+            (u) => {
+              if (!select.current || u.select.width < 3) return;
+              select.current(u.posToVal(u.select.left, 'x'), u.posToVal(u.select.left + u.select.width, 'x'));
+            },
+          ],
+        },
+      },
+      [x as unknown as number[], ...columns],
+      element,
+    );
+    plot.current = chart;
+    if (selected) showSelection(chart, selected);
+    const observer = new ResizeObserver(() => chart.setSize({ width: element.clientWidth, height }));
+    observer.observe(element);
+    return () => {
+      observer.disconnect();
+      chart.destroy();
+      plot.current = null;
+    };
+  };
+
+  // Each in a task of its own: a report brings half a dozen at once.
+  useEffect(() => {
+    let remove: (() => void) | undefined;
+    const timer = setTimeout(() => (remove = host.current ? draw(host.current) : undefined));
+    return () => {
+      clearTimeout(timer);
+      remove?.();
+    };
+  }, [series, props.range, isDark]);
+
+  useEffect(() => {
+    if (plot.current) showSelection(plot.current, selected);
+  }, [selected?.[0], selected?.[1], series, isDark]);
+
+  const summary = series
+    .map((one) => `${one.name}: from ${short(one.histogram.lo)} to ${short(one.histogram.hi)} ${unit}`)
+    .join('; ');
+  return (
+    <figure class="histogram">
+      <figcaption>
+        <span class="histogram-title">{props.title}</span>
+        <span class="histogram-unit">
+          {unit ? `${unit}, ` : ''}share of {props.of}
+        </span>
+      </figcaption>
+      {series.length > 1 && (
+        <div class="histogram-key">
+          {series.map((one) => (
+            <span key={one.name} class={`key ${one.tone}`}>
+              {one.name}
+            </span>
+          ))}
+        </div>
+      )}
+      <div
+        ref={host}
+        class={onSelect ? 'chart brushable' : 'chart'}
+        role="img"
+        aria-label={`${props.title}. ${summary}`}
+      />
+    </figure>
+  );
+}

@@ -1,0 +1,109 @@
+import type { FunctionComponent } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { acceptOffer, offered, closeOffer } from '../../store/case/open_case';
+import { tellError } from '../../store/run/engine';
+import { filesOf } from '../../store/case/input';
+import { Dialog } from '../controls/dialog';
+import { dialogShown } from '../controls/dialog_shown';
+import { DropDialog } from './drop_dialog';
+import { whole } from '../controls/format';
+import { Icon } from '../controls/icons';
+
+function OfferDialog() {
+  const offer = offered.value;
+  if (!offer) return null;
+  const { source, sizing, labels } = offer.recipe;
+  const rows: [string, string][] = [
+    [
+      'Volume',
+      source.phantom
+        ? `generated: ${source.phantom.kind.replaceAll('_', ' ')}, ${source.phantom.spacing_mm.join(' × ')} mm`
+        : source.file
+          ? `${source.file.name}${offer.origin !== 'interrupted' ? ', which you are asked to drop in' : ''}`
+          : 'none',
+    ],
+    ['Labels', labels.length > 0 ? labels.join(', ') : 'all'],
+    [
+      'Edge length',
+      `${sizing.edge_mm} mm${sizing.labels.map((entry) => `, ${entry.edge_mm} mm in label ${entry.label}`).join('')}`,
+    ],
+    [
+      'Regions',
+      sizing.regions.length === 0
+        ? 'none'
+        : sizing.regions
+            .map((region) => `${region.name || region.shape} ${region.edge_mm} mm`)
+            .slice(0, 6)
+            .join(', '),
+    ],
+  ];
+  if (sizing.thickness.length > 0)
+    rows.push(['Walls', sizing.thickness.map(({ wall }) => `labels ${wall.join(', ')}`).join('; ')]);
+  if (sizing.curvature.length > 0)
+    rows.push([
+      'Curvature',
+      sizing.curvature.map(({ edges_per_turn }) => `${edges_per_turn} edges to a turn`).join('; '),
+    ]);
+  const sideFiles = filesOf({ ...offer.recipe, source: {} });
+  if (sideFiles.length > 0)
+    rows.push([
+      'Size files',
+      `${sideFiles.join(', ')}${offer.origin !== 'interrupted' ? ', to be dropped in' : ''}`,
+    ]);
+  if (offer.promise) {
+    const { tets, digest, engine } = offer.promise.expected;
+    rows.push(['Promised', `${whole(tets)} tetrahedra, digest ${digest.slice(0, 12)}…, engine ${engine}`]);
+  }
+  return (
+    <Dialog
+      title={offer.origin === 'interrupted' ? 'Go on with the last case?' : 'Open this case?'}
+      onClose={closeOffer}
+    >
+      <p>
+        {offer.origin === 'interrupted'
+          ? 'The page was left while the engine was at work on it. Nothing has been run.'
+          : `A ${offer.origin} brought this recipe. Nothing has been run or fetched.`}
+      </p>
+      <dl class="offer">
+        {rows.map(([name, value]) => (
+          <div key={name}>
+            <dt>{name}</dt>
+            <dd>{value}</dd>
+          </div>
+        ))}
+      </dl>
+      <div class="dialog-actions">
+        <button type="button" class="button" onClick={closeOffer}>
+          Not now
+        </button>
+        <button
+          type="button"
+          class={source.phantom ? 'button' : 'button primary'}
+          onClick={() => acceptOffer(false)}
+        >
+          Open
+        </button>
+        {source.phantom && (
+          <button type="button" class="button primary" onClick={() => acceptOffer(true)}>
+            <Icon name="play" /> Open and run
+          </button>
+        )}
+      </div>
+    </Dialog>
+  );
+}
+
+export function Dialogs() {
+  const [tools, setTools] = useState<{ ToolDialogs: FunctionComponent } | null>(null);
+  const wanted = dialogShown.value !== null;
+  useEffect(() => {
+    if (wanted && !tools) import('./tool_dialogs').then(setTools, tellError);
+  }, [wanted, tools]);
+  return (
+    <>
+      <OfferDialog />
+      <DropDialog />
+      {tools && <tools.ToolDialogs />}
+    </>
+  );
+}

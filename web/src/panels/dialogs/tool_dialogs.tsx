@@ -1,0 +1,219 @@
+/** Dialogs that are opened by hand; they are loaded when the first of them is. */
+import { useEffect, useState } from 'preact/hooks';
+import { exportFormats, type ExportFormat, type Space } from '../../engine/contract';
+import {
+  downloadCase,
+  downloadPainted,
+  downloadReport,
+  exportMesh,
+  exportZip,
+  shareCase,
+  type SharedCase,
+} from '../../store/case/exchange';
+import { filesOf } from '../../store/case/input';
+import { paintedEdges, paintedName } from '../../store/case/painting';
+import { recipe } from '../../store/case/recipe';
+import { report, upToDate } from '../../store/run/report';
+import { activity } from '../../store/run/stages';
+import { Dialog } from '../controls/dialog';
+import { dialogShown } from '../controls/dialog_shown';
+import { Segments } from '../controls/fields';
+import { whole } from '../controls/format';
+import { Gallery } from '../case/gallery';
+import { Icon } from '../controls/icons';
+import { KeyList } from '../view/key_list';
+import { SizesDialog } from '../run/sizes_dialog';
+
+const formatNotes: Record<ExportFormat, [string, string]> = {
+  vtu: ['VTU', 'ParaView, PyVista: tetrahedra and labels, mm'],
+  xdmf: ['XDMF', 'FEniCS, ParaView; two files: .xdmf, .h5, mm'],
+  msh: ['Gmsh MSH', 'Gmsh, FEniCS; labels and interfaces named, mm'],
+  medit: ['Medit', 'MMG, FreeFEM; mm'],
+  carp: ['openCARP', '.pts, .elem; no fibres, so no .lon; µm'],
+  inp: ['Abaqus', 'Abaqus, CalculiX; labels and interfaces named, mm'],
+  feb: ['FEBio', 'FEBio Studio; parts and interfaces named, mm'],
+  stl: ['STL', 'Boundary surface, for printing and viewing, mm'],
+  ply: ['PLY', 'Boundary surface with labels, mm'],
+};
+
+function ExportDialog({ close }: { close(): void }) {
+  const [format, setFormat] = useState<ExportFormat>('vtu');
+  const [space, setSpace] = useState<Space>('ras');
+  return (
+    <Dialog title="Export the mesh" onClose={close}>
+      <div class="formats" role="radiogroup" aria-label="Format">
+        {exportFormats.map((name) => (
+          <label key={name} class={format === name ? 'format chosen' : 'format'}>
+            <input
+              type="radio"
+              name="format"
+              value={name}
+              checked={format === name}
+              onChange={() => setFormat(name)}
+            />
+            <span class="format-name">{formatNotes[name][0]}</span>
+            <span class="format-note">{formatNotes[name][1]}</span>
+          </label>
+        ))}
+      </div>
+      <div class="dialog-row">
+        <span>Coordinates</span>
+        <Segments
+          label="Coordinates"
+          value={space}
+          options={[
+            ['ras' as Space, 'RAS', 'Right, anterior, superior: NIfTI, 3D Slicer on screen'],
+            ['lps' as Space, 'LPS', 'Left, posterior, superior: DICOM, ITK'],
+          ]}
+          onChange={(next: Space) => setSpace(next)}
+        />
+        <span class="muted">
+          {space === 'ras' ? 'x to the right, as in NIfTI' : 'x to the left, as in DICOM'}
+        </span>
+      </div>
+      {format === 'carp' && (
+        <p class="stale">
+          No fibres are known, so no .lon file is written. openCARP requires one: make the fibres, a direction
+          for each element, before simulating.
+        </p>
+      )}
+      {!upToDate.value && (
+        <p class="stale">The recipe has changed since; this exports the mesh that is shown.</p>
+      )}
+      <div class="dialog-actions">
+        <button type="button" class="button" onClick={() => downloadReport()}>
+          Report (JSON)
+        </button>
+        <button
+          type="button"
+          class="button"
+          title="The mesh with its report, the case and the masks of sizes"
+          disabled={!upToDate.value}
+          onClick={() => {
+            close();
+            void exportZip(format, space);
+          }}
+        >
+          All in one zip
+        </button>
+        <button
+          type="button"
+          class="button primary"
+          disabled={activity.value === 'export'}
+          onClick={() => {
+            close();
+            void exportMesh(format, space);
+          }}
+        >
+          <Icon name="download" /> Export
+        </button>
+      </div>
+    </Dialog>
+  );
+}
+
+function lengthNote(length: number): string {
+  if (length > 500_000) return 'Too long for a link: send the case file instead.';
+  if (length > 8000) return 'Long for a link: mail and chat programs will cut it. Better send the case file.';
+  if (length > 2000) return 'Some chat programs cut links of this length.';
+  return '';
+}
+
+function ShareDialog({ close }: { close(): void }) {
+  const [shared, setShared] = useState<SharedCase | null>(null);
+  const [copied, setCopied] = useState(false);
+  const [trouble, setTrouble] = useState('');
+  useEffect(() => {
+    shareCase().then(setShared, (error: Error) => setTrouble(error.message));
+  }, []);
+  const copy = async () => {
+    if (!shared) return;
+    try {
+      await navigator.clipboard.writeText(shared.url);
+      setCopied(true);
+    } catch {
+      setTrouble('The browser does not allow copying here; select the link and copy it.');
+    }
+  };
+  const note = shared ? lengthNote(shared.url.length) : '';
+  const files = recipe.value ? filesOf(recipe.value) : [];
+  return (
+    <Dialog title="Share this case" onClose={close}>
+      <p>
+        {shared?.promises
+          ? `The link holds the recipe and the digest of this mesh (${whole(report.value?.tets ?? 0)} tetrahedra). Whoever opens it and runs sees whether it is reproduced.`
+          : 'The link holds the recipe only: run first, and it will also hold the digest of the mesh.'}
+      </p>
+      {files.length > 0 && (
+        <p>
+          {files.join(', ')} {files.length === 1 ? 'is' : 'are'} not in the link. The receiver drops the same{' '}
+          {files.length === 1 ? 'file' : 'files'} in, and digests are checked.
+        </p>
+      )}
+      <textarea
+        class="link"
+        readOnly
+        rows={4}
+        aria-label="Link"
+        value={shared?.url ?? ''}
+        onFocus={(event) => event.currentTarget.select()}
+        data-testid="share-link"
+      />
+      {shared && (
+        <p class="muted">
+          {whole(shared.url.length)} characters. {note}
+        </p>
+      )}
+      {trouble && <p class="stale">{trouble}</p>}
+      <div class="dialog-actions">
+        <button
+          type="button"
+          class="button"
+          disabled={!shared}
+          onClick={() => shared && downloadCase(shared.minimal)}
+        >
+          Case file (JSON)
+        </button>
+        {paintedEdges().length > 0 && (
+          <button
+            type="button"
+            class="button"
+            title="The painted sizes, which the receiver has to drop in"
+            onClick={() => downloadPainted()}
+          >
+            {paintedName}
+          </button>
+        )}
+        <button type="button" class="button primary" disabled={!shared} onClick={() => void copy()}>
+          {copied ? 'Copied' : 'Copy link'}
+        </button>
+      </div>
+    </Dialog>
+  );
+}
+
+export function ToolDialogs() {
+  const close = () => (dialogShown.value = null);
+  switch (dialogShown.value) {
+    case 'export':
+      return <ExportDialog close={close} />;
+    case 'share':
+      return <ShareDialog close={close} />;
+    case 'sizes':
+      return <SizesDialog close={close} />;
+    case 'examples':
+      return (
+        <Dialog title="Examples" onClose={close}>
+          <Gallery onOpen={close} />
+        </Dialog>
+      );
+    case 'keys':
+      return (
+        <Dialog title="Keys" onClose={close}>
+          <KeyList />
+        </Dialog>
+      );
+    default:
+      return null;
+  }
+}

@@ -1,0 +1,159 @@
+import { useState } from 'preact/hooks';
+import type { Report } from '../../engine/contract';
+import { coveringRange } from '../../geometry/histogram';
+import { seriesOf, type ChartKind, type Series } from '../../report/charts';
+import { brush, focusTet, stageShown, type Brush } from '../../store/view';
+import { NumberInput } from '../controls/fields';
+import { whole } from '../controls/format';
+import { HistogramChart } from '../controls/histogram';
+import { Icon } from '../controls/icons';
+
+type BrushMetric = Brush['metric'];
+
+/** The range that a histogram has selected, in numbers: the same control for the keyboard. */
+function BrushRow(props: { metric: BrushMetric; name: string; unit: string; series: Series[] }) {
+  const { metric, name, unit, series } = props;
+  const range = brush.value?.metric === metric ? brush.value : null;
+  if (!range) {
+    return (
+      <p class="brush-hint">
+        Drag across the bars to see those elements, or{' '}
+        <button
+          type="button"
+          class="link-button"
+          onClick={() => startBrush(metric, ...coveringRange(series.map(({ histogram }) => histogram)))}
+        >
+          give a range
+          <span class="sr"> of {name}</span>
+        </button>
+        .
+      </p>
+    );
+  }
+  const set = (lo: number, hi: number) => (brush.value = { ...range, lo, hi });
+  return (
+    <div class="brush-row">
+      <NumberInput
+        label={`Smallest ${name}`}
+        value={Number(range.lo.toFixed(2))}
+        onChange={(lo) => lo !== null && set(lo, range.hi)}
+      />
+      <span>to</span>
+      <NumberInput
+        label={`Largest ${name}`}
+        value={Number(range.hi.toFixed(2))}
+        onChange={(hi) => hi !== null && set(range.lo, hi)}
+      />
+      <span class="brush-count" data-testid="brush-count">
+        {unit && `${unit}, `}
+        {range.shown === null ? '…' : whole(range.shown)} elements
+      </span>
+      <button
+        type="button"
+        class="icon-button small"
+        aria-label="Show all elements"
+        title="Show all"
+        onClick={() => (brush.value = null)}
+      >
+        <Icon name="cross" size={13} />
+      </button>
+    </div>
+  );
+}
+
+function startBrush(metric: BrushMetric, lo: number, hi: number): void {
+  focusTet.value = null;
+  if (stageShown.value !== 'optimise') stageShown.value = 'quality';
+  brush.value = { metric, lo, hi, shown: null };
+}
+
+interface Chart {
+  kind: ChartKind;
+  title: string;
+  of: string;
+  unit: string;
+  range?: [number, number];
+  /** What a dragged range chooses elements by. */
+  brushed?: { metric: BrushMetric; name: string; unit: string };
+}
+
+const charts: Chart[] = [
+  {
+    kind: 'edges',
+    title: 'Edge length',
+    of: 'edges',
+    unit: 'mm',
+    brushed: { metric: 'edge_mm', name: 'mean edge', unit: 'mm' },
+  },
+  {
+    kind: 'ratios',
+    title: 'Edge length / target edge length',
+    of: 'edges',
+    unit: 'log₂',
+    brushed: { metric: 'size_log2', name: 'size ratio', unit: 'log₂' },
+  },
+  { kind: 'aspects', title: 'Aspect ratio of surface triangles', of: 'triangles', unit: '' },
+  {
+    kind: 'angles',
+    title: 'Dihedral angles',
+    of: 'angles',
+    unit: 'degrees',
+    range: [0, 180],
+    brushed: { metric: 'dihedral_deg', name: 'angle', unit: '°' },
+  },
+];
+
+const shape = (kind: ChartKind & BrushMetric, title: string): Chart => ({
+  kind,
+  title,
+  of: 'tetrahedra',
+  unit: '',
+  brushed: { metric: kind, name: title.toLowerCase(), unit: '' },
+});
+
+const further = [
+  shape('radius_ratio', 'Radius ratio'),
+  shape('mean_ratio', 'Mean ratio'),
+  shape('aspect_ratio', 'Aspect ratio'),
+];
+
+const brushing = new Map(
+  [...charts, ...further].flatMap(({ kind, brushed }) =>
+    brushed ? [[kind, (lo: number, hi: number) => startBrush(brushed.metric, lo, hi)] as const] : [],
+  ),
+);
+
+function ChartOf({ chart, found, pinned }: { chart: Chart; found: Report; pinned: Report | null }) {
+  const series = seriesOf(found, pinned)[chart.kind];
+  if (series.length === 0) return null;
+  const { brushed } = chart;
+  const selected = brushed && brush.value?.metric === brushed.metric ? brush.value : null;
+  return (
+    <>
+      <HistogramChart
+        title={chart.title}
+        unit={chart.unit}
+        of={chart.of}
+        series={series}
+        range={chart.range}
+        selected={selected && [selected.lo, selected.hi]}
+        onSelect={brushing.get(chart.kind)}
+      />
+      {brushed && <BrushRow {...brushed} series={series} />}
+    </>
+  );
+}
+
+export function ElementHistograms({ found, pinned }: { found: Report; pinned: Report | null }) {
+  const [open, setOpen] = useState(false);
+  const row = (chart: Chart) => <ChartOf key={chart.kind} chart={chart} found={found} pinned={pinned} />;
+  return (
+    <section class="section histograms">
+      {charts.map(row)}
+      <details class="more" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
+        <summary>Shape of the tetrahedra</summary>
+        {open && further.map(row)}
+      </details>
+    </section>
+  );
+}

@@ -1,0 +1,72 @@
+import { useState } from 'preact/hooks';
+import { tetMeasures, type Metric, type Report, type TetMeasure } from '../../engine/contract';
+import { nameOf } from '../../store/case/input';
+import { shownResult } from '../../store/run/results';
+import { brush, colourOf, focusTet, stageShown } from '../../store/view';
+import { SelectField } from '../controls/fields';
+import { sentence, short, unitSign } from '../controls/format';
+
+function isTetMeasure(name: string): name is TetMeasure {
+  return (tetMeasures as readonly string[]).includes(name);
+}
+
+function flyTo(tet: number): void {
+  if (stageShown.value !== 'optimise') stageShown.value = 'quality';
+  brush.value = null;
+  focusTet.value = tet;
+}
+
+/** The elements that are worst by a measure; a click flies to one, and arrow keys go along the list. */
+export function WorstList({ found }: { found: Report }) {
+  const ranked = found.quality.metrics.filter(
+    (metric): metric is Metric & { name: TetMeasure } =>
+      metric.elements === 'tets' && metric.worst.length > 0 && isTetMeasure(metric.name),
+  );
+  const [name, setName] = useState<TetMeasure>('min_dihedral_deg');
+  const metric = ranked.find((entry) => entry.name === name) ?? ranked[0];
+  const labels = shownResult('optimise')?.labels;
+  const values = shownResult('quality')?.[metric?.name ?? name];
+  if (!metric || !labels || !values) return null;
+  const onKey = (event: KeyboardEvent & { currentTarget: HTMLElement }) => {
+    const way = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (way === undefined) return;
+    const rows = [...event.currentTarget.querySelectorAll('button')];
+    const next = rows[rows.indexOf(document.activeElement as HTMLButtonElement) + way];
+    next?.focus();
+    next?.click();
+    event.preventDefault();
+  };
+  return (
+    <section class="section">
+      <h2>Worst elements</h2>
+      <SelectField
+        label="By"
+        value={metric.name}
+        options={ranked.map((entry) => [entry.name, sentence(entry.name)] as const)}
+        onChange={(next) => setName(next)}
+      />
+      <ol class="worst" onKeyDown={onKey}>
+        {metric.worst.slice(0, 50).map((tet, rank) => (
+          <li key={tet}>
+            <button
+              type="button"
+              aria-current={focusTet.value === tet}
+              aria-label={`Fly to element ${tet}, number ${rank + 1} from the worst: ${short(values[tet])} ${unitSign(metric.unit)}, ${nameOf(labels[tet])}`}
+              onClick={() => flyTo(tet)}
+            >
+              <span class="rank">{rank + 1}</span>
+              <span class="worst-value">
+                {short(values[tet])}
+                {unitSign(metric.unit)}
+              </span>
+              <svg class="dot" viewBox="0 0 8 8" aria-hidden="true">
+                <circle cx="4" cy="4" r="4" fill={colourOf.value(labels[tet])} />
+              </svg>
+              <span class="worst-label">{nameOf(labels[tet])}</span>
+            </button>
+          </li>
+        ))}
+      </ol>
+    </section>
+  );
+}

@@ -1,0 +1,39 @@
+import type { Forecast, Recipe } from '../../engine/contract';
+import type { Exceeded } from '../../store/run/forecast';
+import { about } from '../controls/format';
+
+type Limited = keyof Recipe['limits'];
+
+/** A number of a forecast, as exactly as it is known. */
+export function amount(field: Limited, value: number): string {
+  if (field === 'tets') return `${about(value)} tetrahedra`;
+  if (field === 'memory_mb') return `${about(value)} MB`;
+  if (value >= 90) return `${Math.round(value / 60)} min`;
+  return `${Math.max(1, Math.round(value))} s`;
+}
+
+/** Tetrahedra, memory and time; with the limit where one is exceeded. */
+export function forecastParts(numbers: Forecast, exceeded: readonly Exceeded[]): string[] {
+  const part = (field: Limited, value: number) => {
+    const beyond = exceeded.find((one) => one.field === field);
+    return amount(field, value) + (beyond ? ` (limit ${limitOf(beyond)})` : '');
+  };
+  return [
+    `about ${part('tets', numbers.tets)}`,
+    part('memory_mb', numbers.peak_mb),
+    part('seconds', numbers.seconds),
+  ];
+}
+
+const units: Record<Limited, string> = { tets: '', memory_mb: ' MB', seconds: ' s' };
+
+/** As it was set: a limit is exact. */
+function limitOf({ field, limit }: Exceeded): string {
+  return limit.toLocaleString('en') + units[field];
+}
+
+/** Why the engine will refuse a case, with the field's name as it stands in the recipe. */
+export function refusal(beyond: Exceeded): string {
+  const { field, found } = beyond;
+  return `limits.${field}: the forecast is about ${amount(field, found)}, the limit ${limitOf(beyond)}.`;
+}

@@ -1,0 +1,57 @@
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { volume } from '../../store/case/input';
+import { activity } from '../../store/run/stages';
+import { layout, legend, sliceLegend } from '../../store/view';
+import { EmptyState } from '../case/empty_state';
+import { LegendCard, PickedCard } from './view_cards';
+import { ShowAll, SliceChoice, ViewToolbar } from './view_tools';
+
+export function ViewPanel() {
+  const host = useRef<HTMLDivElement>(null);
+  const [trouble, setTrouble] = useState('');
+  const opened = volume.value !== null;
+  // Ready before there is anything to see, but not in the way of the engine's start.
+  const started = activity.value !== 'starting';
+  useEffect(() => {
+    if (!started || !host.current) return;
+    const element = host.current;
+    let unmount: (() => void) | undefined;
+    let gone = false;
+    import('../../scene/scene').then(
+      ({ mountScene }) => {
+        if (gone) return;
+        try {
+          unmount = mountScene(element);
+        } catch {
+          setTrouble(
+            'This browser gives no WebGL 2, so there is no 3-D view. Meshing, histograms and export work all the same.',
+          );
+        }
+      },
+      () => setTrouble('The 3-D view could not be loaded.'),
+    );
+    return () => {
+      gone = true;
+      unmount?.();
+    };
+  }, [started]);
+
+  return (
+    <main class="view" aria-label="View" data-layout={opened ? layout.value : undefined}>
+      {opened && <ViewToolbar />}
+      <div class="view-body">
+        <div class={opened ? 'view-host' : 'view-host waiting'} ref={host} />
+        {!opened && <EmptyState />}
+        {opened && trouble && <p class="view-trouble">{trouble}</p>}
+        {opened && (
+          <>
+            <LegendCard shown={legend.value ?? (layout.value === 'model' ? sliceLegend.value : null)} />
+            <SliceChoice />
+            <PickedCard />
+            <ShowAll />
+          </>
+        )}
+      </div>
+    </main>
+  );
+}

@@ -1,0 +1,58 @@
+import { Color, DoubleSide, GLSL3, RawShaderMaterial, Vector4 } from 'three';
+import { shadingFragment } from '../frame/shading';
+
+const vertexShader = /* glsl */ `
+precision highp float;
+uniform mat4 modelViewMatrix, projectionMatrix;
+in vec3 position;
+in vec3 colour;
+#ifdef SMOOTH
+in vec3 normal;
+uniform mat3 normalMatrix;
+out vec3 vNormal;
+#endif
+flat out vec3 vColour;
+flat out uint vElement;
+out vec3 vView;
+out vec3 vWorld;
+out vec3 vCorner;
+void main() {
+  vec4 view = modelViewMatrix * vec4(position, 1.0);
+  vView = view.xyz;
+  vWorld = position;
+  vColour = colour;
+  vElement = uint(gl_VertexID / 3);
+  int corner = gl_VertexID % 3;
+  vCorner = vec3(corner == 0, corner == 1, corner == 2);
+#ifdef SMOOTH
+  vNormal = normalMatrix * normal;
+#endif
+  gl_Position = projectionMatrix * view;
+}`;
+
+/** A plane that clips nothing: what lies on its side of normal . p <= offset stays. */
+export const noClip = new Vector4(0, 0, 0, 1);
+
+/** Uniforms of the shared fragment stage. */
+export function shadingUniforms(ghost: boolean) {
+  return {
+    clipPlane: { value: noClip.clone() },
+    edgeStrength: { value: ghost ? 0 : 0.55 },
+    edgeColour: { value: new Color(0.05, 0.07, 0.1) },
+    opacity: { value: ghost ? 0.1 : 1 },
+  };
+}
+
+/** Faces with a colour each. Geometry must not be indexed: three corners in a row are one face. */
+export function elementMaterial(options: { smooth: boolean; ghost?: boolean }): RawShaderMaterial {
+  return new RawShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader,
+    fragmentShader: shadingFragment,
+    defines: options.smooth ? { SMOOTH: 1 } : {},
+    side: DoubleSide,
+    transparent: options.ghost ?? false,
+    depthWrite: !options.ghost,
+    uniforms: shadingUniforms(options.ghost ?? false),
+  });
+}

@@ -1,0 +1,213 @@
+import {
+  BufferGeometry,
+  Color,
+  DataTexture,
+  DoubleSide,
+  GLSL3,
+  Group,
+  Mesh,
+  RawShaderMaterial,
+  Vector2,
+  Vector3,
+  Vector4,
+  type Texture,
+  type WebGLRenderer,
+} from 'three';
+import type { TetArrays } from '../../engine/contract';
+import { chosenBit, shownBit } from '../../geometry/tet_faces';
+import { noClip, shadingUniforms } from './element_material';
+import type { TetPaint } from './colouring';
+import { nextTask } from '../frame/tasks';
+import { shadingFragment } from '../frame/shading';
+import { facesVertex, sectionVertex } from './tet_shaders';
+import { arrayTexture, labelTexture, paletteTexture, pointTexture, scaleTexture } from '../frame/textures';
+
+export type TetDrawing = Mesh<BufferGeometry, RawShaderMaterial>;
+
+/** normal . p <= offset is kept; flat cuts go through elements, others leave them whole. */
+export interface Plane {
+  normal: readonly number[];
+  offset: number;
+  flat: boolean;
+}
+
+const paintCodes = { label: 0, scale: 1, given: 2, points: 4, parts: 5 } as const;
+const plainCode = 3;
+
+/**
+ * A tetrahedral mesh on the graphics card. Its arrays are uploaded once; cuts, choices, colours and pulling apart
+ * change uniforms, or one byte or number a tet.
+ */
+export class TetModel {
+  readonly group = new Group();
+  readonly largest: number;
+  private readonly mesh: TetArrays;
+  private readonly shared;
+  private readonly solid: TetDrawing;
+  private readonly cap: TetDrawing;
+  private readonly ghost: TetDrawing;
+  private plane: Plane | null = null;
+  private partly = false;
+  private hides = false;
+  private disposed = false;
+
+  constructor(mesh: TetArrays) {
+    this.mesh = mesh;
+    const ways = new Map<number, Float32Array>();
+    for (let i = 0; i < mesh.ways.length; i += 4) ways.set(mesh.ways[i], mesh.ways.subarray(i + 1, i + 4));
+    this.largest = Math.max(0, ...ways.keys());
+    const { faces, centres, extents, tets, neighbours } = mesh;
+    this.shared = {
+      points: { value: pointTexture(mesh.points) },
+      centres: { value: arrayTexture(centres, 4) },
+      tets: { value: arrayTexture(tets, 4) },
+      neighbours: { value: arrayTexture(neighbours, 4) },
+      faces: { value: arrayTexture(faces, 1) },
+      mask: { value: arrayTexture(new Uint8Array(mesh.labels.length).fill(shownBit | chosenBit), 1) },
+      values: { value: arrayTexture(new Float32Array(1), 1) },
+      palette: { value: paletteTexture(this.largest, () => '#969696', new Set()) },
+      scale: { value: scaleTexture('viridis') },
+      offsets: { value: labelTexture(this.largest, ways) },
+      counts: { value: new Vector2(extents[0], extents[1]) },
+      reach: { value: extents[2] },
+      range: { value: new Vector2(0, 1) },
+      explode: { value: 0 },
+      apart: { value: false },
+      singled: { value: -1 },
+      singledColour: { value: new Color(1, 0.77, 0) },
+      plain: { value: new Color(0.59, 0.59, 0.59) },
+    };
+    this.solid = this.drawing(facesVertex, { need: chosenBit });
+    this.cap = this.drawing(sectionVertex, { need: chosenBit });
+    this.ghost = this.drawing(facesVertex, { need: shownBit, ghost: true });
+    this.cap.geometry.setDrawRange(0, 6 * mesh.labels.length);
+    this.ghost.geometry.setDrawRange(0, 3 * extents[0]);
+    this.ghost.renderOrder = 1;
+    this.group.add(this.solid, this.cap, this.ghost);
+    this.update();
+  }
+
+  /** Takes the textures to the graphics card one a task, since all of them at once would hold up the page. */
+  async upload(renderer: WebGLRenderer): Promise<void> {
+    this.group.visible = false;
+    for (const { value } of Object.values(this.shared)) {
+      if (this.disposed) return;
+      if (!(value instanceof DataTexture)) continue;
+      renderer.initTexture(value);
+      await nextTask();
+    }
+    this.group.visible = true;
+  }
+
+  /** What a click may hit. */
+  get pickable(): TetDrawing[] {
+    return this.group.visible ? [this.solid, this.cap].filter((one) => one.visible) : [];
+  }
+
+  /** Another section of the mesh, for a slice: edges only, its plane the uniform `cutPlane`. */
+  section(): TetDrawing {
+    const made = this.drawing(sectionVertex, { need: chosenBit, lines: true });
+    made.geometry.setDrawRange(0, 6 * this.mesh.labels.length);
+    made.material.uniforms.edgeStrength.value = 0.9;
+    return made;
+  }
+
+  /** `partly`: not every shown tet is chosen, so that an outline of the others helps. */
+  setMask(mask: Uint8Array, partly: boolean, hides: boolean): void {
+    this.replace('mask', arrayTexture(mask, 1));
+    this.partly = partly;
+    this.hides = hides;
+    this.update();
+  }
+
+  setPaint(paint: TetPaint, colour: (label: number) => string): void {
+    this.replace('palette', paletteTexture(this.largest, colour, new Set()));
+    if (paint.kind !== 'label') this.replace('values', arrayTexture(paint.values, 1));
+    if ('legend' in paint) {
+      this.replace('scale', scaleTexture(paint.legend.map));
+      this.shared.range.value.set(paint.legend.lo, paint.legend.hi);
+    }
+    for (const one of [this.solid, this.cap]) one.material.uniforms.paint.value = paintCodes[paint.kind];
+  }
+
+  setPlane(plane: Plane | null): void {
+    this.plane = plane;
+    this.update();
+  }
+
+  setExplode(amount: number): void {
+    this.shared.explode.value = amount;
+    this.shared.apart.value = amount > 0;
+    this.update();
+  }
+
+  single(tet: number | null): void {
+    this.shared.singled.value = tet ?? -1;
+  }
+
+  setLook(edgeStrength: number, ghostOpacity: number): void {
+    for (const one of [this.solid, this.cap]) one.material.uniforms.edgeStrength.value = edgeStrength;
+    this.ghost.material.uniforms.opacity.value = ghostOpacity;
+  }
+
+  dispose(): void {
+    this.disposed = true;
+    for (const { value } of Object.values(this.shared)) (value as Partial<Texture>).dispose?.();
+    for (const one of [this.solid, this.cap, this.ghost]) {
+      one.geometry.dispose();
+      one.material.dispose();
+    }
+  }
+
+  private replace(
+    name: 'mask' | 'palette' | 'values' | 'scale',
+    texture: (typeof this.shared)['mask']['value'],
+  ) {
+    this.shared[name].value.dispose();
+    this.shared[name].value = texture;
+  }
+
+  private drawing(
+    vertexShader: string,
+    look: { need: number; ghost?: boolean; lines?: boolean },
+  ): TetDrawing {
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader,
+      fragmentShader: shadingFragment,
+      defines: look.lines ? { LINES: 1 } : {},
+      side: DoubleSide,
+      transparent: look.ghost === true || look.lines === true,
+      depthWrite: !look.ghost && !look.lines,
+      depthTest: !look.lines,
+      uniforms: {
+        ...this.shared,
+        ...shadingUniforms(look.ghost ?? false),
+        need: { value: look.need },
+        cutPlane: { value: noClip.clone() },
+        paint: { value: look.ghost ? plainCode : paintCodes.label },
+      },
+    });
+    // A slice shows the mesh where it is, not where its labels are pulled to.
+    if (look.lines) material.uniforms.explode = { value: 0 };
+    const mesh: TetDrawing = new Mesh(new BufferGeometry(), material);
+    mesh.frustumCulled = false;
+    return mesh;
+  }
+
+  /** Only the faces that can be seen are drawn: index ranges, whole cuts and choices apart. */
+  private update(): void {
+    const { extents, faces } = this.mesh;
+    const { plane } = this;
+    const at = plane ? new Vector4(...new Vector3(...plane.normal).toArray(), plane.offset) : noClip;
+    const every = this.partly || (plane !== null && !plane.flat);
+    const some = this.hides || this.shared.apart.value;
+    const count = every ? faces.length : some ? extents[1] : extents[0];
+    this.solid.geometry.setDrawRange(0, 3 * count);
+    this.solid.material.uniforms.cutPlane.value.copy(plane && !plane.flat ? at : noClip);
+    this.solid.material.uniforms.clipPlane.value.copy(plane?.flat ? at : noClip);
+    this.cap.visible = plane?.flat ?? false;
+    this.cap.material.uniforms.cutPlane.value.copy(at);
+    this.ghost.visible = this.partly;
+  }
+}

@@ -1,0 +1,25 @@
+import { computed, signal } from '@preact/signals';
+import type { Recipe, VolumeSummary } from '../../engine/contract';
+
+/** The label volume that the case stands on, once it has been read or generated. */
+export const volume = signal<VolumeSummary | null>(null);
+
+export function nameOf(label: number): string {
+  if (label === 0) return 'background';
+  return volume.value?.labels.find((entry) => entry.label === label)?.name || `label ${label}`;
+}
+
+/** A file that the recipe needs and that has not been dropped in yet. */
+export const awaitedFile = signal<{ name: string; sha256: string } | null>(null);
+
+/** The smallest voxel spacing of the grid that is meshed, mm. */
+export const voxelMm = computed(() => {
+  const known = volume.value;
+  return Math.min(...((known?.prepared ?? known)?.spacing_mm ?? [1]));
+});
+
+/** Names of the files that a case is made from. */
+export function filesOf({ source, sizing }: Recipe): string[] {
+  const all = [...(source.file ? [source.file] : []), ...sizing.masks, ...sizing.images];
+  return all.map(({ name }) => name);
+}

@@ -1,0 +1,281 @@
+/** What the user can do: each action moves the store, and asks the engine where that needs it. */
+import { signal } from '@preact/signals';
+import type { EngineClient } from '../../engine/client';
+import {
+  EngineError,
+  type Expected,
+  type PhantomParams,
+  type Recipe,
+  type VolumeSummary,
+} from '../../engine/contract';
+import { canonicalJson } from '../../link/canonical';
+import { decodeFragment } from '../../link/codec';
+import { caseInAddress, keepAddress, nameEntry } from './address';
+import { autosave, savedCase, type SavedCase } from './autosave';
+import { engine, tellError, useEngine } from '../run/engine';
+import { fitRecipe } from './fit_recipe';
+import type { Example } from './gallery';
+import { awaitedFile, volume } from './input';
+import { amendRecipe, editRecipe, hasSource, recipe, redo, startRecipe, undo } from './recipe';
+import { notices, tell } from '../notices';
+import { expectation, type Expectation } from '../run/report';
+import { activity, defaults, forgetResults, schema } from '../run/stages';
+import { cancelRun, preview, previewSoon, runAll } from '../run/run_stages';
+import { forgetSides, holdSide, type SideFile } from './side_files';
+import { sameRecipe } from '../run/stage_inputs';
+import { forgetPainting, restorePainting, strokesDone } from './painting';
+import { ownColours, resetView } from '../view';
+
+/** A case that a link or a file offers, checked and waiting for the user's word. */
+export interface OfferedCase {
+  /** The name of a case that is taken up again. */
+  id?: string;
+  recipe: Recipe;
+  promise: Expectation | null;
+  origin: 'link' | 'file' | 'interrupted';
+  colours: SavedCase['colours'];
+  /** Masks and images of sizes that are at hand. */
+  sides: SideFile[];
+}
+
+export const offered = signal<OfferedCase | null>(null);
+
+export async function startEngine(client: EngineClient): Promise<void> {
+  useEngine(client);
+  try {
+    const info = await engine.ready;
+    schema.value = info.schema;
+    defaults.value = withoutPromise(info.defaults);
+    startRecipe(defaults.value);
+    activity.value = 'idle';
+  } catch (error) {
+    activity.value = 'idle';
+    tellError(error);
+  }
+}
+
+export function openExample({ recipe: value }: Example): Promise<void> {
+  return openOwn(value);
+}
+
+export function openPhantom(params: Partial<PhantomParams>): Promise<void> {
+  return openOwn({ source: { phantom: params as Record<string, unknown> } });
+}
+
+/** Opens a case of the page's own, about which there is nothing to ask. */
+async function openOwn(value: Record<string, unknown>): Promise<void> {
+  try {
+    await offerCase(value);
+    acceptOffer(false);
+  } catch (error) {
+    tellError(error);
+  }
+}
+
+/** Changes the generated body and keeps the rest of the recipe. */
+export function editPhantom(label: string, change: Partial<PhantomParams>): void {
+  editRecipe(
+    label,
+    (draft) => draft.source.phantom && Object.assign(draft.source.phantom, change),
+    `phantom ${label}`,
+  );
+}
+
+/** A volume has been read: it is the one that the case waits for, or begins a case. */
+export function takeVolume(summary: VolumeSummary, fileName: string): void {
+  const awaited = awaitedFile.value;
+  if (!awaited) return beginCase(summary, fileName);
+  if (awaited.sha256 && awaited.sha256 !== summary.digest) {
+    tell(
+      'error',
+      'This is not the expected volume',
+      `${fileName} holds other voxels than the case was made from (digest ${summary.digest.slice(0, 12)}…, ` +
+        `expected ${awaited.sha256.slice(0, 12)}…). The case is kept; drop ${awaited.name} to go on.`,
+      { name: 'Open it as a new case', go: () => beginCase(summary, fileName) },
+    );
+    return;
+  }
+  const source = { file: { name: fileName, sha256: summary.digest } };
+  amendRecipe((draft) => void (draft.source = source));
+  // It is the promised volume, under whatever name.
+  const promise = expectation.value;
+  if (promise) expectation.value = { ...promise, recipe: { ...promise.recipe, source } };
+  showVolume(summary);
+}
+
+function beginCase(summary: VolumeSummary, fileName: string): void {
+  if (!defaults.value) return;
+  const fresh = structuredClone(defaults.value);
+  const source = { file: { name: fileName, sha256: summary.digest } };
+  leaveCase();
+  engine.forgetVolumes(summary.digest);
+  notices.value = notices.value.filter(({ tone }) => tone !== 'error');
+  startRecipe({ ...fresh, source, sizing: { ...fresh.sizing, edge_mm: startingEdge(summary) } });
+  expectation.value = null;
+  showVolume(summary);
+}
+
+function showVolume(summary: VolumeSummary): void {
+  awaitedFile.value = null;
+  volume.value = summary;
+  forgetResults();
+  resetView();
+  void preview(true);
+}
+
+/** Forgets what belongs to a case beside its recipe. */
+function leaveCase(): void {
+  forgetSides();
+  forgetPainting();
+  ownColours.value = {};
+}
+
+/** Twice the geometric mean of the spacing: fine enough for the shape, coarse enough for a first look. */
+function startingEdge(summary: VolumeSummary): number {
+  const [x, y, z] = summary.spacing_mm;
+  return Number((2 * Math.cbrt(x * y * z)).toPrecision(2));
+}
+
+/** Asks about the case of a link. */
+export async function openFragment(fragment: string): Promise<void> {
+  try {
+    await offerCase(await decodeFragment(fragment), 'link');
+  } catch (error) {
+    tellError(error);
+  }
+}
+
+/**
+ * Opens what the page begins with: the case of the address bar, else the one that was saved last. What the page itself
+ * has put into the address, or has saved, is the user's own: there is nothing to ask.
+ */
+export async function openAddress(): Promise<void> {
+  const { link, own } = caseInAddress();
+  // Without storage there is nothing to take up, and nothing to say.
+  const found = await savedCase().catch(() => null);
+  if (found && (!link || own === found.saved.id)) return resumeCase(found);
+  if (!link) return;
+  await openFragment(link);
+  const offer = offered.value;
+  if (!offer) return;
+  if (found && isOf(found.saved, offer)) return resumeCase(found);
+  if (own && !found?.interrupted) acceptOffer(false);
+}
+
+/** Whether a link brings the case that was saved, and promises no more of it. */
+function isOf(saved: SavedCase, offer: OfferedCase): boolean {
+  const promised = offer.promise?.expected;
+  return (
+    sameRecipe(saved.recipe, offer.recipe) &&
+    (!promised || canonicalJson(promised) === canonicalJson(saved.promise?.expected))
+  );
+}
+
+/** Takes up the case that the last page left; by itself only where the engine was at rest. */
+async function resumeCase({ saved, interrupted }: NonNullable<Awaited<ReturnType<typeof savedCase>>>) {
+  try {
+    const digest = saved.recipe.source.file?.sha256;
+    if (digest && saved.file) engine.keepVolume(digest, saved.file);
+    const { fitted, left } = fitRecipe(saved.recipe, defaults.value ?? {});
+    const accepted = withoutPromise((await engine.checkRecipe(fitted)).recipe);
+    const { id, colours, sides } = saved;
+    const promise = left.length === 0 ? saved.promise : null;
+    offered.value = { id, recipe: accepted, promise, origin: 'interrupted', colours, sides };
+    if (left.length > 0)
+      tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
+    if (!interrupted) acceptOffer(false);
+  } catch (error) {
+    offered.value = null;
+    if (error instanceof EngineError)
+      tell('error', 'Your last case cannot be taken up', `The engine refuses it: ${error.message}.`);
+  }
+}
+
+/** From now on the case is saved with each change, and stands in the address bar. */
+export function keepCase(): void {
+  autosave((digest) => engine.volumeFile(digest));
+  keepAddress(() => offered.value !== null, openFragment);
+}
+
+/** Checks a case and holds it for the user's word; nothing of it runs. */
+export async function offerCase(
+  value: Record<string, unknown>,
+  origin: 'link' | 'file' = 'file',
+): Promise<void> {
+  const { recipe: full } = await engine.checkRecipe(value);
+  const { expected } = full as Recipe & { expected?: Expected };
+  const accepted = withoutPromise(full);
+  offered.value = {
+    recipe: accepted,
+    promise: expected?.digest ? { expected, recipe: accepted } : null,
+    origin,
+    colours: {},
+    sides: [],
+  };
+}
+
+export function acceptOffer(thenRun: boolean): void {
+  const offer = offered.value;
+  if (!offer) return;
+  closeOffer();
+  // What the engine is at belongs to the case that is left.
+  if (activity.value !== 'idle') void cancelRun();
+  leaveCase();
+  startRecipe(offer.recipe, offer.id);
+  if (offer.origin !== 'file') nameEntry();
+  ownColours.value = offer.colours;
+  offer.sides.forEach(holdSide);
+  restorePainting();
+  expectation.value = offer.promise;
+  forgetResults();
+  resetView();
+  const file = offer.recipe.source.file;
+  engine.forgetVolumes(file?.sha256);
+  volume.value = null;
+  if (file && !(file.sha256 && engine.volumeFile(file.sha256))) {
+    awaitedFile.value = file;
+    return;
+  }
+  awaitedFile.value = null;
+  void (async () => {
+    if ((await preview(true)) && thenRun) await runAll();
+  })();
+}
+
+export function closeOffer(): void {
+  offered.value = null;
+}
+
+export async function undoEdit(): Promise<void> {
+  await strokesDone();
+  undo();
+  afterHistory();
+}
+
+export async function redoEdit(): Promise<void> {
+  await strokesDone();
+  redo();
+  afterHistory();
+}
+
+/** The user's own colour of a label, as a step of the history. */
+export function editColour(label: number, colour: string): void {
+  const before = ownColours.value;
+  const after = { ...before, [label]: colour };
+  ownColours.value = after;
+  const beside = {
+    undo: () => void (ownColours.value = before),
+    redo: () => void (ownColours.value = after),
+  };
+  editRecipe('Colour of label', () => undefined, `colour ${label}`, undefined, beside);
+}
+
+function afterHistory(): void {
+  if (recipe.value && hasSource(recipe.value)) previewSoon();
+}
+
+function withoutPromise(full: Recipe): Recipe {
+  const copy = structuredClone(full) as Recipe & { expected?: unknown };
+  delete copy.expected;
+  return copy;
+}

@@ -1,0 +1,182 @@
+/** Files that the user opens or drops: volumes, cases, zips, and what sizes come from. */
+import { signal } from '@preact/signals';
+import type { FileSource, SideKind, VolumeFile } from '../../engine/contract';
+import { parseCase } from '../../link/codec';
+import { offerCase, offered, takeVolume } from './open_case';
+import { engine, takeTurn, tellError } from '../run/engine';
+import { awaitedFile, volume } from './input';
+import { announcement, tell } from '../notices';
+import { activity, endStages } from '../run/stages';
+import { previewSoon } from '../run/run_stages';
+import { awaitedSides, type SideFile } from './side_files';
+import { openSideFile } from './size_files';
+import { unpackZip } from './zip';
+
+const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|hdr)$/i;
+
+/** DICOM files say so after 128 bytes of anything. */
+async function isDicom(file: File): Promise<boolean> {
+  return (await file.slice(128, 132).text()) === 'DICM';
+}
+
+/** Files that were dropped on an open case: what they are for is for the user to say. */
+export const droppedFiles = signal<File[] | null>(null);
+
+/** Whoever comes second is read second, and does not end the first. */
+let reading: Promise<void> = Promise.resolve();
+
+/** The file that others belong to: the first with a header, which may name them. */
+function mainFirst(files: readonly File[]): File[] {
+  const main = files.find(({ name }) => headerSuffix.test(name)) ?? files[0];
+  return [main, ...files.filter((file) => file !== main)];
+}
+
+function tellLeftOut(opened: string, files: readonly File[]): void {
+  if (files.length === 0) return;
+  const names = files.map(({ name }) => name).join(', ');
+  tell('news', 'Not everything was opened', `${opened} is opened; left out: ${names}.`);
+}
+
+/** Reads a file with those that its header may name; other volumes are left out, and that is said. */
+async function volumeFileOf([main, ...others]: readonly File[]): Promise<VolumeFile> {
+  tellLeftOut(
+    main.name,
+    others.filter(({ name }) => headerSuffix.test(name)),
+  );
+  if (await isDicom(main)) {
+    const { readDicomSegmentation } = await import('../../dicom/read_segmentation');
+    const bytes = await readDicomSegmentation(main.name, new Uint8Array(await main.arrayBuffer()));
+    return { name: main.name.replace(/(\.dcm)?$/i, '.seg.nrrd'), bytes, siblings: {} };
+  }
+  const siblings: VolumeFile['siblings'] = {};
+  for (const file of others)
+    if (!headerSuffix.test(file.name)) siblings[file.name] = new Uint8Array(await file.arrayBuffer());
+  return { name: main.name, bytes: new Uint8Array(await main.arrayBuffer()), siblings };
+}
+
+/** What is dropped on the page: asked about where a case is open, unless the case waits for it. */
+export async function dropFiles(files: File[]): Promise<void> {
+  if (files.length === 0) return;
+  if (await openAwaited(files)) return;
+  const opens = volume.value === null || files.some((file) => /\.(json|zip)$/i.test(file.name));
+  if (opens) return openFiles(files);
+  droppedFiles.value = files;
+}
+
+/** Files that the case asks for by these names, its volume last; false where there are none. */
+async function openAwaited(files: readonly File[]): Promise<boolean> {
+  const asked: { name: string; kind: SideKind | null }[] = [...awaitedSides.value];
+  if (awaitedFile.value) asked.push({ name: awaitedFile.value.name, kind: null });
+  const found = asked.flatMap(({ name, kind }) => {
+    const file = files.find((one) => one.name === name);
+    return file ? [{ file, kind }] : [];
+  });
+  if (found.length === 0) return false;
+  const rest = files.filter((file) => !found.some((one) => one.file === file));
+  const raw = rest.filter(({ name }) => !headerSuffix.test(name));
+  tellLeftOut(
+    found.map(({ file }) => file.name).join(', '),
+    rest.filter((file) => !raw.includes(file)),
+  );
+  for (const { file, kind } of found)
+    await (kind ? openSide(kind, [file, ...raw]) : openVolume([file, ...raw]));
+  return true;
+}
+
+export function openSizeFiles(kind: SideKind, files: readonly File[]): Promise<void> {
+  return openSide(kind, mainFirst(files));
+}
+
+async function openSide(kind: SideKind, files: readonly File[]): Promise<void> {
+  reading = reading.then(() => openSideFile(kind, () => volumeFileOf(files)));
+  await reading;
+  previewSoon();
+}
+
+/** What the header of a file in a zip may name. */
+function siblingsIn(entries: VolumeFile['siblings'], name: string): VolumeFile['siblings'] {
+  if (!/\.(nhdr|mhd|hdr)$/i.test(name)) return {};
+  return Object.fromEntries(
+    Object.entries(entries).filter(([other]) => /\.(z?raw|img|bin|dat)(\.gz)?$/i.test(other)),
+  );
+}
+
+/** A zip that was exported here: its case, with the masks and images in it. */
+async function openZip(file: File): Promise<void> {
+  try {
+    const entries = await unpackZip(new Uint8Array(await file.arrayBuffer()));
+    const name = Object.keys(entries).find((one) => one.endsWith('.case.json'));
+    if (!name) throw new Error(`${file.name} holds no case: no file in it ends in .case.json.`);
+    const value = parseCase(new TextDecoder().decode(entries[name]));
+    await offerCase(value);
+    const { masks, images } = offered.value?.recipe.sizing ?? { masks: [], images: [] };
+    const sidesOf = (kind: SideKind, files: FileSource[]) =>
+      files.flatMap(({ name, sha256 }): SideFile[] =>
+        entries[name]
+          ? [
+              {
+                kind,
+                file: { name, bytes: entries[name], siblings: siblingsIn(entries, name) },
+                digest: sha256,
+              },
+            ]
+          : [],
+      );
+    // The engine holds their content against the digests of the case.
+    const sides = [...sidesOf('mask', masks), ...sidesOf('image', images)];
+    if (offered.value) offered.value = { ...offered.value, sides };
+  } catch (error) {
+    tellError(error);
+  }
+}
+
+/** A file to be meshed, with the raw file that its header may name. A case file opens like a link. */
+export async function openFiles(files: File[]): Promise<void> {
+  const caseFile = files.find((file) => /\.json$/i.test(file.name));
+  const zip = files.find((file) => /\.zip$/i.test(file.name));
+  const whole = caseFile ?? zip;
+  if (whole) {
+    tellLeftOut(
+      whole.name,
+      files.filter((file) => file !== whole),
+    );
+    await (whole === caseFile ? openCase(whole) : openZip(whole));
+  } else if (files.length > 0) await openVolume(mainFirst(files));
+}
+
+function openVolume(files: readonly File[]): Promise<void> {
+  return (reading = readVolume(files));
+}
+
+async function readVolume(files: readonly File[]): Promise<void> {
+  const newest = takeTurn();
+  activity.value = 'opening';
+  announcement.value = `Reading ${files[0].name}`;
+  try {
+    const file = await volumeFileOf(files);
+    if (!newest()) return;
+    endStages();
+    if (engine.busy) await engine.cancel();
+    const summary = await engine.openVolume(file);
+    if (newest()) takeVolume(summary, files[0].name);
+  } catch (error) {
+    tellError(error);
+  } finally {
+    if (newest() && activity.value === 'opening') activity.value = 'idle';
+  }
+}
+
+async function openCase(file: File): Promise<void> {
+  try {
+    const value = parseCase(await file.text());
+    // A report holds its recipe, and is the promise of its mesh.
+    const inner = value.recipe as Record<string, unknown> | undefined;
+    await offerCase(
+      inner && typeof value.digest === 'string'
+        ? { ...inner, expected: { engine: value.engine, digest: value.digest, tets: value.tets } }
+        : value,
+    );
+  } catch (error) {
+    tellError(error);
+  }
+}

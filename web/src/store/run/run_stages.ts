@@ -1,0 +1,181 @@
+/** What makes the engine run: the surface after every edit, and runs up to a stage. */
+import { effect, untracked } from '@preact/signals';
+import { stageNames, type Recipe, type StageName, type VolumeSummary } from '../../engine/contract';
+import { engine, takeTurn, tellError } from './engine';
+import { forecastUnderWay } from './forecast';
+import { awaitedFile, volume } from '../case/input';
+import { recipe } from '../case/recipe';
+import { dropResults, isKept, keepResult, showResult, shownKeys } from './results';
+import { announcement } from '../notices';
+import { startClock, stopClock } from './clock';
+import { forgetReport, meshedMinimal, meshedRecipe, report } from './report';
+import { activity, endStages, isMadeFrom, lastCancelMs, previewDue, setStage, stages } from './stages';
+import { stageInput } from './stage_inputs';
+import { brush, colourBy, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from '../view';
+
+let previewTimer: ReturnType<typeof setTimeout> | undefined;
+/** The view is to fit the next surface, whichever run brings it. */
+let fitDue = false;
+
+function forgetPreview(): void {
+  clearTimeout(previewTimer);
+  previewDue.value = false;
+}
+
+/** The sizing field is on show, and follows the recipe like the surface does. */
+function watchesSizing(): boolean {
+  const onSurface = stageShown.value === 'surface' || stageShown.value === 'smooth';
+  return (
+    stageShown.value === 'sizing' ||
+    (layout.value === 'slices' && sliceOverlay.value !== 'labels') ||
+    (onSurface && (colourBy.value === 'target_mm' || colourBy.value === 'thickness_mm'))
+  );
+}
+
+/** The label surface, as soon as it exists. Runs by itself after whatever changes it. False where it was not made. */
+export async function preview(fit: boolean): Promise<boolean> {
+  forgetPreview();
+  fitDue ||= fit;
+  return runStages(lastPreviewed(), 'preview');
+}
+
+const lastPreviewed = (): StageName => (watchesSizing() ? 'sizing' : 'smooth');
+
+/** Brings the sizing field up to date whenever it is on show and the recipe changes. */
+export function keepSizingShown(): void {
+  effect(() => {
+    const current = recipe.value;
+    if (!watchesSizing() || !current) return;
+    untracked(() => {
+      if (volume.value && !isMadeFrom(current, 'sizing')) previewSoon();
+    });
+  });
+}
+
+/**
+ * A preview ends what the engine is at, so it waits for what the user has asked for: a file read or written. Where
+ * there is nothing new to show there is none, and the engine keeps the mesh that it has.
+ */
+export function previewSoon(): void {
+  forgetPreview();
+  if (activity.value === 'run') return;
+  previewDue.value = true;
+  previewTimer = setTimeout(() => {
+    const current = recipe.value;
+    if (activity.value === 'opening' || activity.value === 'export') previewSoon();
+    else if (!current || activity.value === 'preview' || !isMadeFrom(current, lastPreviewed()))
+      void preview(false);
+    else forgetPreview();
+  }, 350);
+}
+
+export function runAll(): Promise<void> {
+  return runTo('quality');
+}
+
+/** Runs up to a stage; those whose input has not changed are kept. */
+export async function runTo(last: StageName): Promise<void> {
+  forgetPreview();
+  await runStages(last, 'run');
+}
+
+/** Ends what the engine is at; a forecast from this very surface is waited for, since its stages are wanted. */
+async function freeEngine(surface: string): Promise<void> {
+  const forecasting = forecastUnderWay();
+  if (forecasting?.surface === surface) await forecasting.done;
+  else if (engine.busy) await engine.cancel();
+}
+
+/** False where the stages failed, or where something newer has taken the engine. */
+async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<boolean> {
+  const current = recipe.value;
+  if (!current || !(current.source.phantom || current.source.file) || awaitedFile.value) return false;
+  const newest = takeTurn();
+  const names = stageNames.slice(0, stageNames.indexOf(last) + 1);
+  activity.value = kind;
+  marked.value = null;
+  if (kind === 'run') {
+    for (const name of names) setStage(name, { state: 'waiting', fraction: 0 });
+    announcement.value = 'Meshing started';
+    startClock();
+  }
+  try {
+    await freeEngine(stageInput(current, 'smooth'));
+    if (!newest()) return false;
+    const result = await engine.run(JSON.stringify(current), current.source, last, {
+      onProgress(stage, fraction) {
+        if (newest()) setStage(stage, { state: 'running', fraction });
+      },
+      wants: (summary) => !isKept(summary.name, summary.key),
+      onStage(summary, arrays) {
+        if (!newest()) return;
+        const known = stages.value[summary.name].summary;
+        const kept =
+          known?.key === summary.key && summary.cached ? { ...summary, seconds: known.seconds } : summary;
+        const madeFrom = stageInput(current, summary.name);
+        setStage(summary.name, { state: 'done', fraction: 1, summary: kept, madeFrom });
+        // Whatever follows the volume is made anew with another one, the same again is none.
+        if (summary.name === 'volume' && JSON.stringify(summary.counts) !== JSON.stringify(volume.value))
+          volume.value = summary.counts as unknown as VolumeSummary;
+        const changed = shownKeys.value[summary.name] !== summary.key;
+        if (arrays) keepResult(summary.name, summary.key, arrays);
+        // Measures and evidence are of one mesh.
+        if (summary.name === 'optimise' && changed) {
+          dropResults(['quality']);
+          forgetReport();
+          brush.value = null;
+          focusTet.value = null;
+        }
+        showResult(summary.name, summary.key);
+        const previewed = summary.name === 'smooth' && changed && stageShown.value !== 'surface';
+        const first = fitDue && (summary.name === 'surface' || summary.name === 'smooth');
+        // What a run has kept is no news, unless it is what was asked for.
+        const news = kind === 'run' && (!summary.cached || summary.name === last);
+        if (news || previewed || first) stageShown.value = summary.name;
+        if (fitDue && summary.name === 'surface') command.value = { kind: 'fit' };
+        if (summary.name === 'smooth') fitDue = false;
+      },
+    });
+    if (!newest()) return false;
+    if (result.report) finishRun(result.report, result.minimal, current);
+    else if (kind === 'run') announcement.value = `Ready: ${last}`;
+    return true;
+  } catch (error) {
+    if (!newest()) return false;
+    for (const name of names) {
+      if (stages.value[name].state === 'running') setStage(name, { state: 'failed', fraction: 0 });
+    }
+    tellError(error);
+    return false;
+  } finally {
+    if (newest()) {
+      activity.value = 'idle';
+      stopClock();
+    }
+  }
+}
+
+function finishRun(
+  found: NonNullable<typeof report.value>,
+  minimal: Record<string, unknown>,
+  current: Recipe,
+): void {
+  report.value = found;
+  meshedRecipe.value = current;
+  meshedMinimal.value = minimal;
+  brush.value = null;
+  focusTet.value = null;
+  picked.value = null;
+  stageShown.value = 'quality';
+  announcement.value = `Mesh ready: ${found.tets.toLocaleString('en')} tetrahedra`;
+}
+
+export async function cancelRun(): Promise<void> {
+  const newest = takeTurn();
+  forgetPreview();
+  endStages();
+  activity.value = 'idle';
+  announcement.value = 'Run cancelled';
+  const milliseconds = await engine.cancel();
+  if (newest()) lastCancelMs.value = milliseconds;
+}
