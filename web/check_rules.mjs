@@ -92,8 +92,7 @@ export function faultsOf(path, text) {
   for (const [, target] of text.matchAll(/(?:from|import)\s*\(?\s*['"]([^'"]+)['"]/g)) {
     if (target.startsWith('.')) {
       const seen = relative(src, join(src, dirname(path), target));
-      const allowed =
-        folder === '.' || roomOf(seen) === room || (test && seen.startsWith('engine/testing/'));
+      const allowed = folder === '.' || roomOf(seen) === room || (test && seen.startsWith('engine/testing/'));
       if (!allowed && !(maySee[room] ?? []).some((one) => seen === one || seen.startsWith(`${one}/`)))
         faults.push(`${path}: ${room}/ may not import ${seen}`);
     } else if (!(test && testPackages.some((name) => target.startsWith(name)))) {

@@ -38,7 +38,9 @@ test('the address follows the case on opening, on an edit and on undo, and a rel
   expect(inAddress(page)?.sizing?.edge_mm).toBe(8);
 });
 
-test('a link that is not opened now stays in the address, and asks again after a reload', async ({ page }) => {
+test('a link that is not opened now stays in the address, and asks again after a reload', async ({
+  page,
+}) => {
   await page.goto(link(coarse));
   await page.getByRole('button', { name: 'Not now' }).click();
   await idle(page);

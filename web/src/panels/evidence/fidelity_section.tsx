@@ -161,8 +161,8 @@ function LayerTable({ walls }: { walls: LayerCount[] }) {
         </table>
       </div>
       <p class="facts">
-        Share of the outer area with the target number of edges from the outer surface to the inner one, and with
-        no fewer.
+        Share of the outer area with the target number of edges from the outer surface to the inner one, and
+        with no fewer.
       </p>
     </>
   );

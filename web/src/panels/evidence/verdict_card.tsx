@@ -35,8 +35,8 @@ export function VerdictCard() {
       </h2>
       {found.kind === 'other_engine' && (
         <p>
-          The link was made with voxtet {promise.expected.engine}. Another version of the engine may make another mesh
-          of the same case.
+          The link was made with voxtet {promise.expected.engine}. Another version of the engine may make
+          another mesh of the same case.
         </p>
       )}
       <table>

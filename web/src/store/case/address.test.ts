@@ -3,7 +3,16 @@ import { EngineClient } from '../../engine/client';
 import type { Recipe } from '../../engine/contract';
 import { Workers } from '../../engine/testing/workers';
 import { decodeFragment, encodePlainFragment } from '../../link/codec';
-import { acceptOffer, closeOffer, keepCase, offered, openAddress, openPhantom, startEngine, undoEdit } from './open_case';
+import {
+  acceptOffer,
+  closeOffer,
+  keepCase,
+  offered,
+  openAddress,
+  openPhantom,
+  startEngine,
+  undoEdit,
+} from './open_case';
 import type { SavedCase } from './autosave';
 import { caseId, editRecipe, recipe } from './recipe';
 import { expectation, report } from '../run/report';
@@ -171,7 +180,10 @@ describe('the address bar', () => {
     await vi.waitFor(() => expect(entries.now.state).not.toBeNull());
     edge(3);
     await vi.waitFor(async () =>
-      expect(await decodeFragment(entries.now.hash)).toMatchObject({ source: { file }, sizing: { edge_mm: 3 } }),
+      expect(await decodeFragment(entries.now.hash)).toMatchObject({
+        source: { file },
+        sizing: { edge_mm: 3 },
+      }),
     );
   });
 

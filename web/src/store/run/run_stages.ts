@@ -11,7 +11,17 @@ import { startClock, stopClock } from './clock';
 import { forgetReport, meshedMinimal, meshedRecipe, report } from './report';
 import { activity, endStages, isMadeFrom, lastCancelMs, previewDue, setStage, stages } from './stages';
 import { stageInput } from './stage_inputs';
-import { brush, colourBy, command, focusTet, layout, marked, picked, sliceOverlay, stageShown } from '../view';
+import {
+  brush,
+  colourBy,
+  command,
+  focusTet,
+  layout,
+  marked,
+  picked,
+  sliceOverlay,
+  stageShown,
+} from '../view';
 
 let previewTimer: ReturnType<typeof setTimeout> | undefined;
 /** The view is to fit the next surface, whichever run brings it. */

@@ -1,6 +1,12 @@
 /** The stages as they stand: what each has given, what it was made from, and what the engine is at. */
 import { computed, signal } from '@preact/signals';
-import { stageNames, type Recipe, type Schema, type StageName, type StageSummary } from '../../engine/contract';
+import {
+  stageNames,
+  type Recipe,
+  type Schema,
+  type StageName,
+  type StageSummary,
+} from '../../engine/contract';
 import { recipe } from '../case/recipe';
 import { stopClock } from './clock';
 import { forgetReport } from './report';
