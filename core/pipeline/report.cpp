@@ -26,6 +26,7 @@ json distance_json(const DistanceSummary& d) {
 
 json metric_json(const MetricSummary& m) {
   return {{"name", m.name},
+          {"title", m.title},
           {"unit", m.unit},
           {"elements", m.elements},
           {"count", m.count},

@@ -154,7 +154,7 @@ QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& fa
   std::vector<std::pair<MetricInfo, const std::vector<float>*>> of_tets;
   for (const TetMeasure& row : tet_measures())
     if (row.lo < row.hi)
-      of_tets.push_back({{row.name, row.unit, "tets", row.lo, row.hi, row.worst},
+      of_tets.push_back({{row.name, row.unit, "tets", row.lo, row.hi, row.worst, row.title},
                          &find_field(report.fields, row.name)->values});
   of_tets.push_back({{"dihedral_deg", "deg", "tets", 0, 180, Worst::kNone}, &all_angles});
   report.metrics.resize(of_tets.size());

@@ -89,6 +89,7 @@ double quantile(std::vector<float>& values, double q) {
 MetricSummary summarise(const MetricInfo& info, const std::vector<float>& values, int bins) {
   MetricSummary out;
   out.name = info.name;
+  out.title = info.title;
   out.unit = info.unit;
   out.elements = info.elements;
   std::vector<float> numbers;

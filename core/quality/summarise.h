@@ -13,6 +13,7 @@ struct MetricInfo {
   std::string name, unit, elements;
   double lo = 0, hi = 1;  ///< of the histogram
   enum class Worst { kNone, kLowest, kHighest } worst = Worst::kNone;
+  std::string title{};  ///< for people; empty: viewers have their own words for it
 };
 
 /// Extremes, quantiles (nearest rank), mean, standard deviation, histogram, and up to 100 worst ids (ties by

@@ -21,6 +21,7 @@ struct Histogram {
 /// The distribution of one measure over elements. `worst` holds up to 100 element ids, worst first.
 struct MetricSummary {
   std::string name;      ///< e.g. "min_dihedral_deg"
+  std::string title;     ///< for people; may be empty
   std::string unit;      ///< "deg", "mm", "1", "log2"
   std::string elements;  ///< what was measured: "tets", "edges", "triangles"
   std::uint64_t count = 0;

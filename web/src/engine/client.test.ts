@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it } from 'vitest';
 import { EngineClient } from './client';
-import { EngineError, stageNames, type Recipe } from './contract';
+import { EngineError, stageNames, type Recipe, type StageArrays } from './contract';
 import { mockFile, Workers } from './testing/workers';
 
 const phantom = { source: { phantom: {} } } as unknown as Recipe;
@@ -53,7 +53,10 @@ describe('EngineClient', () => {
       const names: string[] = [];
       const recipe = JSON.stringify({ ...phantom, lookup: { labels } });
       await client.run(recipe, phantom.source, 'quality', {
-        onStage: (summary, arrays) => summary.name === 'quality' && names.push(...Object.keys(arrays ?? {})),
+        onStage: (summary, arrays) => {
+          if (summary.name === 'quality')
+            names.push(...(arrays as StageArrays['quality']).fields.map(({ name }) => name));
+        },
       });
       return names.filter((name) => name.endsWith('_label') || name.startsWith('fraction'));
     };

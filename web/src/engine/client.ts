@@ -223,6 +223,7 @@ export class EngineClient {
     format: ExportFormat,
     space: Space,
     name: string,
+    measures = false,
     handlers: RunHandlers = {},
   ): Promise<ExportedFile[]> {
     return this.job(async (generation) => {
@@ -231,7 +232,7 @@ export class EngineClient {
         handlers.onProgress?.(stage, fraction),
       );
       await this.answer(generation, 'optimise', generation.api.run('quality', progress));
-      return this.answer(generation, 'export', generation.api.exportMesh(format, space, name));
+      return this.answer(generation, 'export', generation.api.exportMesh(format, space, name, measures));
     });
   }
 

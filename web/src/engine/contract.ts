@@ -16,10 +16,12 @@ export type ErrorCode =
   | 'cancelled'
   | 'internal';
 
-/** Where an error is. Elements are triangles of the adapted surface, and the points their centroids. */
+/** Where an error is: points, and elements of the kind `on` of a stage's result, if any is at hand. */
 export interface ErrorPlace {
   points: Vec3[];
   elements: number[];
+  stage: string;
+  on: FieldInfo['on'];
 }
 
 export interface ErrorInfo {
@@ -73,6 +75,8 @@ export interface Histogram {
 
 export interface Metric {
   name: string;
+  /** For people; empty where the app has its own words. */
+  title: string;
   unit: string;
   elements: string;
   count: number;
@@ -268,25 +272,18 @@ export interface TetArrays {
   extents: Float64Array;
 }
 
-export const tetMeasures = [
-  'min_dihedral_deg',
-  'max_dihedral_deg',
-  'radius_ratio',
-  'mean_ratio',
-  'aspect_ratio',
-  'edge_mm',
-  'size_log2',
-] as const;
-export type TetMeasure = (typeof tetMeasures)[number];
-
-/**
- * Per tet, -1 where there is none: its layer of a wall, from 1 at the inner surface; the layers of the wall there.
- * Absent where no number of layers is a target.
- */
-export type LayerArray = 'layer' | 'layers_across';
-
-/** What was looked up in the image: a label, or a label's share, per tet. */
-export type LookedUpArray = 'centroid_label' | 'majority_label' | `fraction_${number}`;
+/** What the engine says of a field: an array with values for each element. */
+export interface FieldInfo {
+  name: string;
+  title: string;
+  unit: string;
+  on: 'voxels' | 'triangles' | 'points' | 'tets' | 'faces';
+  scale: 'sequential' | 'diverging' | 'whole' | 'label';
+  components: number;
+  count: number;
+  /** Least and largest finite value. */
+  range: [number, number] | null;
+}
 
 export interface StageArrays {
   volume: { labels: Uint16Array };
@@ -296,11 +293,8 @@ export interface StageArrays {
   sizing: { h_mm: Float32Array; thickness_mm?: Float32Array };
   remesh: SurfaceArrays;
   optimise: TetArrays;
-  quality: Record<TetMeasure, Float32Array> &
-    Partial<Record<LookedUpArray, Float32Array>> & {
-      /** From each point on a label's boundary to the label surface; -1 inside. */
-      distance_mm?: Float32Array;
-    } & Partial<Record<LayerArray, Float32Array>>;
+  /** Fields of tetrahedra and points by name; a whole number or a distance below 0 is none. */
+  quality: { fields: FieldInfo[]; values: Record<string, Float32Array> };
 }
 
 /** What the worker answers; every call is one message there and one back. */
@@ -310,12 +304,15 @@ export interface EngineApi {
   /** Takes a file that the recipe's sizing.masks or sizing.images name. */
   loadSideVolume(kind: SideKind, file: VolumeFile): Reply<SideSummary>;
   setRecipe(json: string): Reply<{ recipe: Recipe; minimal: Record<string, unknown> }>;
-  run(stage: StageName, onProgress: (stage: StageName, fraction: number) => void): Reply<StageSummary>;
+  run(
+    stage: StageName,
+    onProgress: (stage: StageName, fraction: number) => void,
+  ): Promise<Reply<StageSummary>>;
   /** After the stages up to sizing. With `elements` above 0 also the sizes that give so many tetrahedra. */
   forecast(elements: number): Reply<Forecast & { fitting?: FittingSizes }>;
   arrays(stage: StageName): Reply<Partial<StageArrays[StageName]>>;
   /** `name`: of the files without their suffixes, since some name one another. */
-  exportMesh(format: ExportFormat, space: Space, name: string): Reply<ExportedFile[]>;
+  exportMesh(format: ExportFormat, space: Space, name: string, measures: boolean): Reply<ExportedFile[]>;
   report(): Reply<Report>;
 }
 
@@ -334,6 +331,7 @@ export class EngineError extends Error {
     this.name = 'EngineError';
     this.code = info.code;
     this.stage = info.stage;
-    this.where = { points: info.where?.points ?? [], elements: info.where?.elements ?? [] };
+    const { points = [], elements = [], stage = '', on = 'triangles' } = info.where ?? {};
+    this.where = { points, elements, stage, on };
   }
 }

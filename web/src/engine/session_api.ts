@@ -5,14 +5,16 @@ import { tetNeighbours } from '../geometry/tet_neighbours';
 import type {
   EngineApi,
   ErrorInfo,
+  FieldInfo,
   ExportedFile,
-  LookedUpArray,
   Reply,
+  StageArrays,
   StageName,
+  StageSummary,
   SurfaceArrays,
   TetArrays,
 } from './contract';
-import { stageNames, tetMeasures } from './contract';
+import { stageNames } from './contract';
 
 type View = Float32Array | Uint32Array | Uint16Array;
 /** A view's copy, or what the worker made of some. */
@@ -25,10 +27,13 @@ export interface Session {
   loadVolume(name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
   loadSideVolume(kind: string, name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
   setRecipe(json: string): string;
-  run(stage: string, onProgress: (stage: string, fraction: number) => void): string;
+  begin(stage: string): string;
+  advance(budgetMs: number, onProgress: (stage: string, fraction: number) => void): string;
+  end(): void;
   forecast(elements: number): string;
-  view(stage: string, array: string): View | undefined;
-  exportMesh(format: string, space: string, name: string): string;
+  describe(stage: string): string;
+  array(stage: string, name: string): View | undefined;
+  exportMesh(format: string, space: string, name: string, measures: boolean): string;
   exportBytes(index: number): Uint8Array;
   report(): string;
   delete(): void;
@@ -38,19 +43,22 @@ export interface EngineModule {
   Session: new () => Session;
 }
 
-const arrayNames: Record<StageName, readonly string[]> = {
+/** Geometry, by name; a stage that is not here has fields only. */
+const arrayNames: Partial<Record<StageName, readonly string[]>> = {
   volume: ['labels'],
   surface: ['points', 'triangles', 'sides'],
   smooth: ['points', 'triangles', 'sides'],
-  sizing: ['h_mm', 'thickness_mm'],
+  sizing: ['h_mm'],
   remesh: ['points', 'triangles', 'sides'],
   optimise: ['points', 'tets', 'labels'],
-  quality: [...tetMeasures, 'distance_mm', 'layer', 'layers_across'],
 };
 
-function lookedUpArrays(labels: readonly number[]): LookedUpArray[] {
-  if (labels.length === 0) return [];
-  return ['centroid_label', 'majority_label', ...labels.map((label) => `fraction_${label}` as const)];
+/** Stages that the app does not show, whose fields stand with those of one that it does. */
+const fieldsBeside: Partial<Record<StageName, readonly string[]>> = { quality: ['quality', 'lookup'] };
+
+/** For shaders, which cannot tell what is not a number: `none` in its place. */
+function withNone(values: Float32Array, none: number): Float32Array {
+  return values.map((value) => (Number.isNaN(value) ? none : value));
 }
 
 /** Share of the time until there are good tetrahedra that filling the surface takes. */
@@ -97,9 +105,46 @@ function copied(view: View): View {
   return view.slice() as View;
 }
 
+interface RunProgress {
+  done: boolean;
+  stage: string;
+  fraction: number;
+  summary?: StageSummary;
+}
+
+/** What the engine may work on before it hears what else is wanted; stages that cannot be cut take longer. */
+const budgetMs = 50;
+
+/** Lets the messages that have come in be heard. */
+function nextMessage(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
+}
+
+function fieldsOf(session: Session, stages: readonly string[]): StageArrays['quality'] {
+  const fields: FieldInfo[] = [];
+  const values: Record<string, Float32Array> = {};
+  for (const stage of stages) {
+    const reply = JSON.parse(session.describe(stage)) as Reply<FieldInfo[]>;
+    for (const field of reply.ok ? reply.value : []) {
+      const view = session.array(stage, field.name) as Float32Array | undefined;
+      if (!view) continue;
+      fields.push(field);
+      const gaps = field.scale === 'whole' || field.on === 'points';
+      values[field.name] = gaps ? withNone(view, -1) : (copied(view) as Float32Array);
+    }
+  }
+  return { fields, values };
+}
+
 /** One session as plain values: texts parsed, views copied once, failures turned into typed errors. */
 export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
-  let lookedUp: readonly number[] = [];
   return {
     loadVolume: (file) =>
       guarded('volume', () => JSON.parse(session.loadVolume(file.name, file.bytes, file.siblings))),
@@ -109,26 +154,29 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
 
     setRecipe: (json) =>
       guarded('recipe', () => {
-        const reply = JSON.parse(session.setRecipe(json)) as ReturnType<EngineApi['setRecipe']>;
-        if (reply.ok) lookedUp = reply.value.recipe.lookup.labels;
-        return reply;
+        return JSON.parse(session.setRecipe(json)) as ReturnType<EngineApi['setRecipe']>;
       }),
 
-    run: (stage, onProgress) => {
+    run: async (stage, onProgress) => {
       let current: string = stage;
       let lastTime = 0;
-      return guarded(stage, () => {
-        const reply = session.run(stage, (engineStage, engineFraction) => {
-          const [name, fraction] = asShown(engineStage, engineFraction);
-          if (!isShownStage(name)) return;
-          const now = performance.now();
-          if (name === current && fraction < 1 && now - lastTime < progressIntervalMs) return;
-          current = name;
-          lastTime = now;
-          onProgress(name, fraction);
-        });
-        return JSON.parse(reply);
-      });
+      const tell = (engineStage: string, engineFraction: number) => {
+        const [name, fraction] = asShown(engineStage, engineFraction);
+        if (!isShownStage(name)) return;
+        const now = performance.now();
+        if (name === current && fraction < 1 && now - lastTime < progressIntervalMs) return;
+        current = name;
+        lastTime = now;
+        onProgress(name, fraction);
+      };
+      const begun = guarded(stage, () => JSON.parse(session.begin(stage)) as Reply<null>);
+      if (!begun.ok) return begun;
+      for (;;) {
+        const reply = guarded(stage, () => JSON.parse(session.advance(budgetMs, tell)) as Reply<RunProgress>);
+        if (!reply.ok) return reply;
+        if (reply.value.summary) return { ok: true, value: reply.value.summary };
+        await nextMessage();
+      }
     },
 
     forecast: (elements) => guarded('forecast', () => JSON.parse(session.forecast(elements))),
@@ -138,14 +186,16 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
         const arrays: Record<string, Held> = {};
         const keep = (from: string, names: readonly string[]) => {
           for (const name of names) {
-            const view = session.view(from, name);
+            const view = session.array(from, name);
             if (view) arrays[name] = copied(view);
           }
         };
-        keep(stage, arrayNames[stage]);
+        if (fieldsBeside[stage]) return { ok: true, value: fieldsOf(session, fieldsBeside[stage]) as never };
+        keep(stage, arrayNames[stage] ?? []);
+        const thickness = stage === 'sizing' && session.array('walls', 'thickness_mm');
+        if (thickness) arrays.thickness_mm = withNone(thickness as Float32Array, 0);
         if (stage === 'smooth' && arrays.triangles)
           arrays.normals = smoothNormals(arrays as unknown as SurfaceArrays);
-        if (stage === 'quality') keep('lookup', lookedUpArrays(lookedUp));
         if (stage === 'optimise' && arrays.tets) {
           arrays.neighbours = tetNeighbours(arrays.tets as Uint32Array, arrays.points.length / 3);
           Object.assign(arrays, tetFaces(arrays as unknown as TetArrays));
@@ -155,9 +205,9 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
         return { ok: true, value: arrays as never };
       }),
 
-    exportMesh: (format, space, name) =>
+    exportMesh: (format, space, name, measures) =>
       guarded('export', () => {
-        const reply = JSON.parse(session.exportMesh(format, space, name)) as Reply<{
+        const reply = JSON.parse(session.exportMesh(format, space, name, measures)) as Reply<{
           files: { suffix: string; bytes: number }[];
         }>;
         if (!reply.ok) return reply;
@@ -176,7 +226,8 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
 export function transferables(reply: Reply<unknown>): Transferable[] {
   if (!reply.ok || typeof reply.value !== 'object' || reply.value === null) return [];
   const buffers = new Set<ArrayBuffer>();
-  for (const entry of Object.values(reply.value) as unknown[]) {
+  const { values = {} } = reply.value as { values?: object };
+  for (const entry of [...Object.values(reply.value), ...Object.values(values)] as unknown[]) {
     const array = ArrayBuffer.isView(entry) ? entry : (entry as { bytes?: unknown } | null)?.bytes;
     if (ArrayBuffer.isView(array)) buffers.add(array.buffer as ArrayBuffer);
   }

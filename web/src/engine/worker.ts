@@ -51,9 +51,9 @@ const api: EngineApi = {
   loadVolume: (file) => current().loadVolume(file),
   loadSideVolume: (kind, file) => current().loadSideVolume(kind, file),
   setRecipe: (json) => current().setRecipe(json),
-  run: (stage, onProgress) => {
+  run: async (stage, onProgress) => {
     try {
-      return current().run(stage, onProgress);
+      return await current().run(stage, onProgress);
     } finally {
       // The callback is a port of its own, which both sides would keep open.
       (onProgress as unknown as Comlink.ProxyMethods)[Comlink.releaseProxy]();
@@ -61,7 +61,8 @@ const api: EngineApi = {
   },
   forecast: (elements) => current().forecast(elements),
   arrays: (stage) => handOver(current().arrays(stage)),
-  exportMesh: (format, space, name) => handOver(current().exportMesh(format, space, name)),
+  exportMesh: (format, space, name, measures) =>
+    handOver(current().exportMesh(format, space, name, measures)),
   report: () => current().report(),
 };
 

@@ -13,14 +13,15 @@ async function ball() {
   const engine = await createVoxtet();
   const session = new engine.Session();
   session.setRecipe('{"source":{"phantom":{}}}');
-  session.run('optimise', () => undefined);
-  const points = session.view('optimise', 'points') as Float32Array;
-  const tets = session.view('optimise', 'tets') as Uint32Array;
-  const labels = session.view('optimise', 'labels') as Uint16Array;
+  session.begin('optimise');
+  session.advance(Infinity, () => undefined);
+  const points = session.array('optimise', 'points') as Float32Array;
+  const tets = session.array('optimise', 'tets') as Uint32Array;
+  const labels = session.array('optimise', 'labels') as Uint16Array;
   const surface = {
     points,
-    triangles: session.view('remesh', 'triangles') as Uint32Array,
-    sides: session.view('remesh', 'sides') as Uint16Array,
+    triangles: session.array('remesh', 'triangles') as Uint32Array,
+    sides: session.array('remesh', 'sides') as Uint16Array,
   };
   return { points, tets, labels, neighbours: tetNeighbours(tets, points.length / 3), surface };
 }

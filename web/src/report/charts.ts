@@ -1,5 +1,5 @@
 /** Which histograms of a report stand together in one chart. */
-import type { Histogram, Report } from '../engine/contract';
+import type { Histogram, Metric, Report } from '../engine/contract';
 
 export interface Series {
   name: string;
@@ -8,15 +8,16 @@ export interface Series {
   tone: 'now' | 'before' | 'pinned';
 }
 
-export type ChartKind =
-  | 'edges'
-  | 'ratios'
-  | 'aspects'
-  | 'angles'
-  | 'radius_ratio'
-  | 'mean_ratio'
-  | 'aspect_ratio';
+/** One of the fixed charts, or the name of a measure of tetrahedra. */
+export type ChartKind = string;
 export type Charts = Record<ChartKind, Series[]>;
+
+/** Measures of tetrahedra, but for the angles, which have a chart of their own. */
+export function shapeMeasures(found: Report): Metric[] {
+  return found.quality.metrics.filter(
+    ({ name, elements }) => elements === 'tets' && !name.includes('dihedral'),
+  );
+}
 
 function histogramOf(found: Report, metric: string): Histogram | null {
   const entry = found.quality.metrics.find((candidate) => candidate.name === metric);
@@ -42,9 +43,9 @@ function make(found: Report, pinned: Report | null): Charts {
           ...one('triangle_aspect_after', 'Adapted surface'),
         ],
     angles: against('dihedral_deg', 'All six angles of each element'),
-    radius_ratio: against('radius_ratio', 'Radius ratio'),
-    mean_ratio: against('mean_ratio', 'Mean ratio'),
-    aspect_ratio: against('aspect_ratio', 'Aspect ratio'),
+    ...Object.fromEntries(
+      shapeMeasures(found).map(({ name, title }) => [name, against(name, title || name)]),
+    ),
   };
 }
 

@@ -9,7 +9,8 @@ async function mockReport(edge: number): Promise<Report> {
   const engine = await createVoxtet();
   const session = new engine.Session();
   session.setRecipe(JSON.stringify({ source: { phantom: {} }, sizing: { edge_mm: edge } }));
-  session.run('quality', () => undefined);
+  session.begin('quality');
+  session.advance(Infinity, () => undefined);
   return JSON.parse(session.report()) as Report;
 }
 

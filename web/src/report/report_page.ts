@@ -1,7 +1,7 @@
 /** The report as one HTML page that needs nothing else: text, tables, histograms as SVG, pictures inside. */
 import type { ChecklistItem, Report } from '../engine/contract';
 import { coveringRange, rebin } from '../geometry/histogram';
-import { seriesOf, type Series } from './charts';
+import { seriesOf, shapeMeasures, type Series } from './charts';
 
 export interface ReportPicture {
   title: string;
@@ -107,8 +107,7 @@ export function reportPage(
       ['Edge length over target', 'log₂', charts.ratios],
       ['Dihedral angles', 'degrees', charts.angles],
       ['Aspect ratio of surface triangles', '', charts.aspects],
-      ['Radius ratio', '', charts.radius_ratio],
-      ['Mean ratio', '', charts.mean_ratio],
+      ...shapeMeasures(found).map(({ name, title }) => [title || name, '', charts[name]] as const),
     ] as const
   )
     .filter(([, , series]) => series.length > 0)

@@ -6,38 +6,40 @@ import { shownResult } from '../store/run/results';
 import { fractionLabel, type Picked } from '../store/view';
 
 /** What was looked up in the image at one tet. */
-function lookedUpLines(arrays: StageArrays['quality'], tet: number): [string, string][] {
+function lookedUpLines({ values: arrays }: StageArrays['quality'], tet: number): [string, string][] {
   const { centroid_label: centroid, majority_label: majority } = arrays;
   if (!centroid || !majority) return [];
   const shares = Object.entries(arrays).flatMap(([name, values]): [string, string][] => {
     const label = fractionLabel(name);
-    return label === null || !values
-      ? []
-      : [[`Share of ${nameOf(label)}`, `${(100 * values[tet]).toFixed(0)} %`]];
+    return label === null ? [] : [[`Share of ${nameOf(label)}`, `${(100 * values[tet]).toFixed(0)} %`]];
   });
   return [['At its centroid', nameOf(centroid[tet])], ['Most of it', nameOf(majority[tet])], ...shares];
 }
 
+/** Fields that other lines tell. */
+const toldApart = /^(edge_mm|target_mm|size_log2|(min|max)_dihedral_deg)$/;
+
 function measureLines(measures: StageArrays['quality'], tet: number): [string, string][] {
-  const edge = measures.edge_mm[tet];
-  const ratio = 2 ** measures.size_log2[tet];
+  const { fields, values } = measures;
+  const ratio = 2 ** values.size_log2[tet];
   return [
     [
       'Dihedral angles',
-      `${measures.min_dihedral_deg[tet].toFixed(1)}° to ${measures.max_dihedral_deg[tet].toFixed(1)}°`,
+      `${values.min_dihedral_deg[tet].toFixed(1)}° to ${values.max_dihedral_deg[tet].toFixed(1)}°`,
     ],
-    ['Mean edge', `${edge.toFixed(2)} mm`],
-    ['Target edge', `${(edge / ratio).toFixed(2)} mm (× ${ratio.toFixed(2)})`],
-    ['Radius ratio', measures.radius_ratio[tet].toFixed(3)],
-    ['Mean ratio', measures.mean_ratio[tet].toFixed(3)],
-    ['Aspect ratio', measures.aspect_ratio[tet].toFixed(2)],
+    ['Mean edge', `${values.edge_mm[tet].toFixed(2)} mm`],
+    ['Target edge', `${values.target_mm[tet].toFixed(2)} mm (× ${ratio.toFixed(2)})`],
+    ...fields
+      .filter(({ name, on, scale }) => on === 'tets' && scale === 'sequential' && !toldApart.test(name))
+      .filter(({ name }) => fractionLabel(name) === null)
+      .map(({ name, title }): [string, string] => [title, values[name][tet].toFixed(3)]),
     ...layerLines(measures, tet),
     ...lookedUpLines(measures, tet),
   ];
 }
 
-function layerLines(measures: StageArrays['quality'], tet: number): [string, string][] {
-  const { layer, layers_across: across } = measures;
+function layerLines({ values }: StageArrays['quality'], tet: number): [string, string][] {
+  const { layer, layers_across: across } = values;
   if (!layer || layer[tet] < 0) return [];
   const of = across && across[tet] >= 0 ? `, ${across[tet]} across the wall` : '';
   return [['Layer', `${layer[tet]} from the inner surface${of}`]];
@@ -45,11 +47,11 @@ function layerLines(measures: StageArrays['quality'], tet: number): [string, str
 
 /** Of the corners that lie on a label's boundary the one farthest from the label surface. */
 function distanceLines(
-  measures: StageArrays['quality'],
+  { values }: StageArrays['quality'],
   { tets }: TetArrays,
   tet: number,
 ): [string, string][] {
-  const { distance_mm: distances } = measures;
+  const { distance_mm: distances } = values;
   if (!distances) return [];
   const largest = Math.max(...[0, 1, 2, 3].map((corner) => distances[tets[4 * tet + corner]]));
   if (largest < 0) return [];

@@ -1,17 +1,10 @@
 import { computed, signal } from '@preact/signals';
-import type { ErrorPlace, LayerArray, LookedUpArray, StageName, TetMeasure, Vec3 } from '../engine/contract';
+import { stageNames, type ErrorPlace, type StageName, type Vec3 } from '../engine/contract';
 import { labelColour, type ColourMapName } from '../geometry/colours';
 import { volume } from './case/input';
 
-export type DistanceUnit = 'distance_mm' | 'distance_voxels';
-export type ColourBy =
-  | 'label'
-  | 'target_mm'
-  | 'thickness_mm'
-  | DistanceUnit
-  | TetMeasure
-  | LayerArray
-  | LookedUpArray;
+/** 'label', the name of a field of the mesh, or what the label surface can be coloured by. */
+export type ColourBy = string;
 
 /** The label whose share an array holds, or null. */
 export function fractionLabel(name: string): number | null {
@@ -32,7 +25,8 @@ export interface Cut {
 
 /** Elements whose measure lies in a range, chosen by dragging over a histogram. */
 export interface Brush {
-  metric: TetMeasure | 'dihedral_deg';
+  /** Name of a field, or 'dihedral_deg': all angles of an element. */
+  metric: string;
   lo: number;
   hi: number;
   /** How many elements that is; written by the scene. */
@@ -96,9 +90,10 @@ export const command = signal<SceneCommand | null>(null);
 /** What an error points at. */
 export const marked = signal<ErrorPlace | null>(null);
 
-/** Marks the places of an error on the surface that it speaks of, and flies there. */
+/** Marks the places of an error on the result that it speaks of, where that is shown at all, and flies there. */
 export function showPlace(place: ErrorPlace): void {
-  if (place.elements.length > 0) stageShown.value = 'remesh';
+  const stage = stageNames.find((name) => name === place.stage);
+  if (place.elements.length > 0 && stage) stageShown.value = stage;
   marked.value = place;
   command.value = { kind: 'marked' };
 }

@@ -140,6 +140,7 @@ function metric(name, unit, elements, lo, hi, worst = []) {
   const mid = (lo + hi) / 2;
   return {
     name,
+    title: '',
     unit,
     elements,
     count: 64,
@@ -229,7 +230,15 @@ class Session {
       });
     }
   }
-  run(stage, onProgress) {
+  begin(stage) {
+    this.last = stage;
+    return JSON.stringify({ ok: true, value: null });
+  }
+  end() {
+    this.last = null;
+  }
+  advance(_budgetMs, onProgress) {
+    const stage = this.last;
     if (!this.recipe.source.phantom && !this.file) {
       return JSON.stringify({
         ok: false,
@@ -257,7 +266,31 @@ class Session {
         counts: this.counts(name),
       });
     }
-    return JSON.stringify({ ok: true, value: summaries.at(-1) });
+    const value = { done: true, stage, fraction: 1, summary: summaries.at(-1) };
+    return JSON.stringify({ ok: true, value });
+  }
+  describe(stage) {
+    const names = {
+      quality: ['min_dihedral_deg', 'max_dihedral_deg', 'radius_ratio', 'edge_mm', 'target_mm', 'size_log2'],
+      lookup: this.recipe.lookup.labels.length
+        ? [
+            'centroid_label',
+            'majority_label',
+            ...this.recipe.lookup.labels.map((label) => `fraction_${label}`),
+          ]
+        : [],
+    };
+    const value = (names[stage] ?? []).map((name) => ({
+      name,
+      title: name,
+      unit: name.endsWith('deg') ? 'deg' : '1',
+      on: 'tets',
+      scale: name.endsWith('_label') ? 'label' : name === 'size_log2' ? 'diverging' : 'sequential',
+      components: 1,
+      count: this.mesh.labels.length,
+      range: [0, 1],
+    }));
+    return JSON.stringify({ ok: true, value });
   }
   forecast(elements) {
     const { sizing } = this.recipe;
@@ -286,8 +319,8 @@ class Session {
       return { points: this.mesh.points.length / 3, tets: this.mesh.labels.length, faces: 0 };
     return { points: this.mesh.points.length / 3, triangles: boundary(this.mesh).sides.length / 2 };
   }
-  view(stage, array) {
-    if (!this.done.has(stage)) return undefined;
+  array(stage, array) {
+    if (!this.done.has(stage) || stage === 'walls') return undefined;
     if (stage === 'volume') return new Uint16Array(12 ** 3).map((_, i) => (i % 12 > 3 && i % 12 < 8 ? 1 : 0));
     if (stage === 'lookup') return new Float32Array(this.mesh.labels.length).fill(0.5);
     if (stage === 'sizing') return new Float32Array(12 ** 3).map((_, i) => 1 + 3 * ((i % 12) / 12));

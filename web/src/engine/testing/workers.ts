@@ -61,7 +61,7 @@ export class Workers {
         const reply = session.arrays(stage);
         return Comlink.transfer(reply, transferables(reply));
       },
-      exportMesh: (format, space, name) => session.exportMesh(format, space, name),
+      exportMesh: (format, space, name, measures) => session.exportMesh(format, space, name, measures),
       report: () => session.report(),
     };
     Comlink.expose(api, port2 as unknown as Comlink.Endpoint);

@@ -1,10 +1,10 @@
 import { useState } from 'preact/hooks';
 import type { Report } from '../../engine/contract';
 import { coveringRange } from '../../geometry/histogram';
-import { seriesOf, type ChartKind, type Series } from '../../report/charts';
+import { seriesOf, shapeMeasures, type ChartKind, type Series } from '../../report/charts';
 import { brush, focusTet, stageShown, type Brush } from '../../store/view';
 import { NumberInput } from '../controls/fields';
-import { whole } from '../controls/format';
+import { sentence, whole } from '../controls/format';
 import { HistogramChart } from '../controls/histogram';
 import { Icon } from '../controls/icons';
 
@@ -103,7 +103,7 @@ const charts: Chart[] = [
   },
 ];
 
-const shape = (kind: ChartKind & BrushMetric, title: string): Chart => ({
+const shape = (kind: string, title: string): Chart => ({
   kind,
   title,
   of: 'tetrahedra',
@@ -111,17 +111,14 @@ const shape = (kind: ChartKind & BrushMetric, title: string): Chart => ({
   brushed: { metric: kind, name: title.toLowerCase(), unit: '' },
 });
 
-const further = [
-  shape('radius_ratio', 'Radius ratio'),
-  shape('mean_ratio', 'Mean ratio'),
-  shape('aspect_ratio', 'Aspect ratio'),
-];
+/** Charts keep what they do for a metric, so that they are not rebuilt with every render. */
+const brushing = new Map<BrushMetric, (lo: number, hi: number) => void>();
 
-const brushing = new Map(
-  [...charts, ...further].flatMap(({ kind, brushed }) =>
-    brushed ? [[kind, (lo: number, hi: number) => startBrush(brushed.metric, lo, hi)] as const] : [],
-  ),
-);
+function brushOf(metric: BrushMetric): (lo: number, hi: number) => void {
+  let start = brushing.get(metric);
+  if (!start) brushing.set(metric, (start = (lo, hi) => startBrush(metric, lo, hi)));
+  return start;
+}
 
 function ChartOf({ chart, found, pinned }: { chart: Chart; found: Report; pinned: Report | null }) {
   const series = seriesOf(found, pinned)[chart.kind];
@@ -137,7 +134,7 @@ function ChartOf({ chart, found, pinned }: { chart: Chart; found: Report; pinned
         series={series}
         range={chart.range}
         selected={selected && [selected.lo, selected.hi]}
-        onSelect={brushing.get(chart.kind)}
+        onSelect={brushed && brushOf(brushed.metric)}
       />
       {brushed && <BrushRow {...brushed} series={series} />}
     </>
@@ -152,7 +149,7 @@ export function ElementHistograms({ found, pinned }: { found: Report; pinned: Re
       {charts.map(row)}
       <details class="more" open={open} onToggle={(event) => setOpen(event.currentTarget.open)}>
         <summary>Shape of the tetrahedra</summary>
-        {open && further.map(row)}
+        {open && shapeMeasures(found).map(({ name, title }) => row(shape(name, title || sentence(name))))}
       </details>
     </section>
   );

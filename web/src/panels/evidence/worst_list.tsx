@@ -1,14 +1,10 @@
 import { useState } from 'preact/hooks';
-import { tetMeasures, type Metric, type Report, type TetMeasure } from '../../engine/contract';
+import type { Report } from '../../engine/contract';
 import { nameOf } from '../../store/case/input';
 import { shownResult } from '../../store/run/results';
 import { brush, colourOf, focusTet, stageShown } from '../../store/view';
 import { SelectField } from '../controls/fields';
 import { sentence, short, unitSign } from '../controls/format';
-
-function isTetMeasure(name: string): name is TetMeasure {
-  return (tetMeasures as readonly string[]).includes(name);
-}
 
 function flyTo(tet: number): void {
   if (stageShown.value !== 'optimise') stageShown.value = 'quality';
@@ -19,13 +15,12 @@ function flyTo(tet: number): void {
 /** The elements that are worst by a measure; a click flies to one, and arrow keys go along the list. */
 export function WorstList({ found }: { found: Report }) {
   const ranked = found.quality.metrics.filter(
-    (metric): metric is Metric & { name: TetMeasure } =>
-      metric.elements === 'tets' && metric.worst.length > 0 && isTetMeasure(metric.name),
+    ({ elements, worst }) => elements === 'tets' && worst.length > 0,
   );
-  const [name, setName] = useState<TetMeasure>('min_dihedral_deg');
+  const [name, setName] = useState('min_dihedral_deg');
   const metric = ranked.find((entry) => entry.name === name) ?? ranked[0];
   const labels = shownResult('optimise')?.labels;
-  const values = shownResult('quality')?.[metric?.name ?? name];
+  const values = shownResult('quality')?.values[metric?.name ?? name];
   if (!metric || !labels || !values) return null;
   const onKey = (event: KeyboardEvent & { currentTarget: HTMLElement }) => {
     const way = { ArrowDown: 1, ArrowUp: -1 }[event.key];
@@ -42,7 +37,7 @@ export function WorstList({ found }: { found: Report }) {
       <SelectField
         label="By"
         value={metric.name}
-        options={ranked.map((entry) => [entry.name, sentence(entry.name)] as const)}
+        options={ranked.map((entry) => [entry.name, entry.title || sentence(entry.name)] as const)}
         onChange={(next) => setName(next)}
       />
       <ol class="worst" onKeyDown={onKey}>

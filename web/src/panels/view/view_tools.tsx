@@ -3,7 +3,7 @@ import { pinned } from '../../store/run/compare';
 import { downloadPicture } from '../../store/case/exchange';
 import { nameOf } from '../../store/case/input';
 import { recipe } from '../../store/case/recipe';
-import { shownKeys, shownResult } from '../../store/run/results';
+import { shownResult } from '../../store/run/results';
 import { report } from '../../store/run/report';
 import {
   brush,
@@ -33,41 +33,22 @@ const cutAxes: [string, string, Vec3][] = [
   ['S', 'Cut from head to feet', [0, 0, 1]],
 ];
 
-const measureOptions: [ColourBy, string][] = [
-  ['target_mm', 'Target edge length'],
-  ['size_log2', 'Size ratio'],
-  ['min_dihedral_deg', 'Smallest angle'],
-  ['max_dihedral_deg', 'Largest angle'],
-  ['radius_ratio', 'Radius ratio'],
-  ['mean_ratio', 'Mean ratio'],
-  ['aspect_ratio', 'Aspect ratio'],
-  ['distance_mm', 'Distance to labels, mm'],
-  ['distance_voxels', 'Distance to labels, voxels'],
-];
-
-/** Of arrays that only some cases have. */
-function otherOptions(): [ColourBy, string][] {
-  const arrays = Object.keys(shownResult('quality') ?? {}) as ColourBy[];
-  return arrays.flatMap((name): [ColourBy, string][] => {
-    if (name === 'layer') return [[name, 'Layer of the wall']];
-    if (name === 'layers_across') return [[name, 'Layers across the wall']];
-    if (name === 'centroid_label') return [[name, 'Centroid label']];
-    if (name === 'majority_label') return [[name, 'Majority label']];
+/** Every field that the evidence has, in the engine's words. */
+function fieldOptions(): [ColourBy, string][] {
+  const fields = shownResult('quality')?.fields ?? [];
+  return fields.map(({ name, title, unit, on }): [ColourBy, string] => {
     const label = fractionLabel(name);
-    return label === null ? [] : [[name, `Share of ${nameOf(label)}`]];
+    if (label !== null) return [name, `Share of ${nameOf(label)}`];
+    return [name, on === 'points' ? `${title}, ${unit}` : title];
   });
 }
 
 function ColourChoice() {
   const onTets = stageShown.value === 'optimise' || stageShown.value === 'quality';
-  const measured = onTets && shownKeys.value.quality !== undefined;
-  const options: [ColourBy, string][] = [
-    ['label', 'Label'],
-    ['edge_mm', 'Edge length'],
-  ];
-  if (onTets) options.push(...measureOptions, ...otherOptions());
+  const options: [ColourBy, string][] = [['label', 'Label']];
+  if (onTets) options.push(...fieldOptions());
   else {
-    options.push(['target_mm', 'Target edge length']);
+    options.push(['edge_mm', 'Mean edge length'], ['target_mm', 'Target edge length']);
     if (recipe.value?.sizing.thickness.length) options.push(['thickness_mm', 'Wall thickness']);
   }
   const chosen = options.some(([value]) => value === colourBy.value) ? colourBy.value : 'label';
@@ -79,12 +60,7 @@ function ColourChoice() {
         onChange={(event) => (colourBy.value = event.currentTarget.value as ColourBy)}
       >
         {options.map(([value, text]) => (
-          <option
-            key={value}
-            value={value}
-            selected={value === chosen}
-            disabled={onTets && value !== 'label' && !measured}
-          >
+          <option key={value} value={value} selected={value === chosen}>
             {text}
           </option>
         ))}

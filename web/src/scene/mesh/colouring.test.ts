@@ -1,14 +1,13 @@
 import { afterEach, describe, expect, it } from 'vitest';
-import { tetMeasures, type StageArrays, type VolumeSummary } from '../../engine/contract';
-import { volume } from '../../store/case/input';
+import type { FieldInfo, StageArrays } from '../../engine/contract';
 import { colourBy } from '../../store/view';
 import { tetPaint } from './colouring';
 
-const measures = Object.fromEntries(
-  tetMeasures.map((name) => [name, Float32Array.from({ length: 100 }, (_, i) => i / 100)]),
-) as StageArrays['quality'];
-measures.edge_mm.fill(3);
-measures.size_log2.fill(-1).fill(0.25, 50);
+function field(name: string, values: Float32Array, told: Partial<FieldInfo> = {}): StageArrays['quality'] {
+  const info = { name, title: name, unit: '1', on: 'tets', scale: 'sequential', components: 1 } as const;
+  return { fields: [{ ...info, count: values.length, range: null, ...told }], values: { [name]: values } };
+}
+const parts = Float32Array.from({ length: 100 }, (_, i) => i / 100);
 
 describe('colours of tetrahedra', () => {
   afterEach(() => void (colourBy.value = 'label'));
@@ -16,52 +15,44 @@ describe('colours of tetrahedra', () => {
   it('are those of labels until there are measures', () => {
     colourBy.value = 'radius_ratio';
     expect(tetPaint(undefined).kind).toBe('label');
-    expect(tetPaint(measures).kind).toBe('scale');
+    expect(tetPaint(field('mean_ratio', parts)).kind).toBe('label');
+    expect(tetPaint(field('radius_ratio', parts)).kind).toBe('scale');
   });
 
-  it('tell the target edge length from the edge length and their ratio', () => {
-    colourBy.value = 'target_mm';
-    const paint = tetPaint(measures);
-    expect(paint.kind === 'scale' && [paint.values[0], paint.legend.unit]).toEqual([6, 'mm']);
+  it('have the title and unit that the engine gives, whatever the field', () => {
+    colourBy.value = 'a_new_measure';
+    const paint = tetPaint(field('a_new_measure', parts, { title: 'A new measure', unit: 'deg' }));
+    expect(paint.kind === 'scale' && paint.legend).toMatchObject({ title: 'A new measure', unit: '°' });
   });
 
   it('have ratios around nothing in the middle of their scale', () => {
     colourBy.value = 'size_log2';
-    const paint = tetPaint(measures);
+    const ratios = new Float32Array(100).fill(-1).fill(0.25, 50);
+    const paint = tetPaint(field('size_log2', ratios, { scale: 'diverging', unit: 'log2' }));
     expect(paint.kind === 'scale' && [paint.legend.lo, paint.legend.hi]).toEqual([-1, 1]);
   });
 
   it('follow the labels that were looked up, and shares from nothing to all', () => {
-    const looked = { ...measures, majority_label: measures.radius_ratio, fraction_5: measures.radius_ratio };
     colourBy.value = 'majority_label';
-    expect(tetPaint(looked).kind).toBe('given');
+    expect(tetPaint(field('majority_label', parts, { scale: 'label' })).kind).toBe('given');
     colourBy.value = 'fraction_5';
-    const paint = tetPaint(looked);
+    const paint = tetPaint(field('fraction_5', parts));
     expect(paint.kind === 'scale' && [paint.legend.lo, paint.legend.hi]).toEqual([0, 1]);
   });
 
   it('show layers from the fewest to the most, and nothing where there is no wall', () => {
-    const layer = Float32Array.from([-1, 1, 3, 2]);
     colourBy.value = 'layer';
-    const paint = tetPaint({ ...measures, layer });
+    const paint = tetPaint(field('layer', Float32Array.from([-1, 1, 3, 2]), { scale: 'whole' }));
     expect(paint.kind === 'parts' && paint.legend).toMatchObject({ lo: 1, hi: 3, whole: true });
-    colourBy.value = 'layers_across';
-    const same = tetPaint({ ...measures, layer, layers_across: Float32Array.from([-1, 3, 3, 3]) });
+    const same = tetPaint(field('layer', Float32Array.from([-1, 3, 3, 3]), { scale: 'whole' }));
     expect(same.kind === 'parts' && same.legend).toMatchObject({ lo: 2, hi: 4 });
-    expect(tetPaint(measures).kind).toBe('label');
   });
 
-  it('show distances to the labels from nothing up, in millimetres or voxels, and none inside', () => {
-    const distance_mm = Float32Array.from([-1, 0, 1, 2]);
-    volume.value = { spacing_mm: [0.5, 2, 2] } as VolumeSummary;
-    for (const [by, unit, hi] of [
-      ['distance_mm', 'mm', 2],
-      ['distance_voxels', 'voxels', 4],
-    ] as const) {
-      colourBy.value = by;
-      const paint = tetPaint({ ...measures, distance_mm });
-      expect(paint.kind === 'points' && [...paint.values]).toEqual([-1, 0, hi / 2, hi]);
-      expect(paint.kind === 'points' && paint.legend).toMatchObject({ unit, lo: 0, hi });
-    }
+  it('show values of points from nothing up, and none inside', () => {
+    colourBy.value = 'distance_mm';
+    const distances = Float32Array.from([-1, 0, 1, 2]);
+    const paint = tetPaint(field('distance_mm', distances, { on: 'points', unit: 'mm' }));
+    expect(paint.kind === 'points' && [...paint.values]).toEqual([-1, 0, 1, 2]);
+    expect(paint.kind === 'points' && paint.legend).toMatchObject({ unit: 'mm', lo: 0, hi: 2 });
   });
 });

@@ -1,5 +1,5 @@
 /** From what the store shows to colours: pure choices, no three.js. */
-import type { LayerArray, StageArrays, SurfaceArrays, TetMeasure } from '../../engine/contract';
+import type { FieldInfo, StageArrays, SurfaceArrays } from '../../engine/contract';
 import { colourTable, rgbOf } from '../../geometry/colours';
 import {
   robustRange,
@@ -10,17 +10,10 @@ import {
   type Painter,
 } from '../../geometry/faces';
 import { valuesAt } from '../../geometry/grid_values';
-import { nameOf, voxelMm } from '../../store/case/input';
+import { nameOf } from '../../store/case/input';
 import { shownKeys } from '../../store/run/results';
 import { sizingFields } from '../../store/run/sizing_fields';
-import {
-  colourBy,
-  colourOf,
-  fractionLabel,
-  hiddenLabels,
-  type DistanceUnit,
-  type Legend,
-} from '../../store/view';
+import { colourBy, colourOf, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
 
 export type TetPaint =
   | { kind: 'label' }
@@ -33,25 +26,20 @@ export type TetPaint =
 
 type Scale = Omit<Legend, 'lo' | 'hi'>;
 
-const scales: Record<TetMeasure | DistanceUnit | LayerArray | 'target_mm' | 'thickness_mm', Scale> = {
+/** Of a label surface. */
+const surfaceScales: Record<string, Scale> = {
   edge_mm: { title: 'Mean edge length', unit: 'mm', map: 'viridis' },
   target_mm: { title: 'Target edge length', unit: 'mm', map: 'viridis' },
   thickness_mm: { title: 'Wall thickness', unit: 'mm', map: 'cividis' },
-  distance_mm: { title: 'Distance to the label surface', unit: 'mm', map: 'viridis' },
-  distance_voxels: { title: 'Distance to the label surface', unit: 'voxels', map: 'viridis' },
-  layer: { title: 'Layer, from the inner surface', unit: '', map: 'viridis', whole: true },
-  layers_across: { title: 'Layers across the wall', unit: '', map: 'viridis', whole: true },
-  size_log2: { title: 'Edge length over target', unit: 'log₂', map: 'vik' },
-  min_dihedral_deg: { title: 'Smallest dihedral angle', unit: '°', map: 'cividis' },
-  max_dihedral_deg: { title: 'Largest dihedral angle', unit: '°', map: 'cividis' },
-  radius_ratio: { title: 'Radius ratio', unit: '', map: 'cividis' },
-  mean_ratio: { title: 'Mean ratio', unit: '', map: 'cividis' },
-  aspect_ratio: { title: 'Aspect ratio', unit: '', map: 'cividis' },
 };
 
-/** Target edge lengths, from the edge lengths and their ratio. */
-function targets(measures: StageArrays['quality']): Float32Array {
-  return measures.edge_mm.map((edge, tet) => edge / 2 ** measures.size_log2[tet]);
+const unitSigns: Record<string, string> = { '1': '', deg: '°', log2: 'log₂' };
+
+/** How a field is read, as the engine says it. */
+function scaleOf({ title, unit, scale }: FieldInfo): Scale {
+  const map = scale === 'diverging' ? 'vik' : unit === 'deg' || unit === '1' ? 'cividis' : 'viridis';
+  const sign = unitSigns[unit] ?? unit;
+  return scale === 'whole' ? { title, unit: sign, map: 'viridis', whole: true } : { title, unit: sign, map };
 }
 
 function scaled(values: Float32Array, scale: Scale): TetPaint {
@@ -61,33 +49,28 @@ function scaled(values: Float32Array, scale: Scale): TetPaint {
   return { kind: 'scale', values, legend: { ...scale, lo, hi } };
 }
 
-function distancePaint(distances: Float32Array | undefined, by: DistanceUnit): TetPaint {
-  if (!distances) return { kind: 'label' };
-  const unit = by === 'distance_voxels' ? voxelMm.value : 1;
-  const values = distances.map((distance) => (distance < 0 ? -1 : distance / unit));
+function pointPaint(values: Float32Array, scale: Scale): TetPaint {
   const [, hi] = robustRange(values, (point) => values[point] >= 0);
-  return { kind: 'points', values, legend: { ...scales[by], lo: 0, hi } };
+  return { kind: 'points', values, legend: { ...scale, lo: 0, hi } };
 }
 
-function layerPaint(values: Float32Array | undefined, by: LayerArray): TetPaint {
-  if (!values) return { kind: 'label' };
+function wholePaint(values: Float32Array, scale: Scale): TetPaint {
   const most = values.reduce((known, value) => Math.max(known, value), 1);
   const fewest = values.reduce((known, value) => (value < 0 ? known : Math.min(known, value)), most);
   const [lo, hi] = most > fewest ? [fewest, most] : [most - 1, most + 1];
-  return { kind: 'parts', values, legend: { ...scales[by], lo, hi } };
+  return { kind: 'parts', values, legend: { ...scale, lo, hi } };
 }
 
 export function tetPaint(measures: StageArrays['quality'] | undefined): TetPaint {
   const by = colourBy.value;
-  if (by === 'label' || by === 'thickness_mm' || !measures) return { kind: 'label' };
-  if (by === 'distance_mm' || by === 'distance_voxels') return distancePaint(measures.distance_mm, by);
-  if (by === 'layer' || by === 'layers_across') return layerPaint(measures[by], by);
-  if (by === 'target_mm') return scaled(targets(measures), scales.target_mm);
-  const values = measures[by];
-  if (!values) return { kind: 'label' };
-  if (by === 'centroid_label' || by === 'majority_label') return { kind: 'given', values };
+  const field = measures?.fields.find(({ name }) => name === by);
+  if (!measures || !field) return { kind: 'label' };
+  const values = measures.values[by];
+  if (field.scale === 'label') return { kind: 'given', values };
+  if (field.on === 'points') return pointPaint(values, scaleOf(field));
+  if (field.scale === 'whole') return wholePaint(values, scaleOf(field));
   const label = fractionLabel(by);
-  if (label === null) return scaled(values, scales[by as TetMeasure]);
+  if (label === null) return scaled(values, scaleOf(field));
   const legend: Legend = { title: `Share of ${nameOf(label)}`, unit: '', map: 'viridis', lo: 0, hi: 1 };
   return { kind: 'scale', values, legend };
 }
@@ -140,7 +123,7 @@ export function surfaceBody(mesh: SurfaceArrays): SurfaceBody {
   const known = bodies.get(mesh);
   if (known && from.every((part, i) => part === known.from[i])) return known.body;
   const values = triangleValues(mesh);
-  const painted = values && scaled(values, scales[by as 'edge_mm']);
+  const painted = values && scaled(values, surfaceScales[by]);
   const legend = painted?.kind === 'scale' ? painted.legend : null;
   const paint = values && legend ? scalePainter(values, legend) : labelPainter();
   const body = { faces: surfaceFaces(mesh, hiddenLabels.value, paint), legend };

@@ -21,7 +21,7 @@ function corners(surface: SurfaceArrays, triangle: number): Vector3[] {
 
 /** Those of an error's triangles that the surface has. */
 function trianglesOf(place: ErrorPlace, surface: SurfaceArrays | undefined): Vector3[][] {
-  if (!surface) return [];
+  if (!surface || place.on !== 'triangles' || place.stage !== 'remesh') return [];
   const count = surface.triangles.length / 3;
   return place.elements.filter((triangle) => triangle < count).map((triangle) => corners(surface, triangle));
 }

@@ -32,10 +32,8 @@ export function tetCentre(mesh: TetArrays, tet: number): { centre: Vector3; size
 /** The values that a dragged range of a histogram is about. */
 function brushed(range: Brush | null, measures: TetSource['measures']) {
   if (!range || !measures) return undefined;
-  const values =
-    range.metric === 'dihedral_deg'
-      ? [measures.min_dihedral_deg, measures.max_dihedral_deg]
-      : [measures[range.metric]];
+  const names = range.metric === 'dihedral_deg' ? ['min_dihedral_deg', 'max_dihedral_deg'] : [range.metric];
+  const values = names.map((name) => measures.values[name]);
   return { values, lo: range.lo, hi: range.hi };
 }
 
