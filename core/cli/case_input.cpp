@@ -106,7 +106,7 @@ Result<LabelGroup> group_of_all(const Recipe& recipe, Session& session) {
   return group;
 }
 
-Result<Recipe> with_options(Recipe recipe, const CaseOptions& options) {
+Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options) {
   nlohmann::json json = recipe_to_json(recipe);
   if (!options.labels.empty()) json["labels"] = options.labels;
   if (!options.look_up.empty()) json["lookup"]["labels"] = options.look_up;

@@ -271,7 +271,7 @@ int run_verify(const CaseOptions& options, const Output& output) {
 }
 
 /// An empty text is what is left of a shell's variable that is not set.
-const CLI::Validator not_empty(
+const CLI::Validator kNotEmpty(
     [](const std::string& text) { return text.empty() ? std::string("found '', expected a value") : ""; },
     "");
 
@@ -289,7 +289,7 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
       ->type_name("LABELS");
   command.add_option("--look-up", options.look_up, "labels to look up at each tetrahedron, as 5,6")
       ->delimiter(',');
-  command.add_option("--edge-mm", options.edge_mm, "edge length, mm")->check(not_empty);
+  command.add_option("--edge-mm", options.edge_mm, "edge length, mm")->check(kNotEmpty);
   command.add_option("--edge-label", options.edge_labels, "edge length inside a label, as 5=0.8");
   command.add_option("--mask", options.masks, "label volume painted over the input, sized by --mask-edge");
   command.add_option("--mask-edge", options.mask_edges, "edge length inside a label of the masks, as 1=0.8");
@@ -318,10 +318,10 @@ int run_cli(int argc, const char* const* argv) {
   CLI::App* mesh = app.add_subcommand("mesh", "mesh a volume or a case");
   add_case_options(*mesh, options, output, "VOLUME|CASE.json");
   mesh->add_option("-o,--output", wanted.out, "mesh file: .vtu .msh .mesh .carp .inp .feb .xdmf .stl .ply")
-      ->check(not_empty);
-  mesh->add_option("--report", wanted.report, "write the report as JSON to this file")->check(not_empty);
+      ->check(kNotEmpty);
+  mesh->add_option("--report", wanted.report, "write the report as JSON to this file")->check(kNotEmpty);
   mesh->add_option("--until", wanted.until, "end with this stage: volume, surface, smooth, ...");
-  mesh->add_option("--dump", wanted.dump, "write what each stage gave into this folder")->check(not_empty);
+  mesh->add_option("--dump", wanted.dump, "write what each stage gave into this folder")->check(kNotEmpty);
   mesh->add_flag("--measures", wanted.measures, "write the measures of tetrahedra into the mesh file too");
   mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")
       ->check(CLI::IsMember({"ras", "lps"}));

@@ -56,8 +56,8 @@ bool write_all(const std::string& folder) {
   }
   WriteMeshOptions many{PatientSpace::kRas, {}, {}, "many"};
   for (std::size_t i = 0; i < 21; ++i)
-    many.cell_data.push_back(
-        {"value_" + std::to_string(i), std::vector<float>(mesh.tets.size(), static_cast<float>(i))});
+    many.cell_data.push_back(test::tet_values("value_" + std::to_string(i),
+                                              std::vector<float>(mesh.tets.size(), static_cast<float>(i))));
   return good && write_export(folder + "/many.xdmf", write_tet_mesh(mesh, MeshFormat::kXdmf, many));
 }
 

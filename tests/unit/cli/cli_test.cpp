@@ -38,7 +38,7 @@ class CliTest : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   std::string at(const std::string& name) const { return (folder_ / name).string(); }
-  static int run(std::vector<std::string> words) {
+  static int run(const std::vector<std::string>& words) {
     std::vector<const char*> argv{"voxtet"};
     for (const std::string& word : words) argv.push_back(word.c_str());
     return run_cli(static_cast<int>(argv.size()), argv.data());

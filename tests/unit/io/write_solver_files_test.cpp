@@ -102,8 +102,8 @@ TEST(WriteAbaqus, KeepsEveryNumberToTwentyCharacters) {
 }
 
 TEST(WriteAbaqus, PutsCellDataIntoDistributionsOfTheirOwn) {
-  const auto files =
-      write_tet_mesh(two_tets(), MeshFormat::kAbaqus, {PatientSpace::kRas, {}, {{"fraction_5", {0.25F, 1}}}});
+  const auto files = write_tet_mesh(two_tets(), MeshFormat::kAbaqus,
+                                    {PatientSpace::kRas, {}, {test::tet_values("fraction_5", {0.25F, 1})}});
   ASSERT_TRUE(files.ok());
   ASSERT_EQ(files->size(), 2U);
   EXPECT_EQ((*files)[1].suffix, ".fraction_5.inp");
@@ -112,7 +112,8 @@ TEST(WriteAbaqus, PutsCellDataIntoDistributionsOfTheirOwn) {
 }
 
 TEST(WriteFebio, HasAPartAMaterialAndADomainForEachLabel) {
-  const std::string text = only_file(MeshFormat::kFebio, {PatientSpace::kRas, kInfos, {{"f", {0.25F, 1}}}});
+  const std::string text =
+      only_file(MeshFormat::kFebio, {PatientSpace::kRas, kInfos, {test::tet_values("f", {0.25F, 1})}});
   for (const char* part :
        {"<febio_spec version=\"4.0\">\n<!-- voxtet mesh, space RAS, unit mm: ", "<units>mm-kg-s</units>",
         "<material id=\"2\" name=\"scar_dense_5\" type=\"neo-Hookean\">", "<node id=\"3\">0,0.25,0</node>\n",
@@ -128,8 +129,8 @@ TEST(WriteFebio, HasAPartAMaterialAndADomainForEachLabel) {
 TEST(WriteXdmf, NamesItsHeavyDataAfterTheFiles) {
   EXPECT_EQ(mesh_name_of("/a.b/heart <1> & co.v2.xdmf"), "heart <1> & co.v2");
   EXPECT_EQ(mesh_name_of("heart.xdmf"), "heart");
-  const std::string text =
-      only_file(MeshFormat::kXdmf, {PatientSpace::kLps, {}, {{"f", {0.25F, 1}}}, "a <1> & b"});
+  const std::string text = only_file(
+      MeshFormat::kXdmf, {PatientSpace::kLps, {}, {test::tet_values("f", {0.25F, 1})}, "a <1> & b"});
   for (const char* part :
        {"<!-- voxtet mesh, space LPS, unit mm: x to the left",
         "Precision=\"8\" Dimensions=\"5 3\" Format=\"HDF\">a &lt;1&gt; &amp; b.h5:/points<",
