@@ -45,7 +45,11 @@ TEST_P(Example, GivesThePromisedMesh) {
   const Status done = session.run(Stage::kQuality, ctx);
   ASSERT_TRUE(done.ok()) << done.error().message;
   test::check_tets(*session.mesh());
-  const json report = report_json(session);
+  json report = report_json(session);
+  json by_name = json::object();
+  for (const json& metric : report["quality"]["metrics"])
+    if (!by_name.contains(metric["name"])) by_name[metric["name"].get<std::string>()] = metric;
+  report["quality"]["metrics"] = by_name;
   EXPECT_EQ(report["digest"], expected["digest"]);
   EXPECT_EQ(report["tets"], expected["tets"]);
   EXPECT_TRUE(report["quality"]["passed"]);

@@ -171,7 +171,7 @@ TEST(Diffusion, FramesAreDueAtZeroAtTheirTimesAndAtTheEnd) {
   EXPECT_EQ(frames, 3);
 }
 
-TEST(Diffusion, SameBytesEverywhere) {
+TEST(Diffusion, SameBytesOnEveryPlatform) {
   Diffusion diffusion = started(test::kuhn_cube(6), {7, 1.5, 20, 0.7, 5});
   while (!diffusion.done()) advance(diffusion);
   const Field field = diffusion.temperature();

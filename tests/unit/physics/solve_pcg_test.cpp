@@ -52,7 +52,7 @@ TEST(SolvePcg, TheSolutionNeedsNoIteration) {
   EXPECT_EQ(nothing->x, system.zero());
 }
 
-TEST(SolvePcg, SameBytesEverywhere) {
+TEST(SolvePcg, SameBytesOnEveryPlatform) {
   const System system;
   const auto solved = fem::solve_pcg(system.matrix, system.b, system.zero(), {1e-8, 1000});
   ASSERT_TRUE(solved.ok());
