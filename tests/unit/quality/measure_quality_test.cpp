@@ -374,5 +374,19 @@ TEST(MeasureTets, GivesOneValueForEachTet) {
   EXPECT_EQ(find_field(measure_tets(mesh, nullptr, 1), "size_log2"), nullptr);
 }
 
+TEST(MeasureTets, ScaledJacobianIsOneForTheRegularTetAndNegativeForAnInvertedOne) {
+  TetMesh mesh;
+  mesh.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1},
+                 {0, 0, 0}, {1, 0, 0},   {0, 1, 0},   {0, 0, 1}};
+  mesh.tets = {{0, 1, 2, 3}, {0, 2, 1, 3}, {4, 5, 6, 7}};
+  mesh.labels = {1, 1, 1};
+  const std::vector<Field> fields = measure_tets(mesh, nullptr, 1);
+  const std::vector<float>& found = find_field(fields, "scaled_jacobian")->values;
+  const float sign = found[0] > 0 ? 1.F : -1.F;
+  EXPECT_NEAR(sign * found[0], 1, 1e-6);
+  EXPECT_NEAR(sign * found[1], -1, 1e-6);
+  EXPECT_NEAR(found[2], std::sqrt(2.0) / 2, 1e-6) << "the corner of a cube";
+}
+
 }  // namespace
 }  // namespace voxtet
