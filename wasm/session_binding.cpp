@@ -14,13 +14,13 @@
 #include "io/mesh/write_mesh.h"
 #include "io/volume/read_volume.h"
 #include "lookup/look_up_labels.h"
-#include "pipeline/version/engine_version.h"
 #include "pipeline/exported_fields.h"
 #include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
 #include "pipeline/stages/stage_arrays.h"
+#include "pipeline/version/engine_version.h"
 
 namespace voxtet {
 namespace {
@@ -150,7 +150,7 @@ class SessionBinding {
     if (stage)
       for (const StageArray& array : arrays_of(*stage))
         if (array.name == name)
-          return std::visit([this](const auto& values) { return view_of(values); }, array.values);
+          return std::visit([this](const auto& values) { return this->view_of(values); }, array.values);
     return val::undefined();
   }
 
@@ -212,13 +212,13 @@ class SessionBinding {
 
   std::string load_mask(const VolumeFile& file) {
     if (Status loaded = session_.load_mask(file); !loaded) return reply(loaded.error());
-    const auto& [mask, digest] = session_.files().masks.at(file.name);
+    const SideVolume<LabelVolume>& mask = session_.files().masks.at(file.name);
     std::vector<bool> found(std::numeric_limits<Label>::max() + std::size_t{1});
-    for (const Label label : mask.labels) found[label] = true;
+    for (const Label label : mask.volume.labels) found[label] = true;
     json labels = json::array();
     for (std::size_t label = 1; label < found.size(); ++label)
       if (found[label]) labels.push_back(label);
-    return reply({{"name", file.name}, {"digest", digest}, {"labels", labels}});
+    return reply({{"name", file.name}, {"digest", mask.digest}, {"labels", labels}});
   }
 
   std::string load_size_image(const VolumeFile& file) {
@@ -240,7 +240,7 @@ class SessionBinding {
     return view_of(std::span<const float>(floats_));
   }
   template <class T>
-  static val view_of(std::span<const T> values) {
+  val view_of(std::span<const T> values) const {
     return val(emscripten::typed_memory_view(values.size(), values.data()));
   }
 
