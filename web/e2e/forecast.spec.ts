@@ -154,7 +154,10 @@ test('a mesh beyond the memory of a tab is refused at once; the case stays and t
   await meshed(page);
 });
 
-test('surfaces are sized by curvature; sizes and limits come back with link and reload', async ({ page, browser }) => {
+test('surfaces are sized by curvature; sizes and limits come back with link and reload', async ({
+  page,
+  browser,
+}) => {
   await open(page);
   const before = await foretold(page);
   await page.getByRole('button', { name: 'Curvature', exact: true }).click();
