@@ -112,6 +112,7 @@ class SessionBinding {
     const Result<Stage> last = stage_of(stage_name);
     if (!last) return reply(last.error());
     session_.begin(*last);
+    snapshots_.clear();
     last_ = *last;
     return reply(nullptr);
   }

@@ -1,6 +1,7 @@
 #include "pipeline/session.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -63,10 +64,6 @@ Status Session::load_size_image(const VolumeFile& file) {
 
 void Session::files_changed() {
   end();
-  update_keys();
-}
-
-void Session::update_keys() {
   keys_ = keys_of(recipe_, files_);
 }
 
@@ -81,7 +78,7 @@ Status Session::set_recipe(const Recipe& recipe) {
                  {}};
   end();
   recipe_ = recipe;
-  update_keys();
+  keys_ = keys_of(recipe_, files_);
   return std::monostate{};
 }
 

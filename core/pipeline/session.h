@@ -2,8 +2,6 @@
 #pragma once
 
 #include <array>
-#include <chrono>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -113,14 +111,12 @@ class Session {
 #endif
   /// A stage under way.
   struct Running {
-    Stage stage;
     std::unique_ptr<StageTask> task;  ///< null: it has not begun
     StageRecord record;
     StageOutput output;
   };
 
   void files_changed();
-  void update_keys();
   Status admit(const StageSpec& spec, RunContext& ctx);
   StageInputs inputs_of(const StageSpec& spec) const;
   /// Work on the stage under way; true when it is complete.
