@@ -1,17 +1,11 @@
 #include "pipeline/stages/diffusion_stage.h"
 
-#include <nlohmann/json.hpp>
-
 #include "base/digest.h"
 #include "physics/diffusion/diffusion.h"
 #include "pipeline/stages/stage_results.h"
 
 namespace voxtet {
 namespace {
-
-const Trajectory& trajectory(const std::any& value) {
-  return *std::any_cast<const std::shared_ptr<const Trajectory>&>(value);
-}
 
 class DiffusionTask : public StageTask {
  public:
@@ -52,15 +46,6 @@ Result<std::unique_ptr<StageTask>> start_diffusion(const StageInputs& in, const 
       Diffusion::start(in.get<TetMesh>(Stage::kOptimise), *recipe.physics->diffusion);
   if (!diffusion) return diffusion.error();
   return std::unique_ptr<StageTask>(std::make_unique<DiffusionTask>(std::move(diffusion).value()));
-}
-
-nlohmann::json count_trajectory(const std::any& value) {
-  const Trajectory& found = trajectory(value);
-  return {{"frames", found.times_ms.size()}, {"end_ms", found.times_ms.back()}};
-}
-
-std::string digest_trajectory(const std::any& value) {
-  return trajectory(value).frames_digest;
 }
 
 }  // namespace voxtet

@@ -6,12 +6,12 @@
 #include "base/digest.h"
 #include "lookup/look_up_labels.h"
 #include "phantom/make_phantom.h"
+#include "pipeline/stages/describe_results.h"
 #include "pipeline/stages/diffusion_stage.h"
 #include "pipeline/stages/layer_warnings.h"
 #include "pipeline/stages/side_sizes.h"
 #include "pipeline/stages/stage.h"
 #include "pipeline/stages/stage_results.h"
-#include "pipeline/stages/value_json.h"
 #include "pipeline/stages/wall_values.h"
 #include "quality/measure_quality.h"
 #include "remesh/remesh_surface.h"
@@ -28,11 +28,6 @@ namespace voxtet {
 namespace {
 
 using nlohmann::json;
-
-template <class T>
-const T& value_of(const std::any& value) {
-  return *std::any_cast<const std::shared_ptr<const T>&>(value);
-}
 
 template <class T>
 Status put(Result<T>&& result, StageOutput& out) {
@@ -90,20 +85,6 @@ Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   return std::monostate{};
 }
 
-json count_volume(const std::any& value) {
-  const VolumeResult& result = value_of<VolumeResult>(value);
-  json counts = volume_json(*result.source, result.digest);
-  const LabelVolume& prepared = *result.prepared.prepared;
-  const Eigen::Vector3d spacing = prepared.spacing_mm();
-  counts["prepared"] = {{"size", prepared.size}, {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
-  return counts;
-}
-
-std::string digest_volume(const std::any& value) {
-  const VolumeResult& result = value_of<VolumeResult>(value);
-  return result.prepared.prepared == result.source ? result.digest : digest_of(*result.prepared.prepared);
-}
-
 Status run_surface(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   const LabelVolume& volume = volume_of(in);
   if (recipe.surface.method == ExtractMethod::kMarchingCubes)
@@ -116,15 +97,6 @@ Status run_surface(const StageInputs& in, const Recipe& recipe, StageOutput& out
 
 Status run_smooth(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   return put(smooth_surface(in.get<SurfaceMesh>(Stage::kSurface), volume_of(in), recipe.smooth, ctx), out);
-}
-
-json count_surface(const std::any& value) {
-  const SurfaceMesh& surface = value_of<SurfaceMesh>(value);
-  return {{"points", surface.points.size()}, {"triangles", surface.triangles.size()}};
-}
-
-std::string digest_surface(const std::any& value) {
-  return digest_of(value_of<SurfaceMesh>(value));
 }
 
 Status run_walls(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
@@ -146,10 +118,6 @@ Status run_walls(const StageInputs& in, const Recipe& recipe, StageOutput& out, 
   return std::monostate{};
 }
 
-json count_walls(const std::any& value) {
-  return {{"walls", value_of<WallsResult>(value).walls.size()}};
-}
-
 void add_side_volumes(const LoadedFiles& files, const Recipe& recipe, std::string& key) {
   for (const MaskSize& mask : recipe.sizing.masks)
     if (const auto found = files.masks.find(mask.name); found != files.masks.end())
@@ -169,15 +137,6 @@ Status run_sizing(const StageInputs& in, const Recipe& recipe, StageOutput& out,
       build_sizing_field_of(in.files, recipe.sizing, volume_of(in), in.get<SurfaceMesh>(Stage::kSmooth),
                             in.get<WallsResult>(Stage::kWalls).walls, ctx),
       out);
-}
-
-json count_sizing(const std::any& value) {
-  const SizingField& field = value_of<SizingField>(value);
-  const auto [low, high] = std::minmax_element(field.h_mm.begin(), field.h_mm.end());
-  return {{"size", field.size},
-          {"index_to_mm", matrix_json(field.index_to_mm)},
-          {"min_mm", *low},
-          {"max_mm", *high}};
 }
 
 Status run_layers(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext&) {
@@ -202,10 +161,6 @@ Status run_layers(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   return std::monostate{};
 }
 
-json count_layers_of(const std::any& value) {
-  return {{"walls", value_of<LayersResult>(value).exact.size()}};
-}
-
 using LayeredSurface = Layered<SurfaceMesh>;
 using LayeredTets = Layered<TetMesh>;
 
@@ -225,15 +180,6 @@ Status run_remesh(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   result.with_layers = std::move(surface).value();
   out.put(std::move(result));
   return std::monostate{};
-}
-
-json count_remesh(const std::any& value) {
-  const SurfaceMesh& surface = value_of<LayeredSurface>(value).mesh;
-  return {{"points", surface.points.size()}, {"triangles", surface.triangles.size()}};
-}
-
-std::string digest_remesh(const std::any& value) {
-  return digest_of(value_of<LayeredSurface>(value).mesh);
 }
 
 Status run_tetra(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
@@ -262,18 +208,6 @@ Status run_tetra(const StageInputs& in, const Recipe& recipe, StageOutput& out, 
   return std::monostate{};
 }
 
-json tets_json(const TetMesh& mesh) {
-  return {{"points", mesh.points.size()}, {"tets", mesh.tets.size()}, {"faces", mesh.faces.size()}};
-}
-
-json count_tetra(const std::any& value) {
-  return tets_json(value_of<LayeredTets>(value).mesh);
-}
-
-std::string digest_tetra(const std::any& value) {
-  return digest_of(value_of<LayeredTets>(value).mesh);
-}
-
 Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   const LayeredTets& tets = in.get<LayeredTets>(Stage::kTetra);
   const SurfaceMesh& smooth = in.get<SurfaceMesh>(Stage::kSmooth);
@@ -291,22 +225,10 @@ Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& ou
              out);
 }
 
-json count_optimise(const std::any& value) {
-  return tets_json(value_of<TetMesh>(value));
-}
-
-std::string digest_optimise(const std::any& value) {
-  return digest_of(value_of<TetMesh>(value));
-}
-
 Status run_lookup(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   return put(look_up_labels(in.get<TetMesh>(Stage::kOptimise), *in.get<VolumeResult>(Stage::kVolume).source,
                             recipe.lookup, ctx),
              out);
-}
-
-json count_lookup(const std::any& value) {
-  return {{"labels", value_of<LabelLookUp>(value).labels.size()}};
 }
 
 Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
@@ -333,36 +255,23 @@ Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out
 }
 
 template <class T>
-void arrays_of(const std::any& value, StageArrays& out) {
-  add_arrays(value_of<T>(value), out);
-}
-
-template <class Mesh>
-void arrays_of_layered(const std::any& value, StageArrays& out) {
-  add_arrays(value_of<Layered<Mesh>>(value).mesh, out);
+const T& value_of(const std::any& value) {
+  return *std::any_cast<const std::shared_ptr<const T>&>(value);
 }
 
 template <class T>
-void arrays_of_fields(const std::any& value, StageArrays& out) {
-  add_arrays(value_of<T>(value).fields, out);
+json counts(const std::any& value) {
+  return counts_of(value_of<T>(value));
 }
 
-void arrays_of_volume(const std::any& value, StageArrays& out) {
-  out.push_back({"labels", 1, std::span<const std::uint16_t>(value_of<VolumeResult>(value).source->labels)});
+template <class T>
+void arrays(const std::any& value, StageArrays& out) {
+  add_arrays(value_of<T>(value), out);
 }
 
-void arrays_of_sizing(const std::any& value, StageArrays& out) {
-  const SizingField& sizing = value_of<SizingField>(value);
-  out.push_back({"h_mm", 1, std::span<const float>(sizing.h_mm),
-                 Field{"h_mm", "Target edge length", "mm", On::kVoxels, Scale::kSequential, 1, {}}});
-}
-
-void arrays_of_frame(const std::any& value, StageArrays& out) {
-  add_arrays(value_of<Trajectory>(value).last.fields, out);
-}
-
-json count_nothing(const std::any&) {
-  return json::object();
+template <class T>
+std::string digest(const std::any& value) {
+  return digest_of(value_of<T>(value));
 }
 
 }  // namespace
@@ -376,27 +285,27 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .reads = {"source.phantom", "labels", "merge", "volume"},
        .add_files = add_volume,
        .run = run_volume,
-       .counts = count_volume,
-       .arrays = arrays_of_volume,
-       .digest = digest_volume},
+       .counts = counts<VolumeResult>,
+       .arrays = arrays<VolumeResult>,
+       .digest = digest<VolumeResult>},
       {.stage = Stage::kSurface,
        .name = "surface",
        .title = "Label surface",
        .inputs = {Stage::kVolume},
        .reads = {"surface"},
        .run = run_surface,
-       .counts = count_surface,
-       .arrays = arrays_of<SurfaceMesh>,
-       .digest = digest_surface},
+       .counts = counts<SurfaceMesh>,
+       .arrays = arrays<SurfaceMesh>,
+       .digest = digest<SurfaceMesh>},
       {.stage = Stage::kSmooth,
        .name = "smooth",
        .title = "Smoothed surface",
        .inputs = {Stage::kVolume, Stage::kSurface},
        .reads = {"smooth"},
        .run = run_smooth,
-       .counts = count_surface,
-       .arrays = arrays_of<SurfaceMesh>,
-       .digest = digest_surface},
+       .counts = counts<SurfaceMesh>,
+       .arrays = arrays<SurfaceMesh>,
+       .digest = digest<SurfaceMesh>},
       {.stage = Stage::kWalls,
        .name = "walls",
        .title = "Walls",
@@ -404,8 +313,8 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .inputs = {Stage::kVolume, Stage::kSmooth},
        .reads = {"sizing.thickness[].wall", "sizing.thickness[].inner", "sizing.thickness[].layering"},
        .run = run_walls,
-       .counts = count_walls,
-       .arrays = arrays_of_fields<WallsResult>},
+       .counts = counts<WallsResult>,
+       .arrays = arrays<WallsResult>},
       {.stage = Stage::kSizing,
        .name = "sizing",
        .title = "Sizing field",
@@ -413,8 +322,8 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .reads = {"sizing"},
        .add_files = add_side_volumes,
        .run = run_sizing,
-       .counts = count_sizing,
-       .arrays = arrays_of_sizing},
+       .counts = counts<SizingField>,
+       .arrays = arrays<SizingField>},
       {.stage = Stage::kLayers,
        .name = "layers",
        .title = "Layers of walls",
@@ -422,16 +331,16 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .inputs = {Stage::kVolume, Stage::kWalls},
        .reads = {"sizing.thickness[].layers", "sizing.thickness[].layering"},
        .run = run_layers,
-       .counts = count_layers_of},
+       .counts = counts<LayersResult>},
       {.stage = Stage::kRemesh,
        .name = "remesh",
        .title = "Adapted surface",
        .inputs = {Stage::kVolume, Stage::kSmooth, Stage::kSizing, Stage::kLayers},
        .reads = {"remesh"},
        .run = run_remesh,
-       .counts = count_remesh,
-       .arrays = arrays_of_layered<SurfaceMesh>,
-       .digest = digest_remesh},
+       .counts = counts<LayeredSurface>,
+       .arrays = arrays<LayeredSurface>,
+       .digest = digest<LayeredSurface>},
       {.stage = Stage::kTetra,
        .name = "tetra",
        .title = "Filled tetrahedra",
@@ -439,18 +348,18 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .inputs = {Stage::kSizing, Stage::kLayers, Stage::kRemesh},
        .reads = {"tetra"},
        .run = run_tetra,
-       .counts = count_tetra,
-       .arrays = arrays_of_layered<TetMesh>,
-       .digest = digest_tetra},
+       .counts = counts<LayeredTets>,
+       .arrays = arrays<LayeredTets>,
+       .digest = digest<LayeredTets>},
       {.stage = Stage::kOptimise,
        .name = "optimise",
        .title = "Tetrahedra",
        .inputs = {Stage::kSmooth, Stage::kSizing, Stage::kLayers, Stage::kRemesh, Stage::kTetra},
        .reads = {"optimise"},
        .run = run_optimise,
-       .counts = count_optimise,
-       .arrays = arrays_of<TetMesh>,
-       .digest = digest_optimise},
+       .counts = counts<TetMesh>,
+       .arrays = arrays<TetMesh>,
+       .digest = digest<TetMesh>},
       {.stage = Stage::kLookup,
        .name = "lookup",
        .title = "Labels looked up",
@@ -458,8 +367,8 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .inputs = {Stage::kVolume, Stage::kOptimise},
        .reads = {"lookup"},
        .run = run_lookup,
-       .counts = count_lookup,
-       .arrays = arrays_of_fields<LabelLookUp>},
+       .counts = counts<LabelLookUp>,
+       .arrays = arrays<LabelLookUp>},
       // What was looked up stands in the evidence, though no figure of it.
       {.stage = Stage::kQuality,
        .name = "quality",
@@ -468,8 +377,8 @@ const std::array<StageSpec, kStageCount>& stage_table() {
                   Stage::kOptimise, Stage::kLookup},
        .reads = {"quality"},
        .run = run_quality,
-       .counts = count_nothing,
-       .arrays = arrays_of_fields<QualityReport>},
+       .counts = counts<QualityReport>,
+       .arrays = arrays<QualityReport>},
       {.stage = Stage::kDiffusion,
        .name = "diffusion",
        .title = "Heat diffusion",
@@ -477,9 +386,9 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .inputs = {Stage::kOptimise},
        .reads = {"physics.diffusion"},
        .start = start_diffusion,
-       .counts = count_trajectory,
-       .arrays = arrays_of_frame,
-       .digest = digest_trajectory},
+       .counts = counts<Trajectory>,
+       .arrays = arrays<Trajectory>,
+       .digest = digest<Trajectory>},
   }};
   return table;
 }

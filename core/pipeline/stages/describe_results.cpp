@@ -1,0 +1,88 @@
+#include "pipeline/stages/describe_results.h"
+
+#include <algorithm>
+
+#include "pipeline/stages/value_json.h"
+
+namespace voxtet {
+
+using nlohmann::json;
+
+json counts_of(const VolumeResult& result) {
+  json counts = volume_json(*result.source, result.digest);
+  const LabelVolume& prepared = *result.prepared.prepared;
+  const Eigen::Vector3d spacing = prepared.spacing_mm();
+  counts["prepared"] = {{"size", prepared.size}, {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
+  return counts;
+}
+
+json counts_of(const SurfaceMesh& surface) {
+  return {{"points", surface.points.size()}, {"triangles", surface.triangles.size()}};
+}
+
+json counts_of(const TetMesh& mesh) {
+  return {{"points", mesh.points.size()}, {"tets", mesh.tets.size()}, {"faces", mesh.faces.size()}};
+}
+
+json counts_of(const WallsResult& result) {
+  return {{"walls", result.walls.size()}};
+}
+
+json counts_of(const SizingField& field) {
+  const auto [low, high] = std::minmax_element(field.h_mm.begin(), field.h_mm.end());
+  return {{"size", field.size},
+          {"index_to_mm", matrix_json(field.index_to_mm)},
+          {"min_mm", *low},
+          {"max_mm", *high}};
+}
+
+json counts_of(const LayersResult& result) {
+  return {{"walls", result.exact.size()}};
+}
+
+json counts_of(const LabelLookUp& found) {
+  return {{"labels", found.labels.size()}};
+}
+
+json counts_of(const QualityReport&) {
+  return json::object();
+}
+
+json counts_of(const Trajectory& result) {
+  return {{"frames", result.times_ms.size()}, {"end_ms", result.times_ms.back()}};
+}
+
+void add_arrays(const VolumeResult& result, StageArrays& out) {
+  out.push_back({"labels", 1, std::span<const std::uint16_t>(result.source->labels)});
+}
+
+void add_arrays(const WallsResult& result, StageArrays& out) {
+  add_arrays(result.fields, out);
+}
+
+void add_arrays(const SizingField& field, StageArrays& out) {
+  out.push_back({"h_mm", 1, std::span<const float>(field.h_mm),
+                 Field{"h_mm", "Target edge length", "mm", On::kVoxels, Scale::kSequential, 1, {}}});
+}
+
+void add_arrays(const LabelLookUp& found, StageArrays& out) {
+  add_arrays(found.fields, out);
+}
+
+void add_arrays(const QualityReport& report, StageArrays& out) {
+  add_arrays(report.fields, out);
+}
+
+void add_arrays(const Trajectory& result, StageArrays& out) {
+  add_arrays(result.last.fields, out);
+}
+
+std::string digest_of(const VolumeResult& result) {
+  return result.prepared.prepared == result.source ? result.digest : digest_of(*result.prepared.prepared);
+}
+
+std::string digest_of(const Trajectory& result) {
+  return result.frames_digest;
+}
+
+}  // namespace voxtet

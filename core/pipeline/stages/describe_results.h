@@ -1,0 +1,49 @@
+// What reports and viewers hear of each stage's result: numbers, arrays, and its digest.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "base/digest.h"
+#include "pipeline/stages/stage_arrays.h"
+#include "pipeline/stages/stage_results.h"
+
+namespace voxtet {
+
+/// {counts} of a report.
+nlohmann::json counts_of(const VolumeResult& result);   ///< volume_json, and the prepared grid
+nlohmann::json counts_of(const SurfaceMesh& surface);   ///< {points, triangles}
+nlohmann::json counts_of(const TetMesh& mesh);          ///< {points, tets, faces}
+nlohmann::json counts_of(const WallsResult& result);    ///< {walls}
+nlohmann::json counts_of(const SizingField& field);     ///< {size, index_to_mm, min_mm, max_mm}
+nlohmann::json counts_of(const LayersResult& result);   ///< {walls}: those with exact layers
+nlohmann::json counts_of(const LabelLookUp& found);     ///< {labels}
+nlohmann::json counts_of(const QualityReport& report);  ///< {}: the report has it all elsewhere
+nlohmann::json counts_of(const Trajectory& result);     ///< {frames, end_ms}
+
+/// The arrays that a viewer may ask for, beside those of stage_arrays.h.
+void add_arrays(const VolumeResult& result, StageArrays& out);
+void add_arrays(const WallsResult& result, StageArrays& out);
+void add_arrays(const SizingField& field, StageArrays& out);
+void add_arrays(const LabelLookUp& found, StageArrays& out);
+void add_arrays(const QualityReport& report, StageArrays& out);
+void add_arrays(const Trajectory& result, StageArrays& out);  ///< of the last frame
+
+std::string digest_of(const VolumeResult& result);  ///< of the prepared volume
+std::string digest_of(const Trajectory& result);    ///< of all frames
+
+// Of a mesh with layers the mesh without them is what others see.
+template <class Mesh>
+nlohmann::json counts_of(const Layered<Mesh>& result) {
+  return counts_of(result.mesh);
+}
+template <class Mesh>
+void add_arrays(const Layered<Mesh>& result, StageArrays& out) {
+  add_arrays(result.mesh, out);
+}
+template <class Mesh>
+std::string digest_of(const Layered<Mesh>& result) {
+  return digest_of(result.mesh);
+}
+
+}  // namespace voxtet
