@@ -22,9 +22,9 @@ double mean_edge(const TetShape& shape) {
 /// tetrahedron: Knupp, "Achieving finite element mesh quality via optimization of the Jacobian matrix norm
 /// and associated quantities" (2000), as in Verdict. Negative where inverted, 0 where flat.
 double scaled_jacobian(const TetShape& shape) {
-  constexpr std::array<std::array<std::size_t, 3>, 4> at_corner{{{0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}}};
+  constexpr std::array<std::array<std::size_t, 3>, 4> kAtCorner{{{0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}}};
   double largest = 0;
-  for (const auto& [a, b, c] : at_corner)
+  for (const auto& [a, b, c] : kAtCorner)
     largest = std::max(largest, shape.edge_mm[a] * shape.edge_mm[b] * shape.edge_mm[c]);
   return largest > 0 ? std::sqrt(2.0) * 6 * shape.volume_mm3 / largest : 0;
 }

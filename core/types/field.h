@@ -15,8 +15,8 @@ enum class On { kVoxels, kTriangles, kPoints, kTets, kFaces };
 
 /// "voxels", "triangles", "points", "tets", "faces".
 inline std::string_view name_of(On on) {
-  constexpr std::string_view names[] = {"voxels", "triangles", "points", "tets", "faces"};
-  return names[static_cast<int>(on)];
+  constexpr std::string_view kNames[] = {"voxels", "triangles", "points", "tets", "faces"};
+  return kNames[static_cast<int>(on)];
 }
 
 /// How the values of a field are read, and so how a viewer colours them.
@@ -29,8 +29,8 @@ enum class Scale {
 
 /// "sequential", "diverging", "whole", "label".
 inline std::string_view name_of(Scale scale) {
-  constexpr std::string_view names[] = {"sequential", "diverging", "whole", "label"};
-  return names[static_cast<int>(scale)];
+  constexpr std::string_view kNames[] = {"sequential", "diverging", "whole", "label"};
+  return kNames[static_cast<int>(scale)];
 }
 
 /// `values` holds `components` numbers for each element, those of one element together. Not a number: the

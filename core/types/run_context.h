@@ -27,15 +27,6 @@ struct RunContext {
   void progress(const std::string& stage, double fraction) const {
     if (on_progress && !is_helper_thread) on_progress(stage, fraction);
   }
-  /// The same for a part of a stage: its progress from 0 to 1 is the stage's from `from` to `to`.
-  RunContext part(double from, double to) const {
-    RunContext inner = *this;
-    if (on_progress)
-      inner.on_progress = [outer = on_progress, from, to](const std::string& stage, double fraction) {
-        outer(stage, from + (to - from) * fraction);
-      };
-    return inner;
-  }
   bool cancelled() const { return on_cancelled && !is_helper_thread && on_cancelled(); }
   void warn(const std::string& stage, const std::string& message) const {
     if (on_warning) on_warning(stage, message);

@@ -19,9 +19,9 @@ json part_of(const json& value, std::string_view path) {
   if (found == value.end()) return nullptr;
   if (end == std::string_view::npos) return *found;
   if (path[end] == '.') return part_of(*found, path.substr(end + 1));
-  constexpr std::string_view each = "[].";
+  constexpr std::string_view kEach = "[].";
   json parts = json::array();
-  for (const json& entry : *found) parts.push_back(part_of(entry, path.substr(end + each.size())));
+  for (const json& entry : *found) parts.push_back(part_of(entry, path.substr(end + kEach.size())));
   return parts;
 }
 

@@ -43,6 +43,7 @@ const LabelVolume& volume_of(const StageInputs& in) {
 std::vector<LayeredWall> layered(const Walls& walls, const std::vector<std::size_t>& numbers,
                                  const Recipe& recipe) {
   std::vector<LayeredWall> out;
+  out.reserve(numbers.size());
   for (const std::size_t w : numbers) out.push_back({walls[w], recipe.sizing.thickness[w].layers});
   return out;
 }
