@@ -53,8 +53,8 @@ const arrayNames: Partial<Record<StageName, readonly string[]>> = {
   optimise: ['points', 'tets', 'labels'],
 };
 
-/** Stages that the app does not show, whose fields stand with those of one that it does. */
-const fieldsBeside: Partial<Record<StageName, readonly string[]>> = { quality: ['quality', 'lookup'] };
+/** What was looked up stands with the evidence. */
+const stagesOfEvidence = ['quality', 'lookup'];
 
 /** For shaders, which cannot tell what is not a number: `none` in its place. */
 function withNone(values: Float32Array, none: number): Float32Array {
@@ -190,7 +190,7 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
             if (view) arrays[name] = copied(view);
           }
         };
-        if (fieldsBeside[stage]) return { ok: true, value: fieldsOf(session, fieldsBeside[stage]) as never };
+        if (stage === 'quality') return { ok: true, value: fieldsOf(session, stagesOfEvidence) as never };
         keep(stage, arrayNames[stage] ?? []);
         const thickness = stage === 'sizing' && session.array('walls', 'thickness_mm');
         if (thickness) arrays.thickness_mm = withNone(thickness as Float32Array, 0);
