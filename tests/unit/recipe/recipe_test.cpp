@@ -76,7 +76,12 @@ TEST(RecipeJson, RoundTripsFullAndMinimal) {
   Recipe recipe;
   recipe.source.phantom.emplace().scar = true;
   recipe.labels = {1, 2, 5};
-  recipe.sizing.regions.push_back({"tip", RegionShape::kBox, {1, 2, 3}, {}, {4, 5, 6}, {}, 1, 0.5, 2});
+  // By name: a vector left as {} would hold whatever was there.
+  SizeRegion& tip = recipe.sizing.regions.emplace_back();
+  tip.name = "tip";
+  tip.shape = RegionShape::kBox;
+  tip.centre_mm = {1, 2, 3};
+  tip.half_size_mm = {4, 5, 6};
   recipe.tetra.min_dihedral_deg = 10.1;
   const json full = recipe_to_json(recipe), minimal = recipe_to_json(recipe, true);
   EXPECT_EQ(recipe_to_json(*parse_recipe(full)), full);
