@@ -236,6 +236,8 @@ TEST_F(CliTest, VerifiesThePromisedDigest) {
   EXPECT_EQ(run({"verify", link_fragment(*parse_recipe(promise))}), kExitOk);
 }
 
+// Under node the output of the process cannot be caught: GoogleTest swaps file descriptors for it.
+#ifndef __EMSCRIPTEN__
 TEST_F(CliTest, TellsACaseOfAnotherEngineFromOneThatDiffers) {
   json promise = json::parse(kSphere);
   const auto verdict = [&](const std::string& engine, const std::string& digest) {
@@ -255,6 +257,7 @@ TEST_F(CliTest, TellsACaseOfAnotherEngineFromOneThatDiffers) {
   const std::string found = verdict("", other)["digest"];
   EXPECT_EQ(verdict("0.1.0", found)["verdict"], "reproduced") << "the same bytes, whoever made them";
 }
+#endif
 
 TEST_F(CliTest, StopsAtTheTimeLimitWith6) {
   write("case.json", kSphere);
