@@ -13,7 +13,6 @@
 #include "base/parallel.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/read_volume.h"
-#include "lookup/look_up_labels.h"
 #include "pipeline/exported_fields.h"
 #include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
@@ -21,6 +20,7 @@
 #include "pipeline/session.h"
 #include "pipeline/stages/stage_arrays.h"
 #include "pipeline/version/engine_version.h"
+#include "transfer/transfer_labels.h"
 
 namespace voxtet {
 namespace {

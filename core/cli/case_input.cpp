@@ -109,7 +109,7 @@ Result<LabelGroup> group_of_all(const Recipe& recipe, Session& session) {
 Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options) {
   nlohmann::json json = recipe_to_json(recipe);
   if (!options.labels.empty()) json["labels"] = options.labels;
-  if (!options.look_up.empty()) json["lookup"]["labels"] = options.look_up;
+  if (!options.transfer.empty()) json["transfer"]["labels"] = options.transfer;
   if (merges_all(options) && options.merge.size() > 1)
     return usage_error("cli", "--merge: found all labels and " + std::to_string(options.merge.size() - 1) +
                                   " more groups, expected one or the other");

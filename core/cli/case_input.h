@@ -15,7 +15,7 @@ struct CaseOptions {
   std::string input;                     ///< volume file, case .json, or link
   std::vector<int> labels;               ///< --labels 1,2,5
   std::vector<std::string> merge;        ///< --merge 1,5,6; an empty text: all labels to be meshed
-  std::vector<unsigned> look_up;         ///< --look-up
+  std::vector<unsigned> transfer;        ///< --transfer
   std::optional<double> edge_mm;         ///< --edge-mm; as in the recipe where not given
   std::vector<std::string> edge_labels;  ///< --edge-label 5=0.8
   std::vector<std::string> masks;        ///< --mask

@@ -15,13 +15,13 @@
 #include "io/mesh/write_mesh.h"
 #include "io/volume/write_volume.h"
 #include "io/volume/write_vti.h"
-#include "lookup/look_up_labels.h"
 #include "pipeline/exported_fields.h"
 #include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/version/engine_version.h"
 #include "recipe/link.h"
+#include "transfer/transfer_labels.h"
 
 namespace voxtet {
 namespace {
@@ -80,9 +80,9 @@ struct MeshOptions {
 Status check_mesh_outputs(const CaseOptions& options, const MeshOptions& wanted, Stage until) {
   if (!wanted.out.empty()) {
     if (Result<MeshFormat> format = mesh_format_of(wanted.out); !format) return format.error();
-    if (until < Stage::kLookup)
+    if (until < Stage::kTransfer)
       return usage_error("cli", "-o: there is no mesh to write when a run ends with the stage " +
-                                    wanted.until + ", expected --until lookup or quality, or --dump");
+                                    wanted.until + ", expected --until transfer or quality, or --dump");
   }
   std::vector<NamedPath> outputs{{"-o", wanted.out}, {"--report", wanted.report}};
   if (!wanted.dump.empty()) {
@@ -287,7 +287,8 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
       ->expected(0, 1000)
       ->allow_extra_args(false)
       ->type_name("LABELS");
-  command.add_option("--look-up", options.look_up, "labels to look up at each tetrahedron, as 5,6")
+  command
+      .add_option("--transfer,--look-up", options.transfer, "labels to transfer to the tetrahedra, as 5,6")
       ->delimiter(',');
   command.add_option("--edge-mm", options.edge_mm, "edge length, mm")->check(kNotEmpty);
   command.add_option("--edge-label", options.edge_labels, "edge length inside a label, as 5=0.8");

@@ -45,12 +45,12 @@ void print_topology(const nlohmann::json& topology, std::FILE* out) {
 
 void print_fidelity(const nlohmann::json& fidelity, std::FILE* out) {
   std::fprintf(out, "\n%5s %9s %9s %11s %7s %8s %9s %9s\n", "label", "voxels", "tets", "volume mm3", "error",
-               "Dice", "edge mm", "wished");
+               "Dice", "edge mm", "target");
   for (const auto& f : fidelity["labels"])
     std::fprintf(out, "%5u %9u %9u %11.1f %6.2f%% %8.4f %9.3f %9.3f\n", f["label"].get<unsigned>(),
                  f["voxels"].get<unsigned>(), f["tets"].get<unsigned>(), f["mesh_mm3"].get<double>(),
                  f["volume_error_percent"].get<double>(), f["dice"].get<double>(),
-                 f["median_edge_mm"].get<double>(), f["wished_edge_mm"].get<double>());
+                 f["median_edge_mm"].get<double>(), f["target_edge_mm"].get<double>());
   for (const char* direction : {"mesh_to_surface", "surface_to_mesh"}) {
     const auto& d = fidelity[direction];
     std::fprintf(
@@ -148,16 +148,16 @@ void print_stages(const nlohmann::json& stages, std::FILE* out) {
 
 namespace {
 
-void print_lookup(const nlohmann::json& report, std::FILE* out) {
-  if (!report.contains("lookup")) return;
-  std::fprintf(out, "\n%5s %11s %-13s %11s %8s %8s\n", "label", "voxels mm3", "looked up", "volume mm3",
+void print_transfer(const nlohmann::json& report, std::FILE* out) {
+  if (!report.contains("transfer")) return;
+  std::fprintf(out, "\n%5s %11s %-13s %11s %8s %8s\n", "label", "voxels mm3", "transferred", "volume mm3",
                "error", "Dice");
-  for (const auto& l : report["lookup"])
-    for (const char* way : {"by_fraction", "by_centroid", "by_majority"}) {
+  for (const auto& l : report["transfer"])
+    for (const char* rule : {"by_fraction", "by_centroid", "by_majority"}) {
       std::fprintf(out, "%5u %11.1f %-13s %11.1f %7.2f%%", l["label"].get<unsigned>(),
-                   l["voxel_mm3"].get<double>(), way, l[way]["mm3"].get<double>(),
-                   l[way]["error_percent"].get<double>());
-      if (l[way].contains("dice")) std::fprintf(out, " %8.4f", l[way]["dice"].get<double>());
+                   l["voxel_mm3"].get<double>(), rule, l[rule]["mm3"].get<double>(),
+                   l[rule]["error_percent"].get<double>());
+      if (l[rule].contains("dice")) std::fprintf(out, " %8.4f", l[rule]["dice"].get<double>());
       std::fprintf(out, "\n");
     }
 }
@@ -166,10 +166,10 @@ void print_layers(const nlohmann::json& report, std::FILE* out) {
   if (!report.contains("layers")) return;
   std::fprintf(out, "\nlayers between the surfaces, by area of the outer one\n");
   for (const auto& l : report["layers"]) {
-    for (const char* way : {"by_edges", "by_lines"}) {
-      std::fprintf(out, "wall %s, %u wished, %s: %.1f %% exact, %.1f %% no fewer\n", l["wall"].dump().c_str(),
-                   l["wished"].get<unsigned>(), way, 100 * l[way]["exact"].get<double>(),
-                   100 * l[way]["at_least"].get<double>());
+    for (const char* method : {"by_edges", "by_lines"}) {
+      std::fprintf(out, "wall %s, %u layers asked for, %s: %.1f %% exact, %.1f %% no fewer\n",
+                   l["wall"].dump().c_str(), l["target_layers"].get<unsigned>(), method,
+                   100 * l[method]["exact"].get<double>(), 100 * l[method]["at_least"].get<double>());
     }
     for (const auto& place : l["places"]) {
       const auto& centre = place["centre_mm"];
@@ -200,7 +200,7 @@ void print_report(const nlohmann::json& report, std::FILE* out) {
   std::fprintf(out, "%u tetrahedra, %u points, digest %s\n", report["tets"].get<unsigned>(),
                report["points"].get<unsigned>(), report["digest"].get<std::string>().c_str());
   print_fidelity(report["fidelity"], out);
-  print_lookup(report, out);
+  print_transfer(report, out);
   print_layers(report, out);
   print_quality(report["quality"], out);
   std::fprintf(out, "\n");

@@ -9,7 +9,7 @@
 
 #include "geometry/elements/rotation.h"
 #include "phantom/body.h"
-#include "phantom/drop_fragments.h"
+#include "phantom/keep_large_components.h"
 
 namespace voxtet {
 namespace {
@@ -165,7 +165,7 @@ Result<LabelVolume> make_phantom(const PhantomParams& params) {
   const Result<Grid> grid = grid_around(body, params);
   if (!grid) return grid.error();
   LabelVolume sampled = sample(body, *grid);
-  if (params.kind == PhantomKind::kBiventricle) drop_fragments(sampled, kSpeckShare);
+  if (params.kind == PhantomKind::kBiventricle) keep_large_components(sampled, kSpeckShare);
   LabelVolume volume = cropped(sampled);
   if (volume.labels.empty())
     return usage_error(kStage,

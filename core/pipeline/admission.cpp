@@ -1,14 +1,14 @@
 #include "pipeline/admission.h"
 
-#include "lookup/look_up_labels.h"
 #include "pipeline/forecast.h"
 #include "pipeline/session.h"
+#include "transfer/transfer_labels.h"
 
 namespace voxtet {
 namespace {
 
-Status admit_look_up(const Session& session, RunContext&) {
-  return check_look_up(*session.source_volume(), session.recipe().lookup);
+Status admit_transfer(const Session& session, RunContext&) {
+  return check_transfer(*session.source_volume(), session.recipe().transfer);
 }
 
 Status admit_size(const Session& session, RunContext& ctx) {
@@ -18,7 +18,7 @@ Status admit_size(const Session& session, RunContext& ctx) {
 }  // namespace
 
 const std::vector<Admission>& admissions() {
-  static const std::vector<Admission> all{{Stage::kSurface, {"lookup"}, admit_look_up},
+  static const std::vector<Admission> all{{Stage::kSurface, {"transfer"}, admit_transfer},
                                           {Stage::kRemesh, {"remesh", "limits"}, admit_size}};
   return all;
 }

@@ -19,8 +19,8 @@ struct Admission {
   Status (*admit)(const Session&, RunContext&);
 };
 
-/// The labels to look up are there, before the surface; the forecast is within the limits, before the adapted
-/// surface.
+/// The labels to transfer are there, before the surface; the forecast is within the limits, before the
+/// adapted surface.
 const std::vector<Admission>& admissions();
 
 }  // namespace voxtet

@@ -7,7 +7,7 @@ namespace voxtet {
 
 std::vector<Field> exported_fields(const Session& session, bool measures) {
   std::vector<Field> fields;
-  if (session.lookup()) fields = session.lookup()->fields;
+  if (session.transfer()) fields = session.transfer()->fields;
   if (measures && session.quality())
     std::copy_if(session.quality()->fields.begin(), session.quality()->fields.end(),
                  std::back_inserter(fields),

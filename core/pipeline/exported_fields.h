@@ -8,8 +8,8 @@
 
 namespace voxtet {
 
-/// Fields of the tetrahedra of Session::mesh(): what was looked up, and with `measures` those of the evidence
-/// that have a finite value everywhere.
+/// Fields of the tetrahedra of Session::mesh(): what was transferred, and with `measures` those of the
+/// evidence that have a finite value everywhere.
 std::vector<Field> exported_fields(const Session& session, bool measures);
 
 }  // namespace voxtet

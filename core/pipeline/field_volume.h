@@ -8,7 +8,7 @@
 
 namespace voxtet {
 
-/// `size`: wished edge length, mm. `thickness`: of the walls of sizing.thickness, mm, 0 outside of them.
+/// `size`: target edge length, mm. `thickness`: of the walls of sizing.thickness, mm, 0 outside of them.
 /// `potential`: 0 at a wall's inner surface, 1 at its outer one, -1 outside of the walls. Where walls
 /// overlap, the first holds. Errors: kUsage for another name, for a stage sizing that has not run, and for a
 /// recipe without walls.

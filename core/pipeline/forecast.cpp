@@ -20,22 +20,22 @@ constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
 constexpr double kHopeless = 1.5, kSafe = 0.75;
 
 /// How the adapted surface is expected to be made.
-enum class Way { kRefined, kRemeshed, kGivesWay };
+enum class ExpectedMethod { kDelaunay, kAdapt, kFallback };
 
-Way expected_way(const RemeshParams& params, const SurfaceMesh& surface) {
-  if (params.method != RemeshMethod::kDelaunay) return Way::kRemeshed;
-  if (params.keep_topology != KeepTopology::kAll) return Way::kRefined;
+ExpectedMethod expected_method(const RemeshParams& params, const SurfaceMesh& surface) {
+  if (params.method != RemeshMethod::kDelaunay) return ExpectedMethod::kAdapt;
+  if (params.keep_topology != KeepTopology::kAll) return ExpectedMethod::kDelaunay;
   const TopologyLedger ledger = label_topology(surface);
   return std::any_of(ledger.labels.begin(), ledger.labels.end(),
                      [](const LabelTopology& label) { return label.handles > kManyHandles; })
-             ? Way::kGivesWay
-             : Way::kRefined;
+             ? ExpectedMethod::kFallback
+             : ExpectedMethod::kDelaunay;
 }
 
 /// What is known of a case before it is meshed.
 struct Load {
   double voxels, label_triangles;  ///< millions
-  Way way;
+  ExpectedMethod method;
   double peak_mb;  ///< of the stages that have run
 };
 
@@ -49,7 +49,7 @@ struct Cost {
 };
 
 // Measured natively, one thread, on the hearts biv_mean_1mm, biv_ed_scar and biv_es, aorta, ct_heart and
-// mickey.nrrd; where refinement gives way, on skull.nrrd. By Way.
+// mickey.nrrd; where refinement gives way, on skull.nrrd. By ExpectedMethod.
 constexpr std::array<Cost, 3> kSurfaceMb{{{6, 27, 205, 20}, {11, 7, 472, 0}, {11, 30, 472, 50}}};
 constexpr Cost kOptimiseMb{5, 11, 85, 250}, kQualityMb{6, 12, 260, 150};
 constexpr std::array<Cost, 3> kSeconds{{{0.2, 0.15, 5, 5.5}, {0.2, 0.15, 17, 5.5}, {0.2, 0.15, 60, 5.5}}};
@@ -60,18 +60,18 @@ constexpr double kSlower = 1;
 #endif
 
 double peak_mb(const Load& load, const MeshForecast& mesh) {
-  return std::max({load.peak_mb, kSurfaceMb[static_cast<std::size_t>(load.way)].of(load, mesh),
+  return std::max({load.peak_mb, kSurfaceMb[static_cast<std::size_t>(load.method)].of(load, mesh),
                    kOptimiseMb.of(load, mesh), kQualityMb.of(load, mesh)});
 }
 
 double seconds(const Load& load, const MeshForecast& mesh) {
-  return kSlower * kSeconds[static_cast<std::size_t>(load.way)].of(load, mesh);
+  return kSlower * kSeconds[static_cast<std::size_t>(load.method)].of(load, mesh);
 }
 
 Load load_of(const Session& session) {
   Load load{1e-6 * static_cast<double>(session.volume()->voxel_count()),
             1e-6 * static_cast<double>(session.smooth()->triangles.size()),
-            expected_way(session.recipe().remesh, *session.smooth()), 0};
+            expected_method(session.recipe().remesh, *session.smooth()), 0};
   for (const Stage stage : {Stage::kVolume, Stage::kSurface, Stage::kSmooth, Stage::kSizing})
     load.peak_mb = std::max(load.peak_mb, session.record(stage).peak_mb);
   return load;
@@ -83,7 +83,7 @@ class CaseForecaster {
   explicit CaseForecaster(const Session& session)
       : load_(load_of(session)),
         mesh_(*session.volume(), *session.smooth(),
-              {session.recipe().remesh.max_distance_voxels, load_.way == Way::kRefined}) {}
+              {session.recipe().remesh.max_distance_voxels, load_.method == ExpectedMethod::kDelaunay}) {}
 
   Result<Forecast> forecast(const SizingField& sizing, const RunContext& ctx) const {
     const Result<MeshForecast> mesh = mesh_.forecast(sizing, ctx);
@@ -100,8 +100,8 @@ SizingParams multiplied(SizingParams sizing, double factor) {
   for_each_edge_length(sizing, [factor](const std::string&, double& edge_mm) {
     edge_mm = std::clamp(edge_mm * factor, 0.01, 1000.0);
   });
-  for (CurvatureSize& wish : sizing.curvature)
-    wish.edges_per_turn = std::clamp(wish.edges_per_turn / factor, 3.0, 1000.0);
+  for (CurvatureSize& rule : sizing.curvature)
+    rule.edges_per_turn = std::clamp(rule.edges_per_turn / factor, 3.0, 1000.0);
   return sizing;
 }
 

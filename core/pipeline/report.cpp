@@ -77,7 +77,7 @@ json fidelity_json(const QualityReport& report) {
                       {"volume_error_percent", f.volume_error_percent},
                       {"dice", f.dice},
                       {"median_edge_mm", f.median_edge_mm},
-                      {"wished_edge_mm", f.wished_edge_mm}});
+                      {"target_edge_mm", f.target_edge_mm}});
   return {{"labels", labels},
           {"mesh_to_surface", distance_json(report.mesh_to_surface)},
           {"surface_to_mesh", distance_json(report.surface_to_mesh)},
@@ -96,7 +96,7 @@ json layers_json(const std::vector<LayerCount>& counts) {
                         {"centre_mm", {place.centre_mm.x(), place.centre_mm.y(), place.centre_mm.z()}},
                         {"layers", {place.fewest, place.most}}});
     out.push_back({{"wall", count.wall},
-                   {"wished", count.wished},
+                   {"target_layers", count.target_layers},
                    {"by_edges", shares_json(count.by_edges)},
                    {"by_lines", shares_json(count.by_lines)},
                    {"places", places}});
@@ -104,10 +104,10 @@ json layers_json(const std::vector<LayerCount>& counts) {
   return out;
 }
 
-/// Volumes of a looked-up label by three ways of giving it to tets, against its voxels.
-json lookup_json(const LabelLookUp& found) {
+/// Volumes of a transferred label by three rules of giving it to tets, against its voxels.
+json transfer_json(const LabelTransfer& found) {
   json labels = json::array();
-  for (const LookedUpLabel& l : found.labels) {
+  for (const TransferredLabel& l : found.labels) {
     const auto against_voxels = [&l](double mm3) {
       return json{{"mm3", mm3}, {"error_percent", 100 * (mm3 - l.voxel_mm3) / l.voxel_mm3}};
     };
@@ -172,7 +172,8 @@ json report_json(const Session& session) {
     out["tets"] = session.mesh()->tets.size();
     out["points"] = session.mesh()->points.size();
   }
-  if (session.lookup() && !session.lookup()->labels.empty()) out["lookup"] = lookup_json(*session.lookup());
+  if (session.transfer() && !session.transfer()->labels.empty())
+    out["transfer"] = transfer_json(*session.transfer());
   if (session.quality()) {
     out["quality"] = quality_json(*session.quality());
     out["fidelity"] = fidelity_json(*session.quality());

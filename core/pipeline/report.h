@@ -7,7 +7,7 @@
 
 namespace voxtet {
 
-/// engine, digest, tets, points, source, stages, lookup, quality, fidelity, layers, recipe, warnings; parts
+/// engine, digest, tets, points, source, stages, transfer, quality, fidelity, layers, recipe, warnings; parts
 /// whose stage has not run are absent.
 nlohmann::json report_json(const Session& session);
 

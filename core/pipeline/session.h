@@ -84,7 +84,7 @@ class Session {
   const TetMesh* filled() const;
   /// The optimised tetrahedra; while there are none, also when kOptimise failed, those that fill the surface.
   const TetMesh* mesh() const;
-  const LabelLookUp* lookup() const { return result<LabelLookUp>(Stage::kLookup); }
+  const LabelTransfer* transfer() const { return result<LabelTransfer>(Stage::kTransfer); }
   const QualityReport* quality() const { return result<QualityReport>(Stage::kQuality); }
   const Trajectory* diffusion() const { return result<Trajectory>(Stage::kDiffusion); }
 

@@ -48,12 +48,12 @@ std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume
     f.volume_error_percent = f.voxels > 0 ? 100 * (f.mesh_mm3 - f.voxel_mm3) / f.voxel_mm3 : 0;
     f.dice = 2.0 * static_cast<double>(both[label]) / static_cast<double>(f.voxels + meshed[label]);
     const std::vector<Edge> edges = tet_edges(tets[label], mesh.points.size());
-    std::vector<float> lengths = lengths_of(edges, mesh.points), wished;
-    wished.reserve(edges.size());
+    std::vector<float> lengths = lengths_of(edges, mesh.points), targets;
+    targets.reserve(edges.size());
     for (const auto& [a, b] : edges)
-      wished.push_back(static_cast<float>(sizing.at((mesh.points[a] + mesh.points[b]) / 2)));
+      targets.push_back(static_cast<float>(sizing.at((mesh.points[a] + mesh.points[b]) / 2)));
     f.median_edge_mm = quantile(lengths, 0.5);
-    f.wished_edge_mm = quantile(wished, 0.5);
+    f.target_edge_mm = quantile(targets, 0.5);
     out.push_back(f);
   }
   return out;

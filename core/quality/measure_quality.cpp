@@ -82,20 +82,20 @@ double nice_upper(const std::vector<float>& values) {
 }
 
 std::vector<MetricSummary> edge_metrics(const TetMesh& mesh, const SizingField* sizing, int bins) {
-  std::vector<float> lengths, wished, ratios;
+  std::vector<float> lengths, targets, ratios;
   for (const auto& [a, b] : tet_edges(mesh.tets, mesh.points.size())) {
     const double length = (mesh.points[b] - mesh.points[a]).norm();
     lengths.push_back(static_cast<float>(length));
     if (!sizing) continue;
-    const double wish = sizing->at((mesh.points[a] + mesh.points[b]) / 2);
-    wished.push_back(static_cast<float>(wish));
-    ratios.push_back(static_cast<float>(std::log2(length / wish)));
+    const double target = sizing->at((mesh.points[a] + mesh.points[b]) / 2);
+    targets.push_back(static_cast<float>(target));
+    ratios.push_back(static_cast<float>(std::log2(length / target)));
   }
-  const double upper = std::max(nice_upper(lengths), wished.empty() ? 0 : nice_upper(wished));
+  const double upper = std::max(nice_upper(lengths), targets.empty() ? 0 : nice_upper(targets));
   std::vector<MetricSummary> out{
       summarise({"edge_mm", "mm", "edges", 0, upper, Worst::kNone}, lengths, bins)};
   if (!sizing) return out;
-  out.push_back(summarise({"wished_edge_mm", "mm", "edges", 0, upper, Worst::kNone}, wished, bins));
+  out.push_back(summarise({"target_edge_mm", "mm", "edges", 0, upper, Worst::kNone}, targets, bins));
   out.push_back(summarise({"size_log2", "log2", "edges", -2, 2, Worst::kNone}, ratios, bins));
   return out;
 }

@@ -277,10 +277,12 @@ DistanceMeasurement::DistanceMeasurement(const TriangleSet& a, const TriangleSet
 
 DistanceMeasurement::~DistanceMeasurement() = default;
 
-void DistanceMeasurement::measure(std::size_t way) {
+void DistanceMeasurement::measure(std::size_t direction) {
   auto& [params, ctx, boundaries, found, cancelled] = *impl_;
-  if (boundaries[way])
-    found[way] = DirectedDistance(*boundaries[way], *boundaries[1 - way], params, ctx, cancelled).measure();
+  if (boundaries[direction])
+    found[direction] =
+        DirectedDistance(*boundaries[direction], *boundaries[1 - direction], params, ctx, cancelled)
+            .measure();
 }
 
 Result<SurfaceDistances> DistanceMeasurement::result() const {

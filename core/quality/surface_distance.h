@@ -48,7 +48,7 @@ class DistanceMeasurement {
   ~DistanceMeasurement();
 
   /// Each way once, 0 from `a` and 1 from `b`; two threads may do so at once.
-  void measure(std::size_t way);
+  void measure(std::size_t direction);
   Result<SurfaceDistances> result() const;
 
  private:

@@ -15,13 +15,21 @@ struct FieldInfo {
   const char* unit;
   double min, max;
   const char* description;
+  const char* formerly = nullptr;  ///< another name under which it is read, from before it had this one
 };
 
 inline constexpr double kAnyMin = std::numeric_limits<double>::lowest();
 inline constexpr double kAnyMax = std::numeric_limits<double>::max();
 
 template <class Enum>
-using Choices = std::vector<std::pair<const char*, Enum>>;
+struct Choice {
+  const char* name;
+  Enum value;
+  const char* formerly = nullptr;  ///< as in FieldInfo
+};
+
+template <class Enum>
+using Choices = std::vector<Choice<Enum>>;
 
 template <class V>
 void visit_fields(V& v, PhantomParams& p) {
@@ -142,7 +150,8 @@ void visit_fields(V& v, ThicknessSize& p) {
   v.field({"inner", "", 1, 65535,
            "Labels on its inner side (blood pools); none: the cavities of the background."},
           p.inner);
-  v.field({"layers", "", 0, 20, "Elements wished across the wall; 0: the ranges below instead."}, p.layers);
+  v.field({"layers", "", 0, 20, "Elements asked for across the wall; 0: the ranges below instead."},
+          p.layers);
   v.choice(
       {"layering", "", 0, 0,
        "How the layers are had: size: by the size of elements alone; exact: by sheets across the wall, with "
@@ -198,9 +207,10 @@ void visit_fields(V& v, SizingParams& p) {
 template <class V>
 void visit_fields(V& v, RemeshParams& p) {
   v.choice({"method", "", 0, 0, "How the adapted surface is made."}, p.method,
-           Choices<RemeshMethod>{{"delaunay", RemeshMethod::kDelaunay}, {"remesh", RemeshMethod::kRemesh}});
+           Choices<RemeshMethod>{{"delaunay", RemeshMethod::kDelaunay},
+                                 {"adapt", RemeshMethod::kAdapt, "remesh"}});
   v.choice({"keep_topology", "", 0, 0,
-            "What makes method delaunay give way to remesh: a lost or self-touching label, any change of "
+            "What makes method delaunay give way to adapt: a lost or self-touching label, any change of "
             "topology, or nothing."},
            p.keep_topology,
            Choices<KeepTopology>{{"labels", KeepTopology::kLabels},
@@ -210,11 +220,11 @@ void visit_fields(V& v, RemeshParams& p) {
           p.facet_angle_deg);
   v.field({"max_distance_voxels", "voxel", 0.01, 10, "delaunay: distance allowed from triangles to labels."},
           p.max_distance_voxels);
-  v.choice({"schedule", "", 0, 0, "remesh: adaptive, or the paper's coarsen, refine, optimise."}, p.schedule,
+  v.choice({"schedule", "", 0, 0, "adapt: adaptive, or the paper's coarsen, refine, optimise."}, p.schedule,
            Choices<AdaptSchedule>{{"adaptive", AdaptSchedule::kAdaptive}, {"paper", AdaptSchedule::kPaper}});
-  v.field({"shape_weight", "", 0, 1, "remesh: weight of shape against size when points are moved."},
+  v.field({"shape_weight", "", 0, 1, "adapt: weight of shape against size when points are moved."},
           p.shape_weight);
-  v.field({"verify", "", 0, 0, "remesh: check every operation for intersections; slow."}, p.verify);
+  v.field({"verify", "", 0, 0, "adapt: check every operation for intersections; slow."}, p.verify);
 }
 
 template <class V>
@@ -240,14 +250,14 @@ void visit_fields(V& v, OptimiseParams& p) {
           p.insertion_deg);
   v.field(
       {"slide", "", 0, 0.5,
-       "How far from the label surface vertices may slide, as a part of the wished edge length; 0: not at "
+       "How far from the label surface vertices may slide, as a part of the target edge length; 0: not at "
        "all."},
       p.slide);
 }
 
 template <class V>
-void visit_fields(V& v, LookUpParams& p) {
-  v.field({"labels", "", 1, 65535, "Labels of the image to look up at each tetrahedron, meshed or not."},
+void visit_fields(V& v, TransferParams& p) {
+  v.field({"labels", "", 1, 65535, "Labels of the image to transfer to the tetrahedra, meshed or not."},
           p.labels);
   v.field({"samples_min", "", 1, 4096, "Samples of each tetrahedron, at least."}, p.samples_min);
   v.field({"samples_max", "", 1, 4096, "Samples of each tetrahedron, at most."}, p.samples_max);
@@ -292,11 +302,12 @@ void visit_fields(V& v, Recipe& r) {
   v.group({"volume", "", 0, 0, "Preparation of the labels."}, r.volume);
   v.group({"surface", "", 0, 0, "Extraction of the label surface."}, r.surface);
   v.group({"smooth", "", 0, 0, "Smoothing of the label surface."}, r.smooth);
-  v.group({"sizing", "", 0, 0, "The wish for element size."}, r.sizing);
+  v.group({"sizing", "", 0, 0, "The rules for element size."}, r.sizing);
   v.group({"remesh", "", 0, 0, "The adapted surface."}, r.remesh);
   v.group({"tetra", "", 0, 0, "The tetrahedra."}, r.tetra);
   v.group({"optimise", "", 0, 0, "Better shapes for the tetrahedra."}, r.optimise);
-  v.group({"lookup", "", 0, 0, "Labels looked up instead of meshed."}, r.lookup);
+  v.group({"transfer", "", 0, 0, "Labels transferred to tetrahedra instead of meshed.", "lookup"},
+          r.transfer);
   v.group({"quality", "", 0, 0, "The evidence."}, r.quality);
   v.optional_group({"physics", "", 0, 0, "What is simulated on the mesh."}, r.physics);
   v.group({"limits", "", 0, 0, "What meshing may take."}, r.limits);

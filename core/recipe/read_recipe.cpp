@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -46,6 +48,7 @@ class Reader {
     for (const auto& [key, value] : object_.items()) {
       bool known = false;
       for (const std::string& name : seen_) known = known || name == key;
+      for (const std::string& name : formerly_) known = known || name == key;
       if (known) continue;
       std::string names;
       for (const std::string& name : seen_) names += (names.empty() ? "" : ", ") + name;
@@ -55,37 +58,37 @@ class Reader {
 
   template <class T>
   void field(const FieldInfo& info, T& value) {
-    if (const json* found = find(info.name)) read(info, at(info.name), *found, value);
+    if (const json* found = find(info)) read(info, at(info.name), *found, value);
   }
 
   template <class Enum>
   void choice(const FieldInfo& info, Enum& value, const Choices<Enum>& choices) {
-    const json* found = find(info.name);
+    const json* found = find(info);
     if (!found) return;
     std::string names;
-    for (const auto& [name, option] : choices) {
-      if (found->is_string() && found->get_ref<const std::string&>() == name) {
-        value = option;
+    for (const Choice<Enum>& choice : choices) {
+      if (*found == choice.name || (choice.formerly && *found == choice.formerly)) {
+        value = choice.value;
         return;
       }
-      names += (names.empty() ? "" : ", ") + std::string(name);
+      names += (names.empty() ? "" : ", ") + std::string(choice.name);
     }
     expected(at(info.name), *found, "one of " + names);
   }
 
   template <class T>
   void group(const FieldInfo& info, T& value) {
-    if (const json* found = find(info.name)) read_object(*found, at(info.name), value);
+    if (const json* found = find(info)) read_object(*found, at(info.name), value);
   }
 
   template <class T>
   void optional_group(const FieldInfo& info, std::optional<T>& value) {
-    if (const json* found = find(info.name)) read_object(*found, at(info.name), value.emplace());
+    if (const json* found = find(info)) read_object(*found, at(info.name), value.emplace());
   }
 
   template <class T>
   void list(const FieldInfo& info, std::vector<T>& items) {
-    const json* found = find(info.name);
+    const json* found = find(info);
     if (!found) return;
     check_list(at(info.name), *found);
     items.clear();
@@ -103,10 +106,16 @@ class Reader {
  private:
   std::string at(const char* name) const { return path_.empty() ? name : path_ + "." + name; }
 
-  const json* find(const char* name) {
-    seen_.emplace_back(name);
-    const auto it = object_.find(name);
-    return it == object_.end() ? nullptr : &*it;
+  const json* find(const FieldInfo& info) {
+    seen_.emplace_back(info.name);
+    const auto it = object_.find(info.name);
+    const auto former = info.formerly ? object_.find(info.formerly) : object_.end();
+    if (former == object_.end()) return it == object_.end() ? nullptr : &*it;
+    if (it != object_.end())
+      throw FieldError(at(info.formerly) + ": found beside " + at(info.name) +
+                       ", which is its name today; expected one of them");
+    formerly_.emplace_back(info.formerly);
+    return &*former;
   }
 
   static void check_list(const std::string& path, const json& found) {
@@ -168,7 +177,20 @@ class Reader {
 
   const json& object_;
   std::string path_;
-  std::vector<std::string> seen_;
+  std::vector<std::string> seen_, formerly_;
+};
+
+/// The groups of the recipe that have a former name: former name, name.
+struct FormerGroups {
+  std::map<std::string, std::string> names;
+  template <class T>
+  void group(const FieldInfo& info, T&) {
+    if (info.formerly) names[info.formerly] = info.name;
+  }
+  template <class... Rest>
+  void field(const FieldInfo&, Rest&...) {}
+  template <class... Rest>
+  void optional_group(const FieldInfo&, Rest&...) {}
 };
 
 }  // namespace
@@ -205,7 +227,12 @@ Result<Recipe> parse_recipe(const json& value) {
 }
 
 Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const std::string& text) {
-  std::string pointer = "/" + path;
+  FormerGroups former;
+  Recipe any;
+  visit_fields(former, any);
+  const std::size_t end = std::min(path.find('.'), path.size());
+  const auto named = former.names.find(path.substr(0, end));
+  std::string pointer = "/" + (named == former.names.end() ? path : named->second + path.substr(end));
   for (char& c : pointer)
     if (c == '.' || c == '[') c = '/';
   std::erase(pointer, ']');

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "lookup/look_up_labels.h"
 #include "phantom/make_phantom.h"
 #include "physics/diffusion/diffusion.h"
 #include "quality/measure_quality.h"
@@ -18,6 +17,7 @@
 #include "surface/smooth/smooth_surface.h"
 #include "tetra/fill/fill_tets.h"
 #include "tetra/optimise/optimise_tets.h"
+#include "transfer/transfer_labels.h"
 #include "types/result.h"
 #include "volume/prepare_volume.h"
 
@@ -66,7 +66,7 @@ struct Recipe {
   RemeshParams remesh;
   FillParams tetra;
   OptimiseParams optimise;
-  LookUpParams lookup;
+  TransferParams transfer;
   QualityParams quality;
   std::optional<PhysicsParams> physics;
   Limits limits;

@@ -48,9 +48,9 @@ class SchemaWriter {
   template <class Enum>
   void choice(const FieldInfo& info, Enum& value, const Choices<Enum>& choices) {
     json& entry = add(info, "enum");
-    for (const auto& [name, option] : choices) {
-      entry["values"].push_back(name);
-      if (option == value) entry["default"] = name;
+    for (const Choice<Enum>& choice : choices) {
+      entry["values"].push_back(choice.name);
+      if (choice.value == value) entry["default"] = choice.name;
     }
   }
   template <class T>

@@ -17,8 +17,8 @@ class Writer {
   }
   template <class Enum>
   void choice(const FieldInfo& info, Enum& value, const Choices<Enum>& choices) {
-    for (const auto& [name, option] : choices)
-      if (option == value) object[info.name] = name;
+    for (const Choice<Enum>& choice : choices)
+      if (choice.value == value) object[info.name] = choice.name;
   }
   template <class T>
   void group(const FieldInfo& info, T& value) {

@@ -7,10 +7,10 @@ namespace voxtet {
 
 enum class RemeshMethod {
   kDelaunay,  ///< restricted Delaunay refinement of the field of the labels' distances
-  kRemesh,    ///< local operations on the label surface itself, each keeping topology and embedding
+  kAdapt,     ///< local operations on the label surface itself, each keeping topology and embedding
 };
 
-/// When a surface of method delaunay is given up for one of method remesh, which keeps all topology.
+/// When a surface of method delaunay is given up for one of method adapt, which keeps all topology.
 enum class KeepTopology {
   kLabels,   ///< when a label is lost or its boundary touches itself
   kAll,      ///< when pieces, cavities, handles or contacts of any label differ from the label surface's

@@ -109,15 +109,16 @@ void warn_about_sizes(const SurfaceMesh& surface, const SizingField& sizing, Run
   for (const Triangle& t : surface.triangles) {
     const Eigen::Vector3d &a = surface.points[t[0]], &b = surface.points[t[1]], &c = surface.points[t[2]];
     const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    const double wished = kMuchSmaller * sizing.at((a + b + c) / 3);
-    if (longest < wished * wished) ++smaller;
+    const double target = kMuchSmaller * sizing.at((a + b + c) / 3);
+    if (longest < target * target) ++smaller;
   }
   const double share = static_cast<double>(smaller) / static_cast<double>(surface.triangles.size());
   if (share > kWorthSaying)
-    ctx.warn(kRemeshStage,
-             number(std::round(100 * share)) +
-                 " % of the triangles are less than half as large as wished, because max_distance_voxels or "
-                 "narrow places demand it");
+    ctx.warn(
+        kRemeshStage,
+        number(std::round(100 * share)) +
+            " % of the triangles are less than half as large as the target, because max_distance_voxels or "
+            "narrow places demand it");
 }
 
 /// The caller's context, with progress that never falls: repeated refinements start their own count again.
@@ -182,7 +183,7 @@ void report_verified(const AdaptRecord& record, RunContext& ctx) {
 
 Result<SurfaceMesh> adapt(const LabelVolume& volume, const SurfaceMesh& reference, const SizingField& sizing,
                           const RemeshParams& params, RunContext& ctx) {
-  ctx.note(kRemeshStage, "method remesh");
+  ctx.note(kRemeshStage, "method adapt");
   AdaptRecord record;
   Result<SurfaceMesh> surface = adapt_complex(reference, sizing, adapt_params(volume, params), ctx, &record);
   if (surface && params.verify) report_verified(record, ctx);
@@ -224,7 +225,7 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
                               const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
                               const WallLayers& layers) {
   ctx.progress(kRemeshStage, 0);
-  if (params.method == RemeshMethod::kRemesh) return adapt(volume, reference, sizing, params, ctx);
+  if (params.method == RemeshMethod::kAdapt) return adapt(volume, reference, sizing, params, ctx);
   const TopologyLedger wanted = label_topology(reference);
   Result<SurfaceMesh> surface = refine(volume, reference, wanted, sizing, params, ctx, layers);
   if (!surface) return surface;
@@ -238,7 +239,7 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
     if (!layers.empty()) return surface;
     return improve(*surface, volume, reference, sizing, params, ctx);
   }
-  ctx.warn(kRemeshStage, "the method delaunay " + broken + ": the method remesh was taken instead" +
+  ctx.warn(kRemeshStage, "the method delaunay " + broken + ": the method adapt was taken instead" +
                              (layers.empty() ? "" : ", which lays no sheets between layers"));
   return adapt(volume, reference, sizing, params, ctx);
 }
@@ -254,7 +255,7 @@ Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh&
   if (!layers.empty() && params.method != RemeshMethod::kDelaunay)
     return Error{ErrorCode::kUsage,
                  kRemeshStage,
-                 "remesh.method: found remesh, expected delaunay, which alone lays the sheets between exact "
+                 "remesh.method: found adapt, expected delaunay, which alone lays the sheets between exact "
                  "layers",
                  {}};
   try {
@@ -268,7 +269,7 @@ Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh&
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kOutOfMemory,
                  kRemeshStage,
-                 "not enough memory to refine the surface to the wished size",
+                 "not enough memory to refine the surface to the target size",
                  {}};
   } catch (const std::exception& e) {
     return Error{

@@ -12,17 +12,17 @@
 namespace voxtet {
 
 /// The interfaces between all labels (background included) triangulated to the sizing field (median edge =
-/// wish): conforming between any number of labels, closed for each, free of self-intersections.
+/// target): conforming between any number of labels, closed for each, free of self-intersections.
 /// `label_surface` is the smoothed boundary complex of the labels of `volume`; it defines the shape. Planar
 /// angles stay above about facet_angle_deg (delaunay, but for a few facets where labels meet) or 18 degrees
-/// (remesh, unless the label surface itself has sharper ones there). Where fidelity or a narrow
-/// place demands it, triangles are smaller than wished: a warning tells the share. A note tells the method
-/// taken, a warning that and why the other one had to help out.
+/// (adapt, unless the label surface itself has sharper ones there). Where fidelity or a narrow
+/// place demands it, triangles are smaller than their target: a warning tells the share. A note tells the
+/// method taken, a warning that and why the other one had to help out.
 ///
 /// With `layers` the sheets between them are interfaces too (delaunay alone; a warning tells when the other
 /// method had to be taken, without sheets): merge_layers() takes them out.
 ///
-/// Errors: kBadInput for malformed values; kUsage for layers with method remesh; kCancelled; kOutOfMemory;
+/// Errors: kBadInput for malformed values; kUsage for layers with method adapt; kCancelled; kOutOfMemory;
 /// kInternal where the triangulation fails.
 Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& label_surface,
                                    const SizingField& sizing, const RemeshParams& params, RunContext& ctx,

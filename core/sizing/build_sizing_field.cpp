@@ -72,7 +72,7 @@ using BaseSizes = std::vector<float>;
 void add_label_sizes(const LabelVolume& volume, const SizingParams& params, const BaseSizes& base,
                      SizingField& field) {
   std::vector<float> size_of(65536, kFar);
-  for (const LabelSize& wish : params.labels) size_of[wish.label] = static_cast<float>(wish.edge_mm);
+  for (const LabelSize& rule : params.labels) size_of[rule.label] = static_cast<float>(rule.edge_mm);
   const auto edge = static_cast<float>(params.edge_mm);
   for_each_voxel(volume, field, [&](Label label, std::size_t at) {
     if (label == kBackground) return;
@@ -81,21 +81,21 @@ void add_label_sizes(const LabelVolume& volume, const SizingParams& params, cons
   });
 }
 
-bool add_distance_size(const LabelVolume& volume, const DistanceSize& wish, SizingField& field,
+bool add_distance_size(const LabelVolume& volume, const DistanceSize& rule, SizingField& field,
                        const RunContext& ctx) {
   const Eigen::Matrix3d linear = volume.linear();
   std::vector<float> size;
   if (has_orthogonal_axes(linear)) {
     std::vector<std::uint8_t> mask(field.h_mm.size(), 0);
-    for_each_voxel(volume, field, [&](Label label, std::size_t at) { mask[at] = label == wish.label; });
+    for_each_voxel(volume, field, [&](Label label, std::size_t at) { mask[at] = label == rule.label; });
     size = distance_to_mask_mm(field.size, volume.spacing_mm(), mask);
-    for (float& value : size) value = static_cast<float>(wish.edge_mm + wish.slope * value);
+    for (float& value : size) value = static_cast<float>(rule.edge_mm + rule.slope * value);
   } else {
     size.assign(field.h_mm.size(), kFar);
     for_each_voxel(volume, field, [&](Label label, std::size_t at) {
-      if (label == wish.label) size[at] = static_cast<float>(wish.edge_mm);
+      if (label == rule.label) size[at] = static_cast<float>(rule.edge_mm);
     });
-    if (!limit_gradation(field.size, linear, wish.slope, size, ctx)) return false;
+    if (!limit_gradation(field.size, linear, rule.slope, size, ctx)) return false;
   }
   for (std::size_t at = 0; at < size.size(); ++at) field.h_mm[at] = std::min(field.h_mm[at], size[at]);
   return true;
@@ -175,8 +175,8 @@ Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingPa
         !done)
       return done.error();
   add_label_sizes(volume, params, base, field);
-  for (const DistanceSize& wish : params.distances) {
-    if (ctx.cancelled() || !add_distance_size(volume, wish, field, ctx)) return cancelled_error(kSizingStage);
+  for (const DistanceSize& rule : params.distances) {
+    if (ctx.cancelled() || !add_distance_size(volume, rule, field, ctx)) return cancelled_error(kSizingStage);
   }
   for (std::size_t m = 0; m < sources.masks.size(); ++m)
     if (Status done = lower_by_mask(*sources.masks[m], params.masks[m],

@@ -1,4 +1,4 @@
-// The wishes of the user -> one edge length per point of space.
+// The rules of the user -> one edge length per point of space.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@
 
 namespace voxtet {
 
-/// Edge length wished inside one label.
+/// Target edge length inside one label.
 struct LabelSize {
   Label label = 0;
   double edge_mm = 2;
@@ -54,9 +54,9 @@ enum class Layering {
 };
 
 /// Size by the thickness t of a wall. `layers` > 0: t / layers. By size alone, of a shell's area 99 % has
-/// exactly two layers where two are wished, 93 or 94 % exactly three or four, and most of it two where one is
-/// wished (core/README.md). Else linear, from edge_thin_mm where t <= thin_mm to edge_thick_mm where
-/// t >= thick_mm; with both of these 0 they are the first and the last percentile of t.
+/// exactly two layers where two are asked for, 93 or 94 % exactly three or four, and most of it two where one
+/// is asked for (core/README.md). Else linear, from edge_thin_mm where t <= thin_mm to edge_thick_mm where t
+/// >= thick_mm; with both of these 0 they are the first and the last percentile of t.
 struct ThicknessSize {
   std::vector<Label> wall;   ///< labels of the image that form the wall
   std::vector<Label> inner;  ///< labels on its inner side; none: the cavities of the background
@@ -75,7 +75,7 @@ struct MaskSize {
   std::vector<LabelSize> edges;  ///< by label of the mask
 };
 
-/// An image of edge lengths in mm, on any grid. Voxels of 0 and those that are not a number wish nothing.
+/// An image of edge lengths in mm, on any grid. Voxels of 0 and those that are not a number ask for nothing.
 struct ImageSize {
   std::string name;    ///< of the file that holds the image
   std::string sha256;  ///< digest_of(ScalarVolume); empty accepts any
@@ -96,7 +96,8 @@ struct SizingParams {
   std::vector<DistanceSize> distances;   ///< minimum with everything else
   std::vector<ThicknessSize> thickness;  ///< in its wall in place of edge_mm, minimum with everything else
   std::vector<MaskSize> masks;           ///< minimum with everything else
-  std::vector<ImageSize> images;  ///< where it wishes in place of edge_mm, minimum with everything else
+  std::vector<ImageSize>
+      images;  ///< where it has a length, in place of edge_mm, minimum with everything else
   std::vector<CurvatureSize> curvature;  ///< minimum with everything else
   double edge_min_mm = 0.1;
   double edge_max_mm = 50;
@@ -115,7 +116,7 @@ struct SizingSources {
 
 /// The minimum of all sources at the volume's voxels, clamped to [edge_min_mm, edge_max_mm], then
 /// gradation-limited: h*(x) = min_y h(y) + g|x - y| by fast sweeping (fast_sweeping.h states its accuracy).
-/// The grid is that of the volume with two points more on each side. Background takes no wish of its own: it
+/// The grid is that of the volume with two points more on each side. Background has no rule of its own: it
 /// gets its size from the labels around it through the gradation, from distances and from regions. Regions do
 /// not depend on their order: each rises to what stands without any region.
 /// Voxels of other labels within two voxels of a wall take its size too; the gradation would have them near

@@ -87,26 +87,26 @@ void check_region(Checker& check, const SizeRegion& region, const std::string& f
   if (region.shape == RegionShape::kCapsule) check.finite(field + ".end_mm", region.end_mm);
 }
 
-void check_thickness(Checker& check, const ThicknessSize& wish, const std::string& field) {
-  check.require(wish.layers > 0 || wish.layering == Layering::kSize, field + ".layers", wish.layers,
+void check_thickness(Checker& check, const ThicknessSize& rule, const std::string& field) {
+  check.require(rule.layers > 0 || rule.layering == Layering::kSize, field + ".layers", rule.layers,
                 "at least 1 where layering is exact");
-  if (wish.layers > 0) return;
-  check.positive(field + ".edge_thin_mm", wish.edge_thin_mm);
-  check.positive(field + ".edge_thick_mm", wish.edge_thick_mm);
-  check.require(std::isfinite(wish.thin_mm) && wish.thin_mm >= 0, field + ".thin_mm", wish.thin_mm,
+  if (rule.layers > 0) return;
+  check.positive(field + ".edge_thin_mm", rule.edge_thin_mm);
+  check.positive(field + ".edge_thick_mm", rule.edge_thick_mm);
+  check.require(std::isfinite(rule.thin_mm) && rule.thin_mm >= 0, field + ".thin_mm", rule.thin_mm,
                 "a finite length >= 0 mm");
-  const bool measured = wish.thin_mm == 0 && wish.thick_mm == 0;
-  check.require(measured || (std::isfinite(wish.thick_mm) && wish.thick_mm > wish.thin_mm),
-                field + ".thick_mm", wish.thick_mm, "more than thin_mm, or both 0");
+  const bool measured = rule.thin_mm == 0 && rule.thick_mm == 0;
+  check.require(measured || (std::isfinite(rule.thick_mm) && rule.thick_mm > rule.thin_mm),
+                field + ".thick_mm", rule.thick_mm, "more than thin_mm, or both 0");
 }
 
-void check_curvature(Checker& check, const HeldLabels& held, const CurvatureSize& wish,
+void check_curvature(Checker& check, const HeldLabels& held, const CurvatureSize& rule,
                      const std::string& field) {
-  for (std::size_t i = 0; i < wish.labels.size(); ++i)
-    check_label(check, held, item(field + ".labels", i), wish.labels[i]);
-  check.require(std::isfinite(wish.edges_per_turn) && wish.edges_per_turn >= 3, field + ".edges_per_turn",
-                wish.edges_per_turn, "a number of at least 3");
-  check.positive(field + ".edge_min_mm", wish.edge_min_mm);
+  for (std::size_t i = 0; i < rule.labels.size(); ++i)
+    check_label(check, held, item(field + ".labels", i), rule.labels[i]);
+  check.require(std::isfinite(rule.edges_per_turn) && rule.edges_per_turn >= 3, field + ".edges_per_turn",
+                rule.edges_per_turn, "a number of at least 3");
+  check.positive(field + ".edge_min_mm", rule.edge_min_mm);
 }
 
 void check_labels(Checker& check, const SizingParams& params, const HeldLabels& held) {

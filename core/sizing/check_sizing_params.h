@@ -1,4 +1,4 @@
-// Refuses wishes that cannot be met, naming the field.
+// Refuses rules that cannot be met, naming the field.
 #pragma once
 
 #include <optional>

@@ -26,14 +26,14 @@ std::vector<bool> points_of(const SurfaceMesh& surface, const std::vector<Label>
 
 }  // namespace
 
-void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureSize>& wishes, double voxel_mm,
+void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureSize>& rules, double voxel_mm,
                         SizingField& field) {
-  if (wishes.empty()) return;
+  if (rules.empty()) return;
   const std::vector<float> curvature = surface_curvature(surface, kCurvatureWidthVoxels * voxel_mm);
-  for (const CurvatureSize& wish : wishes) {
+  for (const CurvatureSize& rule : rules) {
     // The mean around each grid point, since a minimum would pick out what is left of the staircase.
     std::vector<float> sum(field.h_mm.size(), 0.F), weights(field.h_mm.size(), 0.F);
-    const std::vector<bool> counts = points_of(surface, wish.labels);
+    const std::vector<bool> counts = points_of(surface, rule.labels);
     for (std::size_t p = 0; p < surface.points.size(); ++p) {
       if (!counts[p]) continue;
       const Eigen::Vector3d index = field.mm_to_index.topLeftCorner<3, 3>() * surface.points[p] +
@@ -45,8 +45,8 @@ void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureS
     }
     for (std::size_t at = 0; at < sum.size(); ++at) {
       if (!(sum[at] > 0)) continue;
-      const double edge = kTurn * weights[at] / (wish.edges_per_turn * sum[at]);
-      field.h_mm[at] = std::min(field.h_mm[at], static_cast<float>(std::max(edge, wish.edge_min_mm)));
+      const double edge = kTurn * weights[at] / (rule.edges_per_turn * sum[at]);
+      field.h_mm[at] = std::min(field.h_mm[at], static_cast<float>(std::max(edge, rule.edge_min_mm)));
     }
   }
 }

@@ -7,9 +7,9 @@
 
 namespace voxtet {
 
-/// Lowers the field to what the wishes ask, at the grid points next to the smoothed label surface: by the
+/// Lowers the field to what the rules ask, at the grid points next to the smoothed label surface: by the
 /// mean of the curvatures at its points around each.
-void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureSize>& wishes, double voxel_mm,
+void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureSize>& rules, double voxel_mm,
                         SizingField& field);
 
 }  // namespace voxtet

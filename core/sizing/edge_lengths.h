@@ -1,4 +1,4 @@
-// All edge lengths that a user wishes, by name.
+// All edge lengths that a user asks for, by name.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ void for_each_edge_length(Params& params, Visit&& visit) {
   const auto item = [](const std::string& list, std::size_t i) {
     return list + "[" + std::to_string(i) + "]";
   };
-  const auto visit_list = [&](const std::string& list, auto& wishes) {
-    for (std::size_t i = 0; i < wishes.size(); ++i) visit(item(list, i) + ".edge_mm", wishes[i].edge_mm);
+  const auto visit_list = [&](const std::string& list, auto& rules) {
+    for (std::size_t i = 0; i < rules.size(); ++i) visit(item(list, i) + ".edge_mm", rules[i].edge_mm);
   };
   visit("edge_mm", params.edge_mm);
   visit_list("labels", params.labels);

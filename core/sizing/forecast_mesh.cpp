@@ -20,14 +20,14 @@ constexpr double kTrianglesPerArea = 2.15;     ///< in squared edges
 constexpr double kTetsPerVolume = 9.96;        ///< in cubed edges
 constexpr double kTetsLostPerTriangle = 0.3;   ///< there is none beyond it that would share its edges
 constexpr double kLeastTetsPerTriangle = 0.5;  ///< where a body is as thin as an edge
-constexpr double kRise = 0.7;  ///< of edge lengths from a surface that is finer than wished, per mm
+constexpr double kRise = 0.7;  ///< of edge lengths from a surface that is finer than asked for, per mm
 constexpr double kPointsPerTet = 0.17, kPointsPerTriangle = 0.25;
 
-// By how much a refined surface is denser than wished, measured on hearts, aorta, torso and mickey.nrrd:
+// By how much a refined surface is denser than asked for, measured on hearts, aorta, torso and mickey.nrrd:
 constexpr double kRadiusPerEdge = 1 / 1.3;  ///< circumradius of its triangles
 constexpr double kByBend = 0.4;             ///< where the middle of a triangle is as far off as allowed
 constexpr double kByThinness = 0.1;         ///< where a layer is as thin as an edge
-constexpr double kMostOffset = 2, kMostThin = 2.5;  ///< beyond, the surface is as dense whatever is wished
+constexpr double kMostOffset = 2, kMostThin = 2.5;  ///< beyond, the surface is as dense whatever is asked for
 constexpr double kCoarsened = 0.25;                 ///< part of the excess that local operations leave
 
 constexpr std::size_t kMostSamples = 250000;
@@ -115,16 +115,16 @@ MeshForecaster::MeshForecaster(const LabelVolume& volume, const SurfaceMesh& sur
 }
 
 double MeshForecaster::demand_per_mm2(const Sample& sample, double edge_mm) const {
-  const double wished = 1 / (edge_mm * edge_mm);
+  const double target = 1 / (edge_mm * edge_mm);
   const double allowed = expectation_.max_distance_voxels * volume_.smallest_spacing_mm();
   // How far the middle of a triangle is off the bend, over what is allowed, for a squared edge of 1 mm.
   const double offset_per_mm2 = kRadiusPerEdge * kRadiusPerEdge * sample.curvature / 2 / allowed;
-  const double offset = std::min(offset_per_mm2 / wished, kMostOffset);
-  const double bend = offset < 1 ? offset * offset * wished
-                                 : (2 * offset - 1) * std::max(wished, offset_per_mm2 / kMostOffset);
+  const double offset = std::min(offset_per_mm2 / target, kMostOffset);
+  const double bend = offset < 1 ? offset * offset * target
+                                 : (2 * offset - 1) * std::max(target, offset_per_mm2 / kMostOffset);
   const double thin = std::min(edge_mm / sample.gap_mm, kMostThin) / (sample.gap_mm * sample.gap_mm);
   const double excess = kByBend * bend + kByThinness * thin;
-  return wished + (expectation_.resolves_thin_places ? excess : kCoarsened * excess);
+  return target + (expectation_.resolves_thin_places ? excess : kCoarsened * excess);
 }
 
 Result<MeshForecast> MeshForecaster::forecast(const SizingField& sizing, const RunContext& ctx) const {

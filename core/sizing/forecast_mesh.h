@@ -27,7 +27,7 @@ struct SurfaceExpectation {
 
 /// What a label surface asks of any mesh, measured once for many sizing fields. The triangles of the adapted
 /// surface are the integral over the label surface of 2.15 / e^2, the tets that over the labels of 9.96 /
-/// e^3, less 0.3 a triangle. There e is the edge length that the mesh will have: the wished one or, where
+/// e^3, less 0.3 a triangle. There e is the edge length that the mesh will have: the target or, where
 /// that is less, what the adapted surface takes to follow bends (geometry/elements/surface_curvature.h) and
 /// to resolve layers and gaps thinner than an edge, from where lengths rise inwards by 0.7 a mm. Constants
 /// and accuracy: tests/sweep/sweep_forecast.
@@ -56,7 +56,7 @@ class MeshForecaster {
   std::vector<Sample> samples_;
 };
 
-/// The tets that the wished edge lengths alone ask for: a bound from below that needs a sum over the
+/// The tets that the target edge lengths alone ask for: a bound from below that needs a sum over the
 /// voxels and no surface.
 double least_tets(const LabelVolume& volume, const SizingField& sizing);
 

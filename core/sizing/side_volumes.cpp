@@ -43,21 +43,21 @@ Eigen::Vector3d mapped(const Eigen::Matrix4d& by, const Eigen::Vector4d& index) 
 }
 
 /// The size of each label of a mask, +infinity for those without one.
-Result<std::vector<float>> sizes_of(const LabelVolume& mask, const MaskSize& wish, const std::string& name) {
-  if (wish.edges.empty())
+Result<std::vector<float>> sizes_of(const LabelVolume& mask, const MaskSize& rule, const std::string& name) {
+  if (rule.edges.empty())
     return refuse(ErrorCode::kUsage, name + ".edges", "found none, expected a size for a label of the mask");
   std::vector<std::uint8_t> held(65536, 0);
   for (const Label label : mask.labels) held[label] = 1;
   std::vector<float> size_of(65536, kFar);
-  for (std::size_t e = 0; e < wish.edges.size(); ++e) {
-    const auto& [label, edge_mm] = wish.edges[e];
+  for (std::size_t e = 0; e < rule.edges.size(); ++e) {
+    const auto& [label, edge_mm] = rule.edges[e];
     const std::string field = name + ".edges[" + std::to_string(e) + "]";
     if (!(std::isfinite(edge_mm) && edge_mm > 0))
       return refuse(ErrorCode::kUsage, field + ".edge_mm",
                     "found " + std::to_string(edge_mm) + ", expected a finite length > 0 mm");
     if (label == kBackground || !held[label])
       return refuse(ErrorCode::kUsage, field + ".label",
-                    "found " + std::to_string(label) + ", which the mask '" + wish.name + "' does not hold");
+                    "found " + std::to_string(label) + ", which the mask '" + rule.name + "' does not hold");
     if (size_of[label] < kFar)
       return refuse(ErrorCode::kUsage, field + ".label",
                     "label " + std::to_string(label) + " has a size already");
@@ -74,12 +74,12 @@ std::optional<Error> find_image_error(const ScalarVolume& image, const std::stri
     return refuse(ErrorCode::kBadInput, name,
                   "voxel (" + std::to_string(at % nx) + ", " + std::to_string(at / nx % ny) + ", " +
                       std::to_string(at / nx / ny) + ") asks for an edge of " + std::to_string(value) +
-                      " mm; expected a finite length > 0, or 0 for no wish");
+                      " mm; expected a finite length > 0, or 0 for none");
   }
   return std::nullopt;
 }
 
-/// The image's size at a continuous index, trilinear among its voxels that have one; 0 for no wish.
+/// The image's size at a continuous index, trilinear among its voxels that have one; 0 for no rule.
 double size_at(const ScalarVolume& image, const Eigen::Vector3d& index) {
   std::size_t inside = 0;
   if (!nearest_offset(image, index, inside)) return 0;
@@ -94,9 +94,9 @@ double size_at(const ScalarVolume& image, const Eigen::Vector3d& index) {
 
 }  // namespace
 
-Status lower_by_mask(const LabelVolume& mask, const MaskSize& wish, const std::string& name,
+Status lower_by_mask(const LabelVolume& mask, const MaskSize& rule, const std::string& name,
                      SizingField& field) {
-  const Result<std::vector<float>> size_of = sizes_of(mask, wish, name);
+  const Result<std::vector<float>> size_of = sizes_of(mask, rule, name);
   if (!size_of) return size_of.error();
   bool reached = false;
   const auto lower = [&](std::size_t to, std::size_t from) {
@@ -114,7 +114,7 @@ Status lower_by_mask(const LabelVolume& mask, const MaskSize& wish, const std::s
   });
   if (reached) return std::monostate{};
   return refuse(ErrorCode::kUsage, name,
-                "no voxel of the mask '" + wish.name +
+                "no voxel of the mask '" + rule.name +
                     "' that has a size lies in the volume; expected one painted in the same space");
 }
 
@@ -124,7 +124,7 @@ Status lower_by_image(const LabelVolume& volume, const ScalarVolume& image, cons
   if (const auto error = find_image_error(image, name)) return *error;
   const Eigen::Matrix4d to_image = image.index_to_mm.inverse() * grid.index_to_mm;
   const Eigen::Matrix4d to_volume = volume.index_to_mm.inverse() * grid.index_to_mm;
-  std::size_t labelled = 0, wished = 0;
+  std::size_t labelled = 0, sized = 0;
   double smallest = kFar, largest = 0;
   for_points(grid, [&](std::size_t at, const Eigen::Vector4d& index) {
     std::size_t voxel = 0;
@@ -134,13 +134,13 @@ Status lower_by_image(const LabelVolume& volume, const ScalarVolume& image, cons
     const double size = size_at(image, mapped(to_image, index));
     if (!(size > 0)) return;
     if (counts) {
-      ++wished;
+      ++sized;
       smallest = std::min(smallest, size);
       largest = std::max(largest, size);
     }
     sizes[at] = std::min(sizes[at], static_cast<float>(size));
   });
-  if (wished == 0)
+  if (sized == 0)
     return refuse(ErrorCode::kBadInput, name,
                   "the image has no size in any labelled voxel; expected one that covers what is meshed");
   const auto warn = [&](const char* format, auto... numbers) {
@@ -148,9 +148,9 @@ Status lower_by_image(const LabelVolume& volume, const ScalarVolume& image, cons
     std::snprintf(text.data(), text.size(), format, numbers...);
     ctx.warn(kSizingStage, name + text.data());
   };
-  if (wished < labelled)
+  if (sized < labelled)
     warn(": the image has no size in %.2f %% of the labelled voxels; edge_mm stands there",
-         100.0 * static_cast<double>(labelled - wished) / static_cast<double>(labelled));
+         100.0 * static_cast<double>(labelled - sized) / static_cast<double>(labelled));
   if (smallest < params.edge_min_mm)
     warn(": sizes go down to %g mm, below sizing.edge_min_mm, which holds: %g mm", smallest,
          params.edge_min_mm);

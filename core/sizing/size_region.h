@@ -1,4 +1,4 @@
-// Distances to the regions in which a size is wished.
+// Distances to the regions in which a size is asked for.
 #pragma once
 
 #include <Eigen/Core>

@@ -11,8 +11,8 @@ struct Range {
   double thin_mm, thick_mm;
 };
 
-Range range_of(const WallField& wall, const ThicknessSize& wish) {
-  if (wish.thin_mm > 0 || wish.thick_mm > 0) return {wish.thin_mm, wish.thick_mm};
+Range range_of(const WallField& wall, const ThicknessSize& rule) {
+  if (rule.thin_mm > 0 || rule.thick_mm > 0) return {rule.thin_mm, rule.thick_mm};
   std::vector<float> values;
   for (std::size_t at = 0; at < wall.in_wall.size(); ++at)
     if (wall.in_wall[at] && wall.thickness_mm[at] > 0) values.push_back(wall.thickness_mm[at]);
@@ -27,14 +27,14 @@ Range range_of(const WallField& wall, const ThicknessSize& wish) {
 
 }  // namespace
 
-void lower_by_thickness(const WallField& wall, const ThicknessSize& wish, const SizingField& grid,
+void lower_by_thickness(const WallField& wall, const ThicknessSize& rule, const SizingField& grid,
                         std::vector<float>& sizes) {
-  const Range range = range_of(wall, wish);
+  const Range range = range_of(wall, rule);
   const auto edge_of = [&](double thickness_mm) {
-    if (wish.layers > 0) return thickness_mm / wish.layers;
+    if (rule.layers > 0) return thickness_mm / rule.layers;
     const double span = range.thick_mm - range.thin_mm;
     const double share = span > 0 ? std::clamp((thickness_mm - range.thin_mm) / span, 0.0, 1.0) : 0.0;
-    return wish.edge_thin_mm + share * (wish.edge_thick_mm - wish.edge_thin_mm);
+    return rule.edge_thin_mm + share * (rule.edge_thick_mm - rule.edge_thin_mm);
   };
   const Eigen::Matrix4d to_wall = wall.mm_to_index * grid.index_to_mm;
   std::size_t at = 0;

@@ -7,8 +7,8 @@
 
 namespace voxtet {
 
-/// Lowers `sizes` (mm, one a point of the grid) to what `wish` asks in the wall and two voxels around it.
-void lower_by_thickness(const WallField& wall, const ThicknessSize& wish, const SizingField& grid,
+/// Lowers `sizes` (mm, one a point of the grid) to what `rule` asks in the wall and two voxels around it.
+void lower_by_thickness(const WallField& wall, const ThicknessSize& rule, const SizingField& grid,
                         std::vector<float>& sizes);
 
 }  // namespace voxtet

@@ -45,7 +45,7 @@ struct LabelFidelity {
   double voxel_mm3 = 0, mesh_mm3 = 0, volume_error_percent = 0;
   double dice = 0;            ///< mesh sampled at voxel centres against the voxels
   double median_edge_mm = 0;  ///< over edges of tets of this label
-  double wished_edge_mm = 0;  ///< median of the sizing field over the same edges' midpoints
+  double target_edge_mm = 0;  ///< median of the sizing field over the same edges' midpoints
 };
 
 /// One number in which two ledgers differ.
@@ -65,10 +65,10 @@ struct TopologyComparison {
 /// Area of a wall's outer surface by the number of layers beneath it.
 struct LayerShares {
   std::vector<double> area_mm2;    ///< index: number of layers
-  double exact = 0, at_least = 0;  ///< parts of the area with as many layers as wished, and with no fewer
+  double exact = 0, at_least = 0;  ///< parts of the area with as many layers as asked for, and with no fewer
 };
 
-/// A connected part of a wall's outer surface with another number of layers than wished.
+/// A connected part of a wall's outer surface with another number of layers than asked for.
 struct LayerPlace {
   double area_mm2 = 0;
   Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
@@ -78,7 +78,7 @@ struct LayerPlace {
 /// The layers of one wall, counted in two ways (walls/count_layers.h).
 struct LayerCount {
   std::vector<Label> wall;
-  std::uint32_t wished = 0;
+  std::uint32_t target_layers = 0;
   LayerShares by_edges, by_lines;
   std::vector<LayerPlace> places;  ///< by edges; the ten largest, the largest first
 };
@@ -95,8 +95,8 @@ struct QualityReport {
   std::vector<LabelFidelity> labels;
   DistanceSummary mesh_to_surface, surface_to_mesh;  ///< mesh boundary against the label surface
   TopologyComparison topology;
-  std::vector<LayerCount> layers;  ///< of the walls for which a number was wished
-  /// Measures of tetrahedra (quality/tet_measure_table.h); where numbers of layers were wished `layer` and
+  std::vector<LayerCount> layers;  ///< of the walls for which a number was asked for
+  /// Measures of tetrahedra (quality/tet_measure_table.h); where numbers of layers were asked for `layer` and
   /// `layers_across` (quality/count_layers.h); against a label surface `distance_mm` and `distance_voxels` of
   /// points.
   std::vector<Field> fields;

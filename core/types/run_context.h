@@ -18,8 +18,8 @@ struct RunContext {
   std::function<void(const std::string& stage, double fraction)> on_progress;  ///< fraction in [0, 1]
   std::function<bool()> on_cancelled;                                          ///< true: stop soon
   std::function<void(const std::string& stage, const std::string& message)> on_warning;
-  /// What a reader of the report should know though nothing is wrong: which method or rung was taken, what
-  /// was removed on demand.
+  /// What a reader of the report should know though nothing is wrong: which method or fallback was taken,
+  /// what was removed on demand.
   std::function<void(const std::string& stage, const std::string& message)> on_note;
   std::function<void(const Snapshot&)> on_snapshot;  ///< a frame of a result that lives in time
   int threads = 1;  ///< that a stage may use (base/parallel.h); never changes what it returns

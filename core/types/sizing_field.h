@@ -1,4 +1,4 @@
-// The wish for element size: edge length in mm at every point of space.
+// The sizing field: target edge length in mm at every point of space.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ struct SizingField {
   Eigen::Matrix4d mm_to_index = Eigen::Matrix4d::Identity();  ///< inverse of index_to_mm
   std::vector<float> h_mm;                                    ///< index x fastest; all finite and > 0
 
-  /// Wished edge length (mm) at a patient-space point (mm).
+  /// Target edge length (mm) at a patient-space point (mm).
   double at(const Eigen::Vector3d& point_mm) const {
     const Eigen::Vector3d index =
         mm_to_index.topLeftCorner<3, 3>() * point_mm + mm_to_index.topRightCorner<3, 1>();

@@ -155,7 +155,7 @@ std::size_t separate(SliceStack& fine, const SliceGap& gap, const Contacts& cont
 
 /// Components that no slice has a part of and that are smaller than a cube of a slice's thickness go to the
 /// neighbour with the largest face area, the smallest first.
-void absorb_fragments(SliceStack& fine, int planes) {
+void absorb_small_components(SliceStack& fine, int planes) {
   const std::array<int, 3> size{fine.width, fine.height, fine.count};
   std::vector<std::uint32_t> sizes;
   const std::vector<std::uint32_t> ids = label_components(size, fine.pixels, sizes);
@@ -163,12 +163,12 @@ void absorb_fragments(SliceStack& fine, int planes) {
   for (int k = planes / 2; k < fine.count; k += planes)
     for (std::size_t p = 0; p < fine.area(); ++p)
       anchored[ids[static_cast<std::size_t>(k) * fine.area() + p]] = true;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> fragments;  // by size, id
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> components;  // by size, id
   for (std::size_t v = 0; v < ids.size(); ++v)
     if (!anchored[ids[v]] && sizes[ids[v]] < static_cast<std::uint32_t>(planes * planes * planes))
-      fragments[{sizes[ids[v]], ids[v]}].push_back(v);
+      components[{sizes[ids[v]], ids[v]}].push_back(v);
   const auto [a, b] = fine.pixel_mm;
-  for (const auto& [key, voxels] : fragments) {
+  for (const auto& [key, voxels] : components) {
     const Label other =
         neighbour_by_area(size, fine.pixels, voxels, {b * fine.step_mm, a * fine.step_mm, a * b});
     for (const std::size_t voxel : voxels) fine.pixels[voxel] = other;
@@ -181,7 +181,7 @@ SliceStack settle_planes(const SliceStack& stack, const std::vector<SliceGap>& g
                          const std::vector<double>& offsets) {
   SliceStack fine = repeat_slices(stack, planes);
   for (const SliceGap& gap : gaps) fill_gap(fine, gap, planes, offsets);
-  absorb_fragments(fine, planes);
+  absorb_small_components(fine, planes);
   for (std::size_t g = 0; g < gaps.size(); ++g)
     for (int pass = 0; pass < kSeparations; ++pass)
       if (separate(fine, gaps[g], contacts[g], planes) == 0) break;

@@ -34,13 +34,13 @@ void count_edges(const TetMesh& mesh, const WallMesh& wall, LayerCount& count) {
       const std::uint32_t v = face.corners[i], w = face.corners[(i + 1) % 3];
       if (!counts(face, v)) continue;
       add(count.by_edges, from_inner[v], face.area / 3);
-      if (counts(face, w) && from_inner[v] != count.wished && from_inner[w] != count.wished)
+      if (counts(face, w) && from_inner[v] != count.target_layers && from_inner[w] != count.target_layers)
         joined.join(v, w);
     }
   std::map<std::uint32_t, LayerPlace> places;
   for (const Face& face : wall.faces())
     for (const std::uint32_t v : face.corners) {
-      if (!counts(face, v) || from_inner[v] == count.wished) continue;
+      if (!counts(face, v) || from_inner[v] == count.target_layers) continue;
       LayerPlace& place =
           places.try_emplace(joined.find(v), LayerPlace{0, {0, 0, 0}, kUnreached, 0}).first->second;
       place.area_mm2 += face.area / 3;

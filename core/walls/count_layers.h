@@ -26,7 +26,7 @@ struct FoundLayers {
 /// of the area. by_lines: from each outer face down the gradient of the potential, tetrahedron by
 /// tetrahedron, how many of the sheets floor(layers * potential at the centroid) are met; lines that end
 /// elsewhere than on the inner surface are not counted. Places are the parts of the outer surface, joined by
-/// its edges, whose vertices have another number by edges than wished.
+/// its edges, whose vertices have another number by edges than asked for.
 ///
 /// Wall, inner and outer surface and sides: walls/wall_mesh.h. Outer vertices that two edges join to a
 /// side are left out.

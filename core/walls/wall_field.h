@@ -83,7 +83,7 @@ struct WallField {
   }
 };
 
-/// A wall with the number of layers that was wished.
+/// A wall with the number of layers that is asked for.
 struct LayeredWall {
   const WallField& field;
   std::uint32_t layers = 1;

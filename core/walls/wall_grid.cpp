@@ -125,11 +125,11 @@ class Scatter {
     return whole + (place > whole ? 1 : 0);
   }
 
-  static void take(const Eigen::Vector3d& way, const Eigen::Vector3d& normal, Nearest& nearest) {
-    const double found = way.squaredNorm(), known = squared(nearest.distance);
+  static void take(const Eigen::Vector3d& to_centre, const Eigen::Vector3d& normal, Nearest& nearest) {
+    const double found = to_centre.squaredNorm(), known = squared(nearest.distance);
     if (found > known * (1 + 1e-6)) return;
     const double length = std::sqrt(found);
-    const auto cosine = static_cast<float>(length > 0 ? way.dot(normal) / length : 0);
+    const auto cosine = static_cast<float>(length > 0 ? to_centre.dot(normal) / length : 0);
     // The triangles at a common edge or corner are equally near; the one seen least edge-on knows the side.
     const bool tie = found > known * (1 - 1e-6);
     if (tie && std::abs(cosine) <= std::abs(nearest.cosine)) return;

@@ -25,11 +25,11 @@ double derivative(const WallGrid& grid, const WallGraph& graph, const std::vecto
   if (before < kInnerEnd && after < kInnerEnd)
     return (static_cast<double>(u[after]) - u[before]) / (2 * graph.step_mm[axis]);
   std::array<double, 2> step{}, rise{};
-  for (const std::size_t way : {std::size_t{0}, std::size_t{1}}) {
-    const std::uint32_t to = graph.nodes[n].neighbour[2 * axis + way];
-    step[way] = step_to(grid, graph, n, 2 * axis + way);
+  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
+    const std::uint32_t to = graph.nodes[n].neighbour[2 * axis + side];
+    step[side] = step_to(grid, graph, n, 2 * axis + side);
     const float end = to == kInnerEnd ? 0.F : (to == kOuterEnd ? 1.F : (to == kSideEnd ? u[n] : u[to]));
-    rise[way] = (static_cast<double>(end) - u[n]) / step[way];
+    rise[side] = (static_cast<double>(end) - u[n]) / step[side];
   }
   return (rise[1] * step[0] - rise[0] * step[1]) / (step[0] + step[1]);
 }

@@ -109,15 +109,15 @@ class Openings {
   void add_faces(std::size_t at, Opening& opening) const {
     const Eigen::Vector3d here = mm_of(at);
     for (std::size_t d = 0; d < 3; ++d)
-      for (const int way : {-1, 1}) {
+      for (const int direction : {-1, 1}) {
         const std::size_t place = at / stride_[d] % static_cast<std::size_t>(grid_.size[d]);
-        if (way < 0 ? place == 0 : place + 1 == static_cast<std::size_t>(grid_.size[d])) continue;
-        const std::size_t other = way < 0 ? at - stride_[d] : at + stride_[d];
+        if (direction < 0 ? place == 0 : place + 1 == static_cast<std::size_t>(grid_.size[d])) continue;
+        const std::size_t other = direction < 0 ? at - stride_[d] : at + stride_[d];
         if (grid_.kind[other] < kInner) continue;
         const auto axis = static_cast<int>(d);
         opening.faces += 1;
-        opening.normal -= way * area_.col(axis);
-        opening.centre += here + 0.5 * way * grid_.linear().col(axis);
+        opening.normal -= direction * area_.col(axis);
+        opening.centre += here + 0.5 * direction * grid_.linear().col(axis);
       }
   }
 

@@ -24,11 +24,11 @@ void BM_WallThickness(benchmark::State& state) {
 BENCHMARK(BM_WallThickness)->ArgName("threads")->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void BM_Gradation(benchmark::State& state) {
-  const std::vector<float> wished = heart().wished_sizes();
+  const std::vector<float> target = heart().target_sizes();
   RunContext ctx;
   for (auto _ : state) {
     state.PauseTiming();
-    std::vector<float> sizes = wished;
+    std::vector<float> sizes = target;
     state.ResumeTiming();
     heart().limit(sizes, ctx);
     benchmark::DoNotOptimize(sizes.data());

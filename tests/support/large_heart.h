@@ -34,14 +34,14 @@ struct LargeHeart {
   static constexpr int kFieldSize = 256;  ///< of the field of sizes, along each axis
 
   /// Sizes in mm of which the right ventricle's are half those of the left one, all others large.
-  std::vector<float> wished_sizes() const {
-    std::vector<float> wished(static_cast<std::size_t>(kFieldSize) * kFieldSize * kFieldSize, 50.F);
+  std::vector<float> target_sizes() const {
+    std::vector<float> target(static_cast<std::size_t>(kFieldSize) * kFieldSize * kFieldSize, 50.F);
     for (int k = 0; k < anatomy.size[2]; ++k)
       for (int j = 0; j < anatomy.size[1]; ++j)
         for (int i = 0; i < std::min(anatomy.size[0], kFieldSize); ++i)
           if (const Label label = anatomy.at(i, j, k); label == 1 || label == 2)
-            wished[static_cast<std::size_t>(i + kFieldSize * (j + kFieldSize * k))] = label == 1 ? 2.F : 1.F;
-    return wished;
+            target[static_cast<std::size_t>(i + kFieldSize * (j + kFieldSize * k))] = label == 1 ? 2.F : 1.F;
+    return target;
   }
 
   void limit(std::vector<float>& sizes, RunContext& ctx) const {

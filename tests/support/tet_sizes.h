@@ -36,7 +36,7 @@ inline std::vector<Edge> edges_of(const TetMesh& mesh, Label label) {
   return edges;
 }
 
-/// Median log2(edge / wish) over the edges of a label that are not in the surface.
+/// Median log2(edge / target) over the edges of a label that are not in the surface.
 inline double inner_size_bias(const TetMesh& mesh, Label label, const SizingField& sizing) {
   std::vector<Edge> surface;
   for (const Triangle& t : mesh.faces)

@@ -16,9 +16,7 @@ struct CommandLine {
   std::string json_file;                         ///< empty: none
 
   explicit CommandLine(const std::string& about) : app(about) {
-    app.add_option("--methods,--method", methods, "as delaunay,remesh")
-        ->delimiter(',')
-        ->capture_default_str();
+    app.add_option("--methods,--method", methods, "as delaunay,adapt")->delimiter(',')->capture_default_str();
     app.add_option("--json", json_file, "write all figures to this file");
   }
   /// Ends the program after --help and after a wrong command line.

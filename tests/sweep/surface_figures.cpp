@@ -87,7 +87,7 @@ SurfaceFigures measure_surface(const Session& session) {
 }
 
 SurfaceLimits limits_of(const std::string& method) {
-  if (method == "remesh") return {0.07, 1, 18, 0.005, 0.955};
+  if (method == "adapt") return {0.07, 1, 18, 0.005, 0.955};
   return {0.05, 0.5, 29, 1, 0};
 }
 

@@ -30,7 +30,7 @@ struct SurfaceLimits {
   double mean_distance, max_distance;
   double min_angle_deg, share_below_25, mean_radius_ratio;
 };
-/// Of the method's name; those of `delaunay` for any other name than `remesh`.
+/// Of the method's name; those of `delaunay` for any other name than `adapt`.
 SurfaceLimits limits_of(const std::string& method);
 
 /// Everything that is beyond a limit, in words.

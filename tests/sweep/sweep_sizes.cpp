@@ -1,4 +1,4 @@
-// Wished against achieved edge lengths of phantoms and the Table-1 cases, for every kind of wish.
+// Target against achieved edge lengths of phantoms and the Table-1 cases, for every kind of rule.
 #include <cmath>
 #include <functional>
 
@@ -31,8 +31,8 @@ SizeFigures figures_of(std::vector<float> logs) {
 
 struct Figures {
   SizeFigures surface, inner;  ///< of the edges in the boundaries of labels, and of all others
-  /// exp of the mean of min(l / h, h / l) - 1 over all edges: 1 where every edge is as wished. P. J. Frey and
-  /// P.-L. George, "Mesh Generation", efficiency index.
+  /// exp of the mean of min(l / h, h / l) - 1 over all edges: 1 where every edge is as asked for. P. J. Frey
+  /// and P.-L. George, "Mesh Generation", efficiency index.
   double efficiency = 0;
   Eigen::Vector3d worst_mm = Eigen::Vector3d::Zero();  ///< middle of the edge that is farthest off
   double worst = 0;                                    ///< its log2(l / h)
@@ -77,18 +77,18 @@ ScalarVolume waves(const LabelVolume& volume) {
   return image;
 }
 
-/// Changes the recipe of an opened case to one kind of wish; false where the case has no such.
-Result<bool> set_wish(const std::string& wish, Session& session) {
+/// Changes the recipe of an opened case to one kind of rule; false where the case has no such.
+Result<bool> set_rule(const std::string& rule, Session& session) {
   Recipe recipe = session.recipe();
   const LabelVolume& volume = *session.source_volume();
   const double voxel = volume.smallest_spacing_mm();
   const bool scar = std::count(recipe.labels.begin(), recipe.labels.end(), 5) > 0;
   const bool pools = std::count(volume.labels.begin(), volume.labels.end(), 3) > 0;
   const bool shell = recipe.source.phantom && recipe.source.phantom->kind == PhantomKind::kShell;
-  if (wish == "graded") {
+  if (rule == "graded") {
     if (!scar || !recipe.merge.empty()) return false;
     recipe.sizing.labels = {{5, 0.8 * voxel}, {6, 0.8 * voxel}};
-  } else if (wish == "thickness") {
+  } else if (rule == "thickness") {
     if (!pools && !shell) return false;
     ThicknessSize thickness;
     thickness.wall = recipe.labels;
@@ -96,12 +96,12 @@ Result<bool> set_wish(const std::string& wish, Session& session) {
     thickness.edge_thin_mm = 1.25 * voxel;
     thickness.edge_thick_mm = 3 * voxel;
     recipe.sizing.thickness = {thickness};
-  } else if (wish == "image") {
+  } else if (rule == "image") {
     const Result<Bytes> file = write_nifti(waves(volume), false);
     if (!file) return file.error();
     if (Status loaded = session.load_size_image({"waves.nii", *file, {}}); !loaded) return loaded.error();
     recipe.sizing.images = {{"waves.nii", ""}};
-  } else if (wish == "curvature") {
+  } else if (rule == "curvature") {
     recipe.sizing.edge_mm = 3 * voxel;
     recipe.sizing.curvature = {{{}, 24, voxel}};
   }
@@ -111,7 +111,7 @@ Result<bool> set_wish(const std::string& wish, Session& session) {
 
 void print_heading() {
   std::printf(
-      "log2(edge / wish): median, 95th percentile of the absolute value\n\n"
+      "log2(edge / target): median, 95th percentile of the absolute value\n\n"
       "| case | tets | surface edges | median | p95 | inner edges | median | p95 | efficiency | farthest "
       "off, at |\n"
       "|---|---|---|---|---|---|---|---|---|---|\n");
@@ -132,8 +132,8 @@ std::vector<std::string> judge(const char* where, const SizeFigures& f) {
   return failures;
 }
 
-Status sweep_case(const std::string& wish, const std::string& name, Session& session, Findings& findings) {
-  const Result<bool> there = set_wish(wish, session);
+Status sweep_case(const std::string& rule, const std::string& name, Session& session, Findings& findings) {
+  const Result<bool> there = set_rule(rule, session);
   if (!there) return there.error();
   if (!*there) return std::monostate{};
   RunContext ctx;
@@ -213,14 +213,14 @@ std::vector<Case> all_cases(const std::string& method) {
 
 int main(int argc, char** argv) {
   CommandLine line{
-      "Wished against achieved edge lengths of phantoms and the Table-1 cases. Exit code 1 beyond any "
+      "Target against achieved edge lengths of phantoms and the Table-1 cases. Exit code 1 beyond any "
       "limit."};
   std::string only;
-  std::vector<std::string> wishes{"uniform", "graded", "thickness", "image", "curvature"};
+  std::vector<std::string> rules{"uniform", "graded", "thickness", "image", "curvature"};
   line.app.add_option("--only", only, "cases whose name holds this");
-  line.app.add_option("--wishes", wishes, "kinds of wish")
+  line.app.add_option("--rules", rules, "kinds of rule")
       ->delimiter(',')
-      ->check(CLI::IsMember(wishes))
+      ->check(CLI::IsMember(rules))
       ->capture_default_str();
   line.parse(argc, argv);
 
@@ -228,14 +228,14 @@ int main(int argc, char** argv) {
   print_heading();
   for (const std::string& method : line.methods)
     for (const Case& c : all_cases(method))
-      for (const std::string& wish : wishes) {
-        const std::string name = c.name + ", " + wish;
+      for (const std::string& rule : rules) {
+        const std::string name = c.name + ", " + rule;
         if (name.find(only) == std::string::npos) continue;
         Session session;
         RunContext ctx;
         Status done = c.open(session);
         if (done) done = session.run(Stage::kVolume, ctx);
-        if (done) done = sweep_case(wish, name, session, findings);
+        if (done) done = sweep_case(rule, name, session, findings);
         if (!done) findings.add_error(name, done.error());
       }
   return findings.finish(line.json_file);

@@ -110,7 +110,7 @@ void print_row(const std::string& name, const TetFigures& f) {
               f.rate() / 1000, static_cast<double>(f.tets_after) / (f.fill_s + f.optimise_s) / 1000);
 }
 
-/// Distance to the label surface and log2(edge / wish) of one of the session's meshes.
+/// Distance to the label surface and log2(edge / target) of one of the session's meshes.
 Status print_fidelity(const char* what, const TetMesh& mesh, const Session& session, nlohmann::json& row) {
   RunContext ctx;
   const Result<QualityReport> report =

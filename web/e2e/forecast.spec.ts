@@ -27,12 +27,12 @@ test('the forecast follows the sizes, is right about the mesh, and goes when the
   const edge = page.getByLabel('Edge length', { exact: true });
   await edge.fill('4');
   await expect.poll(() => foretold(page)).toBeGreaterThan(1.2 * coarse);
-  const wished = await foretold(page);
+  const expected = await foretold(page);
   await page.getByTestId('run').click();
   await meshed(page);
   await expect(note(page)).toHaveCount(0);
   const found = await tetCount(page);
-  expect(Math.abs(found / wished - 1)).toBeLessThan(0.3);
+  expect(Math.abs(found / expected - 1)).toBeLessThan(0.3);
   await undo(page).click();
   await expect.poll(() => foretold(page)).toBe(coarse);
   await page.waitForTimeout(1000); // longer than a preview waits

@@ -1,4 +1,4 @@
-/** Cases of other versions, labels that are looked up, errors that have a place. */
+/** Cases of other versions, labels that are transferred, errors that have a place. */
 import { expect, idle, link, meshed, smallHeart, stage, test } from './support';
 
 test('a saved case of another version is taken up without the fields that are gone, which are named', async ({
@@ -19,7 +19,7 @@ test('a saved case of another version is taken up without the fields that are go
           const reading = store.get('recipe');
           reading.onsuccess = () => {
             const kept = reading.result;
-            delete kept.recipe.lookup;
+            delete kept.recipe.transfer;
             kept.recipe.merge = true;
             kept.recipe.remesh.smoothing_voxels = 0.7;
             const writing = store.put(kept, 'recipe');
@@ -35,7 +35,7 @@ test('a saved case of another version is taken up without the fields that are go
   await expect(stage(page, 'smooth')).toHaveAttribute('data-state', 'done');
 });
 
-test('a label is looked up instead of meshed, coloured by its share and compared with its voxels', async ({
+test('a label is transferred instead of meshed, coloured by its share and compared with its voxels', async ({
   page,
 }) => {
   await page.goto(link(smallHeart));
@@ -43,11 +43,11 @@ test('a label is looked up instead of meshed, coloured by its share and compared
   await idle(page);
   for (const name of ['scar core', 'border zone'])
     await page.getByLabel(`Region of ${name}`).selectOption({ label: '1 with LV myocardium' });
-  await page.getByText('Look up in the image').click();
-  await page.getByLabel('Look up scar core').check();
+  await page.getByText('Label transfer').click();
+  await page.getByLabel('Transfer scar core').check();
   await page.getByTestId('run').click();
   await meshed(page);
-  await expect(page.getByTestId('lookup').locator('tbody tr')).toHaveCount(1);
+  await expect(page.getByTestId('transfer').locator('tbody tr')).toHaveCount(1);
   await page.getByLabel('Colour by').selectOption({ label: 'Share of scar core' });
   await expect(page.locator('.legend')).toContainText('Share of scar core');
   await page.getByLabel('Colour by').selectOption({ label: 'Majority label' });

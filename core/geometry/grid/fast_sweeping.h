@@ -1,4 +1,4 @@
-// Bounds how fast the wished edge length may change from place to place.
+// Bounds how fast the target edge length may change from place to place.
 #pragma once
 
 #include <Eigen/Core>

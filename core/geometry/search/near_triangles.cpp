@@ -26,8 +26,8 @@ CubeGrid cubes_around(std::span<const NearQuery> queries) {
     high = high.cwiseMax(query.point);
   }
   const Vector3d extent = high - low;
-  const double wished = std::cbrt(extent.prod() / (kCubesPerPoint * static_cast<double>(queries.size())));
-  return {low, high, std::max({wished, extent.maxCoeff() / kMostOnAxis, std::numeric_limits<double>::min()})};
+  const double cube = std::cbrt(extent.prod() / (kCubesPerPoint * static_cast<double>(queries.size())));
+  return {low, high, std::max({cube, extent.maxCoeff() / kMostOnAxis, std::numeric_limits<double>::min()})};
 }
 
 /// Those within the limits.

@@ -40,7 +40,7 @@ json counts_of(const LayersResult& result) {
   return {{"walls", result.exact.size()}};
 }
 
-json counts_of(const LabelLookUp& found) {
+json counts_of(const LabelTransfer& found) {
   return {{"labels", found.labels.size()}};
 }
 
@@ -65,7 +65,7 @@ void add_arrays(const SizingField& field, StageArrays& out) {
                  Field{"h_mm", "Target edge length", "mm", On::kVoxels, Scale::kSequential, 1, {}}});
 }
 
-void add_arrays(const LabelLookUp& found, StageArrays& out) {
+void add_arrays(const LabelTransfer& found, StageArrays& out) {
   add_arrays(found.fields, out);
 }
 

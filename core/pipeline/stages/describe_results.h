@@ -17,7 +17,7 @@ nlohmann::json counts_of(const TetMesh& mesh);          ///< {points, tets, face
 nlohmann::json counts_of(const WallsResult& result);    ///< {walls}
 nlohmann::json counts_of(const SizingField& field);     ///< {size, index_to_mm, min_mm, max_mm}
 nlohmann::json counts_of(const LayersResult& result);   ///< {walls}: those with exact layers
-nlohmann::json counts_of(const LabelLookUp& found);     ///< {labels}
+nlohmann::json counts_of(const LabelTransfer& found);   ///< {labels}
 nlohmann::json counts_of(const QualityReport& report);  ///< {}: the report has it all elsewhere
 nlohmann::json counts_of(const Trajectory& result);     ///< {frames, end_ms}
 
@@ -25,7 +25,7 @@ nlohmann::json counts_of(const Trajectory& result);     ///< {frames, end_ms}
 void add_arrays(const VolumeResult& result, StageArrays& out);
 void add_arrays(const WallsResult& result, StageArrays& out);
 void add_arrays(const SizingField& field, StageArrays& out);
-void add_arrays(const LabelLookUp& found, StageArrays& out);
+void add_arrays(const LabelTransfer& found, StageArrays& out);
 void add_arrays(const QualityReport& report, StageArrays& out);
 void add_arrays(const Trajectory& result, StageArrays& out);  ///< of the last frame
 

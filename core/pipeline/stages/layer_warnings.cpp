@@ -16,7 +16,7 @@ void warn_about_layers(std::size_t wall, Layering layering, const LayerCount& fo
   if (layering != Layering::kExact || found.by_edges.exact >= kNearlyAll) return;
   char share[16];
   std::snprintf(share, sizeof share, "%.0f %%", 100 * found.by_edges.exact);
-  ctx.warn("quality", name + "exactly " + std::to_string(found.wished) + " on " + share +
+  ctx.warn("quality", name + "exactly " + std::to_string(found.target_layers) + " on " + share +
                           " of the wall's area, by edges: the others have no room there");
 }
 

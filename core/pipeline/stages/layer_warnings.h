@@ -8,7 +8,7 @@
 namespace voxtet {
 
 /// Warns where layers could not be counted, and where fewer than nearly all of a wall has the exact layers
-/// that were wished. `wall`: number of the wall in sizing.thickness.
+/// that were asked for. `wall`: number of the wall in sizing.thickness.
 void warn_about_layers(std::size_t wall, Layering layering, const LayerCount& found, const RunContext& ctx);
 
 }  // namespace voxtet

@@ -56,7 +56,7 @@ std::size_t memory_bytes(const LayersResult&) {
   return sizeof(LayersResult);
 }
 
-std::size_t memory_bytes(const LabelLookUp& found) {
+std::size_t memory_bytes(const LabelTransfer& found) {
   return bytes_of(found.fields);
 }
 

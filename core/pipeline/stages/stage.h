@@ -29,7 +29,7 @@ enum class Stage {
   kRemesh,
   kTetra,
   kOptimise,
-  kLookup,
+  kTransfer,
   kQuality,
   kDiffusion
 };

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "types/field.h"
-#include "types/label_lookup.h"
+#include "types/label_transfer.h"
 #include "types/quality_report.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
@@ -61,7 +61,7 @@ std::size_t memory_bytes(const TetMesh& mesh);
 std::size_t memory_bytes(const WallsResult& result);
 std::size_t memory_bytes(const SizingField& sizing);
 std::size_t memory_bytes(const LayersResult& result);
-std::size_t memory_bytes(const LabelLookUp& found);
+std::size_t memory_bytes(const LabelTransfer& found);
 std::size_t memory_bytes(const QualityReport& report);
 std::size_t memory_bytes(const Trajectory& result);
 template <class Mesh>

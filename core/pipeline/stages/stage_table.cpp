@@ -4,7 +4,6 @@
 #include <set>
 
 #include "base/digest.h"
-#include "lookup/look_up_labels.h"
 #include "phantom/make_phantom.h"
 #include "pipeline/stages/describe_results.h"
 #include "pipeline/stages/diffusion_stage.h"
@@ -21,6 +20,7 @@
 #include "tetra/fill/fill_tets.h"
 #include "tetra/optimise/deepen_walls.h"
 #include "tetra/optimise/optimise_tets.h"
+#include "transfer/transfer_labels.h"
 #include "volume/select_labels.h"
 #include "walls/measure_wall.h"
 
@@ -104,11 +104,11 @@ Status run_walls(const StageInputs& in, const Recipe& recipe, StageOutput& out, 
   const PreparedVolume& volume = in.get<VolumeResult>(Stage::kVolume).prepared;
   WallsResult result;
   Walls& walls = result.walls;
-  for (const ThicknessSize& wish : recipe.sizing.thickness) {
+  for (const ThicknessSize& rule : recipe.sizing.thickness) {
     const std::string name = "sizing.thickness[" + std::to_string(walls.size()) + "]";
     Result<WallField> wall =
         measure_wall({*volume.anatomy, *volume.prepared, in.get<SurfaceMesh>(Stage::kSmooth)},
-                     {wish.wall, wish.inner, wish.layering == Layering::kExact}, name, ctx);
+                     {rule.wall, rule.inner, rule.layering == Layering::kExact}, name, ctx);
     if (!wall) return wall.error();
     walls.push_back(std::move(wall).value());
   }
@@ -171,7 +171,7 @@ Status run_remesh(const StageInputs& in, const Recipe& recipe, StageOutput& out,
       remesh_surface(volume_of(in), in.get<SurfaceMesh>(Stage::kSmooth), in.get<SizingField>(Stage::kSizing),
                      recipe.remesh, ctx, layers);
   if (!surface) return surface.error();
-  // The method remesh may have had to help out, without sheets.
+  // The method adapt may have had to help out, without sheets.
   if (std::none_of(surface->sides.begin(), surface->sides.end(),
                    [&](const Sides& sides) { return layers.is_layer(sides[0]); })) {
     out.put(LayeredSurface{std::move(surface).value(), {}});
@@ -226,18 +226,18 @@ Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& ou
              out);
 }
 
-Status run_lookup(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
-  return put(look_up_labels(in.get<TetMesh>(Stage::kOptimise), *in.get<VolumeResult>(Stage::kVolume).source,
-                            recipe.lookup, ctx),
+Status run_transfer(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  return put(transfer_labels(in.get<TetMesh>(Stage::kOptimise), *in.get<VolumeResult>(Stage::kVolume).source,
+                             recipe.transfer, ctx),
              out);
 }
 
 Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   const Walls& all = in.get<WallsResult>(Stage::kWalls).walls;
-  std::vector<std::size_t> wished;
+  std::vector<std::size_t> counted;
   for (std::size_t w = 0; w < all.size(); ++w)
-    if (recipe.sizing.thickness[w].layers > 0) wished.push_back(w);
-  const std::vector<LayeredWall> walls = layered(all, wished, recipe);
+    if (recipe.sizing.thickness[w].layers > 0) counted.push_back(w);
+  const std::vector<LayeredWall> walls = layered(all, counted, recipe);
   Result<QualityReport> report =
       measure_quality(in.get<TetMesh>(Stage::kOptimise),
                       {volume_of(in), *in.get<VolumeResult>(Stage::kVolume).prepared.selected,
@@ -250,8 +250,8 @@ Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out
     error.where.on = On::kTets;
     return error;
   }
-  for (std::size_t w = 0; w < wished.size(); ++w)
-    warn_about_layers(wished[w], recipe.sizing.thickness[wished[w]].layering, report->layers[w], ctx);
+  for (std::size_t w = 0; w < counted.size(); ++w)
+    warn_about_layers(counted[w], recipe.sizing.thickness[counted[w]].layering, report->layers[w], ctx);
   return put(std::move(report), out);
 }
 
@@ -361,21 +361,21 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .counts = counts<TetMesh>,
        .arrays = arrays<TetMesh>,
        .digest = digest<TetMesh>},
-      {.stage = Stage::kLookup,
-       .name = "lookup",
-       .title = "Labels looked up",
+      {.stage = Stage::kTransfer,
+       .name = "transfer",
+       .title = "Label transfer",
        .shown = false,
        .inputs = {Stage::kVolume, Stage::kOptimise},
-       .reads = {"lookup"},
-       .run = run_lookup,
-       .counts = counts<LabelLookUp>,
-       .arrays = arrays<LabelLookUp>},
-      // What was looked up stands in the evidence, though no figure of it.
+       .reads = {"transfer"},
+       .run = run_transfer,
+       .counts = counts<LabelTransfer>,
+       .arrays = arrays<LabelTransfer>},
+      // What was transferred stands in the evidence, though no figure of it.
       {.stage = Stage::kQuality,
        .name = "quality",
        .title = "Evidence",
        .inputs = {Stage::kVolume, Stage::kSmooth, Stage::kWalls, Stage::kSizing, Stage::kRemesh,
-                  Stage::kOptimise, Stage::kLookup},
+                  Stage::kOptimise, Stage::kTransfer},
        .reads = {"quality"},
        .run = run_quality,
        .counts = counts<QualityReport>,

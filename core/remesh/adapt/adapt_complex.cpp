@@ -39,11 +39,11 @@ class Adapter : public HealingPasses {
   bool open_worst_angle(std::uint32_t t);
 };
 
-/// Lifts sheets until the labels have the reference's volumes.
+/// Offsets interfaces along their normals until the labels have the reference's volumes.
 bool Adapter::balance() {
   constexpr int kRounds = 2;
   for (int round = 0; round < kRounds; ++round) {
-    lift_towards_volumes();
+    offset_towards_volumes();
     if (!relocate_all()) return false;
   }
   return true;

@@ -30,13 +30,13 @@ struct AdaptRecord {
 };
 
 /// Adapts `reference` (closed for every label, manifold for every label, free of self-intersections) to
-/// `sizing`; the median edge is as long as wished. The result has the same topology, label by label, and is
+/// `sizing`; the median edge has the target length. The result has the same topology, label by label, and is
 /// free of self-intersections: every operation keeps both. A limit that the reference itself breaks is kept
 /// in the sense that nothing near becomes worse, and the polish tries to mend it; where nothing may be done
 /// the input remains. Distances to the reference, both ways, stay below the envelope at samples (its
 /// vertices; points less than a voxel apart on the result), the volume of each label is balanced to the
-/// reference's. Sheets that face each other stay apart by a quarter of the wished length, or by what they
-/// had. Wishes are met where topology and envelope allow.
+/// reference's. Sheets that face each other stay apart by a quarter of the target edge length, or by what
+/// they had. Target lengths are met where topology and envelope allow.
 ///
 /// Zilske, Lamecker and Zachow, "Adaptive remeshing of non-manifold surfaces", Eurographics 2008; link
 /// conditions by Dey et al. 1999; areas by Surazhsky and Gotsman 2003. About 11 microseconds a triangle of

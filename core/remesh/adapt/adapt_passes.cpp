@@ -180,7 +180,7 @@ bool AdaptPasses::open_fold(std::uint32_t a, std::uint32_t b, const std::vector<
   return false;
 }
 
-void AdaptPasses::lift_towards_volumes() {
+void AdaptPasses::offset_towards_volumes() {
   constexpr double kMostVoxels = 0.1;
   const ComplexMesh& mesh = editor_.mesh();
   std::vector<double> lacking = volumes_;
@@ -188,7 +188,7 @@ void AdaptPasses::lift_towards_volumes() {
   for (std::size_t l = 0; l < lacking.size(); ++l) lacking[l] -= now[l];
   const std::vector<double> more =
       volume_offsets(mesh.sides(), pair_areas(mesh), lacking, kMostVoxels * params_.voxel_mm);
-  for (std::size_t pair = 0; pair < more.size(); ++pair) operations_.lifts[pair] += more[pair];
+  for (std::size_t pair = 0; pair < more.size(); ++pair) operations_.offsets[pair] += more[pair];
 }
 
 }  // namespace voxtet::remesh

@@ -21,7 +21,7 @@ namespace voxtet::remesh {
 double cosine_of_deg(double deg);
 
 /// Each pass goes through vertices, edges or triangles in their order; those that return bool are false when
-/// cancelled. Lengths are in wished lengths.
+/// cancelled. Lengths are in target edge lengths.
 class AdaptPasses {
  public:
   /// Both complexes have the same table of sides.
@@ -67,7 +67,7 @@ class AdaptPasses {
   /// Flips the edge away, moves corners, or closes triangles; whether anything was done.
   bool open_fold(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& around);
   /// Relocation puts sheets where the labels have the reference's volumes, to first order.
-  void lift_towards_volumes();
+  void offset_towards_volumes();
 
   bool alive(std::uint32_t v) const { return !editor_.mesh().star(v).empty(); }
   bool step(double share) {

@@ -54,9 +54,9 @@ bool FacetMender::approach(std::uint32_t t, double reach_mm) {
   bool any = false;
   for (int step = 0; step < kMostSteps && editor_.mesh().alive(t); ++step) {
     if (editor_.well_sampled(t, kNearShare * reach_mm)) break;
-    const ComplexEditor::Breach breach = editor_.farthest(t);
-    if (breach.distance2 <= reach_mm * reach_mm || breach.distance2 > most_mm * most_mm) break;
-    if (!bring_nearer(t, breach)) {
+    const ComplexEditor::Deviation deviation = editor_.farthest(t);
+    if (deviation.distance2 <= reach_mm * reach_mm || deviation.distance2 > most_mm * most_mm) break;
+    if (!bring_nearer(t, deviation)) {
       ++failures_of(t);
       break;
     }
@@ -68,17 +68,17 @@ bool FacetMender::approach(std::uint32_t t, double reach_mm) {
 /// Shifts of corners, flips, splits and collapses, whichever brings what is farthest nearer; first those that
 /// keep the angles, then those after which they can be opened, then by more points. Beyond the envelope,
 /// last, what splits first.
-bool FacetMender::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach) {
+bool FacetMender::bring_nearer(std::uint32_t t, const ComplexEditor::Deviation& deviation) {
   const ComplexMesh& mesh = editor_.mesh();
   const Triangle corners = mesh.triangle(t);
   std::array<std::pair<double, std::size_t>, 3> by_weight, by_length;  // the second is a corner
   for (std::size_t i = 0; i < 3; ++i) {
-    by_weight[i] = {-breach.weights[static_cast<Eigen::Index>(i)], i};
+    by_weight[i] = {-deviation.weights[static_cast<Eigen::Index>(i)], i};
     by_length[i] = {-(mesh.point(corners[(i + 1) % 3]) - mesh.point(corners[(i + 2) % 3])).squaredNorm(), i};
   }
   std::sort(by_weight.begin(), by_weight.end());
   std::sort(by_length.begin(), by_length.end());
-  const double nearer_mm = kNearerShare * std::sqrt(breach.distance2);
+  const double nearer_mm = kNearerShare * std::sqrt(deviation.distance2);
   editor_.limits.nearer_mm = nearer_mm;
   for (const Healing healing : kHealings) {
     const auto done = [&](auto&& operation) {
@@ -91,7 +91,7 @@ bool FacetMender::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& bre
     for (const double step : {1.0, 0.5, 0.25})
       for (const auto& [weight, i] : by_weight) {
         const std::uint32_t v = corners[i];
-        if (-weight > kLeastWeight && shift(v, step * breach.toward)) return true;
+        if (-weight > kLeastWeight && shift(v, step * deviation.toward)) return true;
         std::uint32_t hint = editor_.hint(v);
         if (mesh.stratum(v) != Stratum::kCurve || hint == kNone) continue;
         if (shift(v, step * (editor_.reference().walk_curve(mesh.point(v), hint) - mesh.point(v))))
@@ -106,10 +106,10 @@ bool FacetMender::bring_nearer(std::uint32_t t, const ComplexEditor::Breach& bre
         return true;
     }
   }
-  if (breach.distance2 <= editor_.limits.reach_mm * editor_.limits.reach_mm) return false;
+  if (deviation.distance2 <= editor_.limits.reach_mm * editor_.limits.reach_mm) return false;
   for (const double step : {1.0, 0.5, 0.25})
     for (const auto& [weight, i] : by_weight)
-      if (-weight > kLeastWeight && split_and_shift(corners[i], step * breach.toward)) return true;
+      if (-weight > kLeastWeight && split_and_shift(corners[i], step * deviation.toward)) return true;
   return false;
 }
 

@@ -27,7 +27,7 @@ class FacetMender : public HealingPasses {
 
  private:
   bool approach(std::uint32_t t, double reach_mm);
-  bool bring_nearer(std::uint32_t t, const ComplexEditor::Breach& breach);
+  bool bring_nearer(std::uint32_t t, const ComplexEditor::Deviation& deviation);
   bool split_and_shift(std::uint32_t v, const Eigen::Vector3d& by);
   bool unfold(std::uint32_t a, std::uint32_t b);
   bool is_flatter(double sharpest);

@@ -53,7 +53,7 @@ bool HealingPasses::attempt(Operation&& operation, Demanded&& demanded, Healing 
   const EditLimits strict = editor_.limits;
   const int most_splits = healing == Healing::kPoints ? kHealingSplits : 0;
   editor_.limits.angle_cosine = std::max(strict.angle_cosine, trial_cosine_);
-  if (most_splits > 0) editor_.limits.keeps_balls = false;
+  if (most_splits > 0) editor_.limits.keeps_delaunay = false;
   const bool good = tried(operation, [&] { return heal(strict.angle_cosine, most_splits) && demanded(); });
   editor_.limits = strict;
   return good;

@@ -12,7 +12,7 @@ namespace voxtet::remesh {
 namespace {
 
 constexpr double kContentVoxels = 0.1;  ///< a sample this near to a triangle may be its
-constexpr double kShort = 0.72;         ///< in wished lengths; refined surfaces have few natural edges below
+constexpr double kShort = 0.72;  ///< in target edge lengths; refined surfaces have few natural edges below
 constexpr double kRefinedGapShare = 0.2;  ///< EditLimits::gap_share; where sheets are near, edges stay short
 constexpr double kLatticeVoxels = 0.6;
 
@@ -42,7 +42,7 @@ class Improver : public FacetMender {
 };
 
 bool Improver::run() {
-  editor_.limits.adapted = editor_.limits.keeps_balls = true;
+  editor_.limits.adapted = editor_.limits.keeps_delaunay = true;
   editor_.limits.gap_share = kRefinedGapShare;
   editor_.limits.lattice_mm = kLatticeVoxels * params_.voxel_mm;
   fit_cells();
@@ -202,7 +202,7 @@ bool Improver::relocate_touched() {
     for (const std::uint32_t other : operations_.neighbours(v)) touched[other] = true;
   }
   for (int round = 0; round < kRounds; ++round) {
-    lift_towards_volumes();
+    offset_towards_volumes();
     for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
       if (cancelled_at(v)) return false;
       if (touched[v] && alive(v)) operations_.relocate(v);

@@ -10,11 +10,11 @@
 namespace voxtet::remesh {
 
 /// Mends `surface` (conforming, closed for every label, free of self-intersections) where refinement left it
-/// finer than wished, folded, or farther from `reference` than the envelope: edges are collapsed, tubes of
-/// three edges around get fewer rings, vertices of junction curves and around what changed are relocated,
-/// facets brought nearer. Each operation is one of adapt_complex's transactions, so topology is kept and
-/// nothing intersects; one that leaves planar angles below params.min_angle_deg is followed by others that
-/// open them, or taken back. Where the surface breaks a limit already it does not become worse.
+/// finer than `sizing` asks, folded, or farther from `reference` than the envelope: edges are collapsed,
+/// tubes of three edges around get fewer rings, vertices of junction curves and around what changed are
+/// relocated, facets brought nearer. Each operation is one of adapt_complex's transactions, so topology is
+/// kept and nothing intersects; one that leaves planar angles below params.min_angle_deg is followed by
+/// others that open them, or taken back. Where the surface breaks a limit already it does not become worse.
 /// params.schedule does not matter.
 ///
 /// Deterministic. Errors: kCancelled, kOutOfMemory.

@@ -8,7 +8,7 @@ namespace {
 
 /// Triangles around a collapsed vertex; more would be slow to check.
 constexpr std::size_t kLargestStar = 48;
-constexpr double kLeastMove = 0.01;        ///< in wished lengths; a shorter way is not worth its checks
+constexpr double kLeastMove = 0.01;        ///< in target edge lengths; a shorter way is not worth its checks
 constexpr double kFlipTurnCosine = 0.866;  ///< the two triangles of a flip are within 30 degrees
 
 }  // namespace

@@ -13,15 +13,16 @@ namespace voxtet::remesh {
 /// Botsch and Kobbelt, "A remeshing approach to multiresolution modeling", 2004, on a non-manifold complex.
 class LocalOperations {
  public:
-  explicit LocalOperations(ComplexEditor& editor) : lifts(editor.mesh().sides().size(), 0), editor_(editor) {}
+  explicit LocalOperations(ComplexEditor& editor)
+      : offsets(editor.mesh().sides().size(), 0), editor_(editor) {}
 
   double shape_weight = 0.7;
-  std::vector<double> lifts;  ///< by pair of labels: how far above the reference its sheets shall be, mm
+  std::vector<double> offsets;  ///< by pair of labels: how far above the reference its sheets shall be, mm
   std::array<std::uint64_t, 4> accepted{};  ///< splits, collapses, flips, relocations
 
   /// A new vertex in the middle, on the reference.
   bool split(std::uint32_t a, std::uint32_t b, Demand demand = Demand::kAllowed);
-  /// a goes to b, or both to their middle where a may do so. No edge becomes longer than `longest` wished
+  /// a goes to b, or both to their middle where a may do so. No edge becomes longer than `longest` target
   /// lengths, or than it was before.
   bool collapse(std::uint32_t a, std::uint32_t b, double longest, Demand demand = Demand::kAllowed);
   bool flip(std::uint32_t a, std::uint32_t b, Demand demand);
@@ -48,7 +49,7 @@ class LocalOperations {
   std::uint32_t other_curve_end(std::uint32_t v, std::uint32_t not_this) const;
   bool move(std::uint32_t v, Demand demand, double step);
   Eigen::Vector3d surface_target(std::uint32_t v, Demand demand, double step, std::uint32_t& hint);
-  double wished_area(const Triangle& t) const;
+  double target_area(const Triangle& t) const;
   Eigen::Vector3d curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, double step,
                                std::uint32_t& hint) const;
   Eigen::Vector3d fit_height(std::uint32_t v, const Eigen::Vector3d& at, const Eigen::Vector3d& normal,

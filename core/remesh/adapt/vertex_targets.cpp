@@ -10,8 +10,8 @@
 namespace voxtet::remesh {
 namespace {
 
-constexpr double kOwnWeight = 0.1;    ///< of the vertex itself among the samples, where there are few
-constexpr double kLongestLift = 0.8;  ///< of the envelope, in one step
+constexpr double kOwnWeight = 0.1;      ///< of the vertex itself among the samples, where there are few
+constexpr double kLargestOffset = 0.8;  ///< of the envelope, in one step
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Eigen::Vector3d LocalOperations::surface_target(std::uint32_t v, Demand demand, 
   for (const std::uint32_t t : mesh.star(v)) {
     const Triangle& c = mesh.triangle(t);
     const std::size_t at = c[0] == v ? 0 : c[1] == v ? 1 : 2;
-    ring_.push_back({mesh.point(c[(at + 1) % 3]), mesh.point(c[(at + 2) % 3]), wished_area(c)});
+    ring_.push_back({mesh.point(c[(at + 1) % 3]), mesh.point(c[(at + 2) % 3]), target_area(c)});
     if (demand == Demand::kAllowed) continue;
     const double open = 1.001 - sharpest_cosine({x, ring_.back().p, ring_.back().q});
     ring_.back().need = 1 / (open * open);
@@ -34,10 +34,10 @@ Eigen::Vector3d LocalOperations::surface_target(std::uint32_t v, Demand demand, 
   return fit_height(v, x + step * to.step, to.normal, hint);
 }
 
-/// In squares of the wished length.
-double LocalOperations::wished_area(const Triangle& t) const {
-  const double wish = editor_.size(t[0]) + editor_.size(t[1]) + editor_.size(t[2]);
-  return wish * wish;
+/// In squares of the target edge length.
+double LocalOperations::target_area(const Triangle& t) const {
+  const double target = editor_.size(t[0]) + editor_.size(t[1]) + editor_.size(t[2]);
+  return target * target;
 }
 
 /// Moves `at` along the normal so that the facets from it to the link pass between the samples in the sense
@@ -48,7 +48,7 @@ Eigen::Vector3d LocalOperations::fit_height(std::uint32_t v, const Eigen::Vector
   const ComplexMesh& mesh = editor_.mesh();
   const ReferenceSurface& reference = editor_.reference();
   const PairId pair = mesh.pair(mesh.star(v).front());
-  const Eigen::Vector3d on = reference.walk(at, pair, hint) + lifts[pair] * normal;
+  const Eigen::Vector3d on = reference.walk(at, pair, hint) + offsets[pair] * normal;
   double area = 0, above = 0, weight = 0;
   for (const std::uint32_t t : mesh.star(v)) {
     const Triangle& c = mesh.triangle(t);
@@ -63,7 +63,7 @@ Eigen::Vector3d LocalOperations::fit_height(std::uint32_t v, const Eigen::Vector
       // The share of the apex in the point of the facet below the sample.
       const double share = (q - p).cross(off).dot(cross) / size2;
       if (share <= 0 || share > 1) return;
-      const double height = off.dot(cross) / facing + lifts[pair];
+      const double height = off.dot(cross) / facing + offsets[pair];
       above += reference.area(s) * share * height;
       weight += reference.area(s) * share * share;
     });
@@ -71,12 +71,12 @@ Eigen::Vector3d LocalOperations::fit_height(std::uint32_t v, const Eigen::Vector
   const double own = kOwnWeight * area / 3;
   above += own * (on - at).dot(normal);
   weight += own;
-  const double lift = (on - at).dot(normal), most = kLongestLift * editor_.limits.reach_mm;
-  return at + std::clamp(above / weight, lift - most, lift + most) * normal;
+  const double offset = (on - at).dot(normal), most = kLargestOffset * editor_.limits.reach_mm;
+  return at + std::clamp(above / weight, offset - most, offset + most) * normal;
 }
 
-/// Between the two neighbours, equally far in wished lengths; then aside, so that the two edges pass between
-/// the samples of the curve in the sense of least squares.
+/// Between the two neighbours, equally far in target edge lengths; then aside, so that the two edges pass
+/// between the samples of the curve in the sense of least squares.
 Eigen::Vector3d LocalOperations::curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, double step,
                                               std::uint32_t& hint) const {
   const ComplexMesh& mesh = editor_.mesh();
@@ -101,7 +101,7 @@ Eigen::Vector3d LocalOperations::curve_target(std::uint32_t v, std::uint32_t p, 
     });
   }
   aside /= weight;
-  const double most = kLongestLift * editor_.limits.reach_mm, length = aside.norm();
+  const double most = kLargestOffset * editor_.limits.reach_mm, length = aside.norm();
   return on + (length > most ? most / length : 1) * aside;
 }
 

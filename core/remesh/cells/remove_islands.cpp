@@ -140,7 +140,7 @@ Label label_around(const LabelledCells& cells, const std::vector<std::uint32_t>&
 
 std::size_t remove_islands(LabelledCells& cells, const LabelField& field, const VoxelPieces& pieces,
                            std::vector<InterfaceFacet>* torn) {
-  std::vector<std::vector<std::uint32_t>> fragments;
+  std::vector<std::vector<std::uint32_t>> islands;
   std::vector<std::size_t> largest(65536, 0);
   std::vector<std::uint8_t> seen(cells.labels.size(), 0);
   std::vector<std::uint32_t> group;
@@ -156,30 +156,30 @@ std::size_t remove_islands(LabelledCells& cells, const LabelField& field, const 
       }
     std::size_t& most = largest[cells.labels[first]];
     most = std::max(most, group.size());
-    if (group.size() <= kMostCells) fragments.push_back(group);
+    if (group.size() <= kMostCells) islands.push_back(group);
   }
   std::vector<std::vector<std::size_t>> voxels_of;
   std::set<std::size_t> held;
-  for (const std::vector<std::uint32_t>& fragment : fragments) {
-    voxels_of.push_back(voxels_in(cells, fragment, field));
+  for (const std::vector<std::uint32_t>& island : islands) {
+    voxels_of.push_back(voxels_in(cells, island, field));
     held.insert(voxels_of.back().begin(), voxels_of.back().end());
   }
   std::size_t changed = 0;
-  for (std::size_t f = 0; f < fragments.size(); ++f) {
-    const std::vector<std::uint32_t>& fragment = fragments[f];
-    if (fragment.size() == largest[cells.labels[fragment.front()]]) continue;
+  for (std::size_t f = 0; f < islands.size(); ++f) {
+    const std::vector<std::uint32_t>& island = islands[f];
+    if (island.size() == largest[cells.labels[island.front()]]) continue;
     std::vector<std::size_t>& voxels = voxels_of[f];
     if (voxels.empty())
-      if (const auto beside = voxel_beside(cells, fragment, field); beside && held.insert(*beside).second)
+      if (const auto beside = voxel_beside(cells, island, field); beside && held.insert(*beside).second)
         voxels.push_back(*beside);
     if (is_piece(voxels, pieces)) continue;
     if (torn && !voxels.empty()) {
-      const std::vector<InterfaceFacet> lids = lids_of(cells, fragment);
+      const std::vector<InterfaceFacet> lids = lids_of(cells, island);
       torn->insert(torn->end(), lids.begin(), lids.end());
     }
-    const Label label = label_around(cells, fragment);
-    for (const std::uint32_t c : fragment) cells.labels[c] = label;
-    changed += fragment.size();
+    const Label label = label_around(cells, island);
+    for (const std::uint32_t c : island) cells.labels[c] = label;
+    changed += island.size();
   }
   return changed;
 }

@@ -1,4 +1,4 @@
-// Removes the crumbs of labels that a coarse triangulation leaves beside an interface.
+// Removes the small components of labels that a coarse triangulation leaves beside an interface.
 #pragma once
 
 #include <cstddef>

@@ -43,8 +43,8 @@ enum class Refusal : std::uint8_t {
   kIntersection,
   kDihedral,
   kGap,
-  kBall,
+  kNotDelaunay,
 };
-inline constexpr std::size_t kRefusalCount = static_cast<std::size_t>(Refusal::kBall) + 1;
+inline constexpr std::size_t kRefusalCount = static_cast<std::size_t>(Refusal::kNotDelaunay) + 1;
 
 }  // namespace voxtet::remesh

@@ -23,8 +23,8 @@ GabrielBalls::GabrielBalls(const TriangleCorners& p) {
 /// The point's power in respect of the ball with its centre at height s is its power in respect of the
 /// smallest one less 2 s times its own height.
 bool GabrielBalls::leave_out(const Eigen::Vector3d& point) {
-  const Eigen::Vector3d way = point - centre_;
-  const double power = way.squaredNorm() - kInside * radius2_, height = way.dot(normal_);
+  const Eigen::Vector3d offset = point - centre_;
+  const double power = offset.squaredNorm() - kInside * radius2_, height = offset.dot(normal_);
   if (height == 0) {
     if (power >= 0) return false;
     high_ = low_ - 1;

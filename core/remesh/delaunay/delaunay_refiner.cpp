@@ -136,8 +136,8 @@ struct DelaunayRefiner::Impl {
     const Vector3d q = to_vector(cell->vertex(corners[1])->point());
     const Vector3d r = to_vector(cell->vertex(corners[2])->point());
     const double ball = (centre - p).squaredNorm();
-    const double wished = criteria.radius_per_edge * sizing.at(centre);
-    const double relative = std::sqrt(ball) / wished;
+    const double target = criteria.radius_per_edge * sizing.at(centre);
+    const double relative = std::sqrt(ball) / target;
     if (relative > 1) return 1 + relative;
     const double a = (q - p).squaredNorm(), b = (r - q).squaredNorm(), c = (p - r).squaredNorm();
     const Vector3d across = (q - p).cross(r - p);

@@ -21,7 +21,7 @@ namespace voxtet::remesh {
 struct RefineCriteria {
   double facet_angle_deg = 30;    ///< lower bound on planar angles; at most 30 for termination
   double max_distance_mm = 0.25;  ///< facet circumcentre to centre of the surface ball
-  double radius_per_edge = 0.8;   ///< surface ball radius allowed per wished edge length
+  double radius_per_edge = 0.8;   ///< surface ball radius allowed per target edge length
 };
 
 /// Holds the growing triangulation (CGAL Delaunay_triangulation_3). `field` and `sizing` must outlive it.

@@ -123,7 +123,7 @@ std::vector<Sides> pairs_of(const SurfaceMesh& surface) {
   return pairs;
 }
 
-/// The area between two labels in squared wished edge lengths.
+/// The area between two labels in squared target edge lengths.
 double area_between(const SurfaceMesh& surface, const Sides& sides, const SizingField& sizing) {
   double area = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {

@@ -17,7 +17,7 @@ struct DelaunayParams {
 };
 
 /// Seeds every interface, refines, then mends what a triangulation of finite size gets wrong at junctions
-/// (fragments, needle wedges, pinches), fits the points to the field, and adds points wherever `reference`,
+/// (islands, needle wedges, pinches), fits the points to the field, and adds points wherever `reference`,
 /// the label surface the field was made of, was missed, for a few rounds: ever closer ones, regardless of the
 /// sizing field, while the topology of the surface is not `wanted`, that of the reference. Facets are a
 /// subset of one Delaunay triangulation until the fit, which is taken back where it would make them

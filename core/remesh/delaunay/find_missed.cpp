@@ -128,10 +128,10 @@ ClosestPointTree tree_of(const SurfaceMesh& surface, std::span<const std::uint32
 /// Whether, straight behind or before a triangle, its label ends within so many mm.
 bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& field, double width_mm) {
   const Eigen::Vector3d middle = centroid(surface, t);
-  const Eigen::Vector3d way = width_mm * cross_of(surface, surface.triangles[t]).normalized();
+  const Eigen::Vector3d step = width_mm * cross_of(surface, surface.triangles[t]).normalized();
   const auto [behind, front] = surface.sides[t];
-  return field.at_index(field.to_index(middle - way)) != behind ||
-         field.at_index(field.to_index(middle + way)) != front;
+  return field.at_index(field.to_index(middle - step)) != behind ||
+         field.at_index(field.to_index(middle + step)) != front;
 }
 
 }  // namespace

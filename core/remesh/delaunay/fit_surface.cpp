@@ -198,8 +198,9 @@ class Shifts {
   const double farthest_mm_;
 };
 
-/// By triangle, the lift along its normal that its pair of labels needs for their volumes.
-std::vector<double> lifts_of(const SurfaceMesh& surface, const std::vector<double>& wished_mm3, double most) {
+/// By triangle, the offset along its normal that its pair of labels needs for their volumes.
+std::vector<double> offsets_of(const SurfaceMesh& surface, const std::vector<double>& target_mm3,
+                               double most) {
   std::vector<Sides> pairs = surface.sides;
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -211,17 +212,17 @@ std::vector<double> lifts_of(const SurfaceMesh& surface, const std::vector<doubl
         std::lower_bound(pairs.begin(), pairs.end(), surface.sides[t]) - pairs.begin()));
     areas[pair_of.back()] += triangle_area_mm2(surface.points[a], surface.points[b], surface.points[c]);
   }
-  std::vector<double> lacking = wished_mm3;
+  std::vector<double> lacking = target_mm3;
   const std::vector<double> now = enclosed_volumes_mm3(surface);
   for (std::size_t l = 0; l < std::min(now.size(), lacking.size()); ++l) lacking[l] -= now[l];
   const std::vector<double> by_pair = volume_offsets(pairs, areas, lacking, most);
-  std::vector<double> lifts;
-  for (const std::size_t pair : pair_of) lifts.push_back(by_pair[pair]);
-  return lifts;
+  std::vector<double> offsets;
+  for (const std::size_t pair : pair_of) offsets.push_back(by_pair[pair]);
+  return offsets;
 }
 
-/// One step of all points. `lifts`: by triangle, what its mean distance is to be besides 0; may be empty.
-void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& lifts, double most,
+/// One step of all points. `offsets`: by triangle, what its mean distance is to be besides 0; may be empty.
+void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& offsets, double most,
               Shifts& shifts) {
   std::vector<Matrix3d> normal(surface.points.size(), Matrix3d::Zero());
   std::vector<Vector3d> right(surface.points.size(), Vector3d::Zero());
@@ -233,7 +234,7 @@ void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<d
     const double area = across.norm();
     if (!(area > 0)) continue;
     const Vector3d n = across / area;
-    const double distance = distances[t] + (lifts.empty() ? 0 : lifts[t]);
+    const double distance = distances[t] + (offsets.empty() ? 0 : offsets[t]);
     for (const std::uint32_t corner : corners) {
       normal[corner] += area * n * n.transpose();
       right[corner] += area * distance * n;
@@ -282,13 +283,14 @@ void fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMes
   const double voxel = field.smallest_spacing_mm(), most = kMostShiftVoxels * voxel;
   const double farthest = kFarthestVoxels * voxel;
   Shifts shifts(surface, far_points(reference, surface, field.layers(), farthest - 2 * most), farthest);
-  std::vector<double> lifts;
-  fit_once(surface, field, lifts, most, shifts);
-  lifts.assign(surface.triangles.size(), 0);
+  std::vector<double> offsets;
+  fit_once(surface, field, offsets, most, shifts);
+  offsets.assign(surface.triangles.size(), 0);
   for (int step = 1; step < kSteps; ++step) {
-    const std::vector<double> more = lifts_of(surface, volumes_mm3, most);
-    for (std::size_t t = 0; t < lifts.size(); ++t) lifts[t] = std::clamp(lifts[t] + more[t], -most, most);
-    fit_once(surface, field, lifts, most / (1 << step), shifts);
+    const std::vector<double> more = offsets_of(surface, volumes_mm3, most);
+    for (std::size_t t = 0; t < offsets.size(); ++t)
+      offsets[t] = std::clamp(offsets[t] + more[t], -most, most);
+    fit_once(surface, field, offsets, most / (1 << step), shifts);
   }
   widen_thin(surface, shifts);
 }

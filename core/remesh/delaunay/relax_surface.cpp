@@ -69,8 +69,8 @@ class Relaxer {
     ring_.clear();
     double thinnest = kThinnestCosine;
     for (const Opposite& t : stars_.at(v)) {
-      const double wish = sizes_[v] + sizes_[t.p] + sizes_[t.q];
-      ring_.push_back({surface_.points[t.p], surface_.points[t.q], wish * wish});
+      const double target = sizes_[v] + sizes_[t.p] + sizes_[t.q];
+      ring_.push_back({surface_.points[t.p], surface_.points[t.q], target * target});
       thinnest = std::max(thinnest, sharpest_cosine({x, ring_.back().p, ring_.back().q}));
     }
     const TangentialStep to = tangential_relaxation(x, ring_, kShapeWeight);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kShrinkRounds = 6;  ///< how often the spacing shrinks to get them
 constexpr double kShrink = 0.6;
-constexpr double kSeparation = 0.5;         ///< of all points, in wished edge lengths
+constexpr double kSeparation = 0.5;         ///< of all points, in target edge lengths
 constexpr double kSeparationVoxels = 0.25;  ///< the least it may shrink to
 constexpr double kVerticesPerArea =
     0.8;  ///< measured: vertices of a finished surface per voxel-face area / edge^2

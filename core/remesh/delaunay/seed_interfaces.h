@@ -15,7 +15,7 @@ struct Seeds {
   double predicted_vertices = 0;        ///< rough size of the finished surface, for progress
 };
 
-inline constexpr double kSeedSpacing = 2.5;          ///< of one interface's seeds, in wished edge lengths
+inline constexpr double kSeedSpacing = 2.5;          ///< of one interface's seeds, in target edge lengths
 inline constexpr std::size_t kSeedsOfInterface = 8;  ///< at least, where the lattice offers as many
 
 /// Points along the junctions of `reference` (the smoothed label surface), then Poisson-spaced ones on the
@@ -24,7 +24,7 @@ inline constexpr std::size_t kSeedsOfInterface = 8;  ///< at least, where the la
 /// order.
 Seeds seed_interfaces(const LabelField& field, const SurfaceMesh& reference, const SizingField& sizing);
 
-/// Poisson-spaced points alone, `spacing` wished edge lengths apart, and only between these labels of the
+/// Poisson-spaced points alone, `spacing` target edge lengths apart, and only between these labels of the
 /// volume (ascending, the higher label of each pair first).
 std::vector<Eigen::Vector3d> seed_between(const LabelField& field, const SizingField& sizing, double spacing,
                                           const std::vector<Sides>& between);

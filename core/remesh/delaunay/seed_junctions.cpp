@@ -71,7 +71,7 @@ std::vector<Curve> trace_curves(const std::vector<Edge>& edges, std::size_t poin
   return curves;
 }
 
-/// Appends the points that divide a curve evenly, measured in wished edge lengths.
+/// Appends the points that divide a curve evenly, measured in target edge lengths.
 void divide(const SurfaceMesh& surface, const SizingField& sizing, const Curve& curve,
             std::vector<Eigen::Vector3d>& out) {
   std::vector<double> along{0};

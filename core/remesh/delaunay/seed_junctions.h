@@ -14,7 +14,7 @@ namespace voxtet::remesh {
 std::vector<Edge> junction_edges(const SurfaceMesh& surface);
 
 /// Points (mm) on the junction curves of a label surface (edges of three and more triangles): the ends of all
-/// curves first, then points that divide each curve into parts of about one wished edge length. Fixed order.
+/// curves first, then points that divide each curve into parts of about one target edge length. Fixed order.
 std::vector<Eigen::Vector3d> seed_junctions(const SurfaceMesh& surface, const SizingField& sizing);
 
 }  // namespace voxtet::remesh

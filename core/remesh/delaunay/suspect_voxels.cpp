@@ -31,32 +31,32 @@ Vector3i to_neighbour(std::size_t neighbour) {
 constexpr std::size_t kUsualCrossings = 6;  ///< of a triangle about as large as a voxel
 
 /// From a voxel to its neighbours: the edges of the Kuhn tetrahedra, then the other diagonals of faces.
-constexpr std::size_t kWays = kUp + 3;
+constexpr std::size_t kSegments = kUp + 3;
 
-Vector3i to_end(std::size_t way) {
+Vector3i to_end(std::size_t segment) {
   static const std::array<Vector3i, 3> kOtherDiagonals{Vector3i(1, -1, 0), Vector3i(1, 0, -1),
                                                        Vector3i(0, 1, -1)};
-  return way < kUp ? to_neighbour(way) : kOtherDiagonals[way - kUp];
+  return segment < kUp ? to_neighbour(segment) : kOtherDiagonals[segment - kUp];
 }
 
-using Ways = std::array<Vector3d, kWays>;
+using Segments = std::array<Vector3d, kSegments>;
 
-/// Where segments along the ways meet a triangle (Möller and Trumbore 1997).
-class WaysThroughTriangle {
+/// Where segments along the segments meet a triangle (Möller and Trumbore 1997).
+class SegmentsThroughTriangle {
  public:
-  WaysThroughTriangle(const Ways& ways, std::size_t count, const TriangleCorners& p)
-      : ways_(ways), origin_(p[0]), e1_(p[1] - p[0]), e2_(p[2] - p[0]), normal_(e1_.cross(e2_)) {
+  SegmentsThroughTriangle(const Segments& segments, std::size_t count, const TriangleCorners& p)
+      : segments_(segments), origin_(p[0]), e1_(p[1] - p[0]), e2_(p[2] - p[0]), normal_(e1_.cross(e2_)) {
     doubt_ = kPlaneRounding * normal_.cwiseAbs().sum();
-    for (std::size_t way = 0; way < count; ++way) {
-      rises_[way] = normal_.dot(ways[way]);
-      across_[way] = ways[way].cross(e2_);
-      dets_[way] = e1_.dot(across_[way]);
-      deepest_ = std::min(deepest_, rises_[way]);
-      highest_ = std::max(highest_, rises_[way]);
+    for (std::size_t segment = 0; segment < count; ++segment) {
+      rises_[segment] = normal_.dot(segments[segment]);
+      across_[segment] = segments[segment].cross(e2_);
+      dets_[segment] = e1_.dot(across_[segment]);
+      deepest_ = std::min(deepest_, rises_[segment]);
+      highest_ = std::max(highest_, rises_[segment]);
     }
   }
 
-  /// Whether a way from there may reach the triangle's plane.
+  /// Whether a segment from there may reach the triangle's plane.
   bool begin_at(const Vector3d& from) {
     s_ = from - origin_;
     height_ = normal_.dot(s_);
@@ -65,39 +65,39 @@ class WaysThroughTriangle {
     return true;
   }
 
-  /// As a share of the way from where begin_at() was.
-  std::optional<double> at(std::size_t way) const {
-    // By far most ways end on the side of the triangle's plane where they begin.
-    const double end = height_ + rises_[way], det = dets_[way];
+  /// As a share of the segment from where begin_at() was.
+  std::optional<double> at(std::size_t segment) const {
+    // By far most segments end on the side of the triangle's plane where they begin.
+    const double end = height_ + rises_[segment], det = dets_[segment];
     if (std::min(height_, end) > doubt_ || std::max(height_, end) < -doubt_ || det == 0) return std::nullopt;
-    const double u = s_.dot(across_[way]) / det;
+    const double u = s_.dot(across_[segment]) / det;
     if (!(u >= 0 && u <= 1)) return std::nullopt;
-    const double v = ways_[way].dot(q_) / det, at = e2_.dot(q_) / det;
+    const double v = segments_[segment].dot(q_) / det, at = e2_.dot(q_) / det;
     if (!(v >= 0 && u + v <= 1 && at >= 0 && at <= 1)) return std::nullopt;
     return at;
   }
 
  private:
-  const Ways& ways_;
+  const Segments& segments_;
   Vector3d origin_, e1_, e2_, normal_;
   double doubt_;
-  Ways across_;
-  std::array<double, kWays> rises_, dets_;
+  Segments across_;
+  std::array<double, kSegments> rises_, dets_;
   double deepest_ = 0, highest_ = 0;  ///< of the rises
   Vector3d s_, q_;                    ///< of Möller and Trumbore
   double height_ = 0;
 };
 
-/// A triangle on a way.
+/// A triangle on a segment.
 struct WayCrossing {
   std::uint64_t voxel, end;  ///< offsets in the grid
-  double at;                 ///< share of the way
+  double at;                 ///< share of the segment
   std::uint32_t triangle;
-  std::uint8_t way;
+  std::uint8_t segment;
   bool outwards;  ///< the voxel is behind the triangle
 };
 
-/// On which side of a surface centres are, as the nearest crossing on a way from them tells.
+/// On which side of a surface centres are, as the nearest crossing on a segment from them tells.
 class LabelsBySurface {
  public:
   LabelsBySurface(const std::vector<Label>& centres, const SurfaceMesh& surface,
@@ -113,8 +113,8 @@ class LabelsBySurface {
     nearest_.resize(count);
     for (const WayCrossing& c : crossings) {
       const auto& [behind, front] = surface.sides[c.triangle];
-      look_at(c.voxel, {c.at, c.triangle, c.way, c.outwards ? behind : front});
-      const auto backwards = static_cast<std::uint8_t>(c.way + kWays);
+      look_at(c.voxel, {c.at, c.triangle, c.segment, c.outwards ? behind : front});
+      const auto backwards = static_cast<std::uint8_t>(c.segment + kSegments);
       look_at(c.end, {1 - c.at, c.triangle, backwards, c.outwards ? front : behind});
     }
     find_passed_over();
@@ -142,11 +142,12 @@ class LabelsBySurface {
   struct Nearest {
     double at = 2;
     std::uint32_t triangle = 0;
-    std::uint8_t way = 0;  ///< plus kWays for backwards
+    std::uint8_t segment = 0;  ///< plus kSegments for backwards
     Label label = kBackground;
   };
   bool is_crossed(std::uint64_t voxel) const { return bits_[voxel / 64] >> voxel % 64 & 1; }
-  /// A voxel with no triangle on its ways is on the same side as the one before it; the first is background.
+  /// A voxel with no triangle on its segments is on the same side as the one before it; the first is
+  /// background.
   void find_passed_over() {
     Label before = kBackground;
     for (std::uint64_t voxel = 0; voxel < centres_.size(); ++voxel) {
@@ -162,12 +163,12 @@ class LabelsBySurface {
   }
   void look_at(std::uint64_t voxel, const Nearest& found) {
     Nearest& known = nearest_[rank(voxel)];
-    if (std::tie(found.at, found.triangle, found.way) < std::tie(known.at, known.triangle, known.way))
+    if (std::tie(found.at, found.triangle, found.segment) < std::tie(known.at, known.triangle, known.segment))
       known = found;
   }
 
   const std::vector<Label>& centres_;
-  std::vector<std::uint64_t> bits_;    ///< of voxels at the end of a crossed way
+  std::vector<std::uint64_t> bits_;    ///< of voxels at the end of a crossed segment
   std::vector<std::uint32_t> before_;  ///< by word of bits_, how many bits are set before it
   std::vector<Nearest> nearest_;       ///< of the voxels in bits_, in their order
   std::vector<std::pair<std::uint64_t, Label>> passed_over_;  ///< other voxels with another label, ascending
@@ -182,15 +183,16 @@ bool is_one_of(Label label, const std::vector<Label>& labels) {
 SuspectVoxels::SuspectVoxels(const SurfaceMesh& reference, const LabelField& field)
     : reference_(reference),
       field_(field),
-      ways_(field.connectivity() == Connectivity::kFaces ? kWays : kUp) {
+      segments_(field.connectivity() == Connectivity::kFaces ? kSegments : kUp) {
   for (int d = 0; d < 3; ++d) last_[d] = field.size()[static_cast<std::size_t>(d)] - 1;
 }
 
 template <class Wanted, class Visit>
 void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& wanted,
                                       const Visit& visit) const {
-  Ways ways;
-  for (std::size_t way = 0; way < kWays; ++way) ways[way] = to_end(way).cast<double>();
+  Segments segments;
+  for (std::size_t segment = 0; segment < kSegments; ++segment)
+    segments[segment] = to_end(segment).cast<double>();
   std::vector<Vector3d> points;
   points.reserve(surface.points.size());
   for (const Vector3d& p : surface.points) points.push_back(field_.to_index(p));
@@ -200,17 +202,18 @@ void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& 
     const Vector3i low = p[0].cwiseMin(p[1]).cwiseMin(p[2]).array().floor().matrix().cast<int>().cwiseMax(0);
     const Vector3i high =
         p[0].cwiseMax(p[1]).cwiseMax(p[2]).array().ceil().matrix().cast<int>().cwiseMin(last_);
-    std::optional<WaysThroughTriangle> through;
+    std::optional<SegmentsThroughTriangle> through;
     for (int k = low[2]; k <= high[2]; ++k)
       for (int j = low[1]; j <= high[1]; ++j)
         for (int i = low[0]; i <= high[0]; ++i) {
           const Vector3i from(i, j, k);
           const std::uint64_t voxel = field_.offset(from);
           if (!wanted(voxel)) continue;
-          if (!through) through.emplace(ways, ways_, p);
+          if (!through) through.emplace(segments, segments_, p);
           if (!through->begin_at(from.cast<double>())) continue;
-          for (std::uint8_t way = 0; way < ways_; ++way)
-            if (const auto at = through->at(way); at && inside(from + to_end(way))) visit(voxel, way, *at, t);
+          for (std::uint8_t segment = 0; segment < segments_; ++segment)
+            if (const auto at = through->at(segment); at && inside(from + to_end(segment)))
+              visit(voxel, segment, *at, t);
         }
   }
 }
@@ -218,18 +221,18 @@ void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& 
 std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vector<Label>& labels,
                                     const std::vector<Vector3d>& touching) const {
   const std::vector<Label>& centres = field_.centre_labels();
-  std::array<Vector3d, kWays> ways_mm;
-  for (std::size_t way = 0; way < ways_; ++way)
-    ways_mm[way] = field_.to_mm(to_end(way).cast<double>()) - field_.to_mm(Vector3d::Zero());
+  std::array<Vector3d, kSegments> segments_mm;
+  for (std::size_t segment = 0; segment < segments_; ++segment)
+    segments_mm[segment] = field_.to_mm(to_end(segment).cast<double>()) - field_.to_mm(Vector3d::Zero());
   std::vector<WayCrossing> crossings;
   crossings.reserve(kUsualCrossings * surface.triangles.size());
   for_each_crossing(
       surface, [](std::uint64_t) { return true; },
-      [&](std::uint64_t voxel, std::uint8_t way, double at, std::uint32_t t) {
+      [&](std::uint64_t voxel, std::uint8_t segment, double at, std::uint32_t t) {
         const auto& [a, b, c] = surface.triangles[t];
-        const bool outwards =
-            triangle_cross(surface.points[a], surface.points[b], surface.points[c]).dot(ways_mm[way]) > 0;
-        crossings.push_back({voxel, end_of(voxel, way), at, t, way, outwards});
+        const bool outwards = triangle_cross(surface.points[a], surface.points[b], surface.points[c])
+                                  .dot(segments_mm[segment]) > 0;
+        crossings.push_back({voxel, end_of(voxel, segment), at, t, segment, outwards});
       });
   const LabelsBySurface by_surface(centres, surface, crossings);
   std::vector<bool> marked;
@@ -241,17 +244,17 @@ std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vecto
                  stays_simple(voxel, other, [&](std::uint64_t v) { return by_surface.at(v); });
     if (!simple) mark_around(voxel, marked);
   });
-  std::vector<std::uint64_t> closed;  // ways, by number
+  std::vector<std::uint64_t> closed;  // segments, by number
   for (const WayCrossing& c : crossings) {
     const Sides& sides = surface.sides[c.triangle];
     if (!is_one_of(sides[0], labels) && !is_one_of(sides[1], labels)) continue;
     const Label label = centres[c.voxel];
     if (centres[c.end] == label && by_surface.at(c.voxel) == label && by_surface.at(c.end) == label)
-      closed.push_back(c.voxel * kWays + c.way);
+      closed.push_back(c.voxel * kSegments + c.segment);
   }
-  for (const std::uint64_t way : not_of_reference(std::move(closed))) {
-    mark_around(way / kWays, marked);
-    mark_around(end_of(way / kWays, way % kWays), marked);
+  for (const std::uint64_t segment : not_of_reference(std::move(closed))) {
+    mark_around(segment / kSegments, marked);
+    mark_around(end_of(segment / kSegments, segment % kSegments), marked);
   }
   for (const Vector3d& p : touching) mark_around(field_.nearest_voxel(p), marked);
   return marked;
@@ -275,27 +278,27 @@ bool SuspectVoxels::stays_simple(std::uint64_t voxel, Label label, const LabelAt
   return is_simple(around);
 }
 
-std::vector<std::uint64_t> SuspectVoxels::not_of_reference(std::vector<std::uint64_t> ways) const {
-  std::sort(ways.begin(), ways.end());
-  ways.erase(std::unique(ways.begin(), ways.end()), ways.end());
-  if (ways.empty()) return ways;
-  std::vector<bool> begins(field_.centre_labels().size(), false), crossed(ways.size(), false);
-  for (const std::uint64_t way : ways) begins[way / kWays] = true;
+std::vector<std::uint64_t> SuspectVoxels::not_of_reference(std::vector<std::uint64_t> segments) const {
+  std::sort(segments.begin(), segments.end());
+  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
+  if (segments.empty()) return segments;
+  std::vector<bool> begins(field_.centre_labels().size(), false), crossed(segments.size(), false);
+  for (const std::uint64_t segment : segments) begins[segment / kSegments] = true;
   for_each_crossing(
       reference_, [&](std::uint64_t voxel) { return begins[voxel]; },
-      [&](std::uint64_t voxel, std::uint8_t way, double, std::uint32_t) {
-        const auto found = std::lower_bound(ways.begin(), ways.end(), voxel * kWays + way);
-        if (found != ways.end() && *found == voxel * kWays + way)
-          crossed[static_cast<std::size_t>(found - ways.begin())] = true;
+      [&](std::uint64_t voxel, std::uint8_t segment, double, std::uint32_t) {
+        const auto found = std::lower_bound(segments.begin(), segments.end(), voxel * kSegments + segment);
+        if (found != segments.end() && *found == voxel * kSegments + segment)
+          crossed[static_cast<std::size_t>(found - segments.begin())] = true;
       });
   std::vector<std::uint64_t> others;
-  for (std::size_t w = 0; w < ways.size(); ++w)
-    if (!crossed[w]) others.push_back(ways[w]);
+  for (std::size_t w = 0; w < segments.size(); ++w)
+    if (!crossed[w]) others.push_back(segments[w]);
   return others;
 }
 
-std::uint64_t SuspectVoxels::end_of(std::uint64_t voxel, std::size_t way) const {
-  return field_.offset(voxel_of(voxel) + to_end(way));
+std::uint64_t SuspectVoxels::end_of(std::uint64_t voxel, std::size_t segment) const {
+  return field_.offset(voxel_of(voxel) + to_end(segment));
 }
 
 Vector3i SuspectVoxels::voxel_of(std::uint64_t offset) const {

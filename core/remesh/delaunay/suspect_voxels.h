@@ -10,7 +10,7 @@
 
 namespace voxtet::remesh {
 
-/// Looks at the ways from voxel centres to their neighbours, the edges of the Kuhn tetrahedra, and where
+/// Looks at the segments from voxel centres to their neighbours, the edges of the Kuhn tetrahedra, and where
 /// surfaces cross them. Refers to the reference and the field.
 class SuspectVoxels {
  public:
@@ -19,7 +19,7 @@ class SuspectVoxels {
   /// By voxel of the field's padded grid: whether it is, or is next to,
   /// - a voxel whose centre the surface gives another label than the volume, one or both of the two labels of
   ///   `labels` (ascending), unless that takes or adds a simple point (Bertrand 1994), or
-  /// - the end of a way that triangles beside `labels` cross although both centres keep their one label,
+  /// - the end of a segment that triangles beside `labels` cross although both centres keep their one label,
   ///   where the reference's do not, or
   /// - nearest to one of `touching`, points where the surface touches itself.
   /// Empty if there are none.
@@ -27,23 +27,23 @@ class SuspectVoxels {
                        const std::vector<Eigen::Vector3d>& touching) const;
 
  private:
-  /// Calls visit(voxel, way, share of the way, triangle) for every triangle on a way forwards from a voxel
-  /// for which wanted(voxel) holds.
+  /// Calls visit(voxel, segment, share of the segment, triangle) for every triangle on a segment forwards
+  /// from a voxel for which wanted(voxel) holds.
   template <class Wanted, class Visit>
   void for_each_crossing(const SurfaceMesh& surface, const Wanted& wanted, const Visit& visit) const;
   /// Whether the voxel, whatever it is itself, can join or leave a label without a change of topology.
   template <class LabelAt>
   bool stays_simple(std::uint64_t voxel, Label label, const LabelAt& label_at) const;
-  /// Those of the ways (voxel * ways + way) that no triangle of the reference crosses, ascending.
-  std::vector<std::uint64_t> not_of_reference(std::vector<std::uint64_t> ways) const;
-  std::uint64_t end_of(std::uint64_t voxel, std::size_t way) const;
+  /// Those of the segments (voxel * segments + segment) that no triangle of the reference crosses, ascending.
+  std::vector<std::uint64_t> not_of_reference(std::vector<std::uint64_t> segments) const;
+  std::uint64_t end_of(std::uint64_t voxel, std::size_t segment) const;
   Eigen::Vector3i voxel_of(std::uint64_t offset) const;
   bool inside(const Eigen::Vector3i& voxel) const;
   void mark_around(std::uint64_t voxel, std::vector<bool>& marked) const;
 
   const SurfaceMesh& reference_;
   const LabelField& field_;
-  std::size_t ways_;
+  std::size_t segments_;
   Eigen::Vector3i last_;  ///< voxel of the grid
 };
 

@@ -113,7 +113,7 @@ Refusal ComplexEditor::check(const Edit& edit, const Eigen::Vector3d& before) {
                                    {old_corners_, old_normals_}, new_normals_);
   if (refusal != Refusal::kNo) return refusal;
   find_near(edit);
-  if (limits.keeps_balls && demand_ != Demand::kNearer) refusal = check_balls(edit, before);
+  if (limits.keeps_delaunay && demand_ != Demand::kNearer) refusal = check_delaunay(edit, before);
   if (refusal == Refusal::kNo) refusal = check_contacts(edit);
   if (refusal == Refusal::kNo) refusal = check_envelope(edit);
   return refusal;
@@ -148,7 +148,7 @@ void ComplexEditor::find_near(const Edit& edit) {
   new_boxes_.clear();
   for (const Corners& p : new_corners_) new_boxes_.push_back(box_of(p));
   const double longest = longest_of_facets_mm(new_corners_);
-  gap_mm_ = limits.gap_share > 0 ? limits.gap_share * std::min(least_wish(edit), longest) : 0;
+  gap_mm_ = limits.gap_share > 0 ? limits.gap_share * std::min(least_target(edit), longest) : 0;
   gap_growth_ = limits.adapted ? std::max(1.0, longest / longest_of_facets_mm(old_corners_)) : 1;
   wide_boxes_.clear();
   for (const FloatBox& box : new_boxes_) wide_boxes_.push_back(box.grown(gap_mm_));
@@ -178,11 +178,11 @@ Refusal ComplexEditor::check_contacts(const Edit& edit) {
   return Refusal::kNo;
 }
 
-double ComplexEditor::least_wish(const Edit& edit) const {
-  double wish = 1e300;
+double ComplexEditor::least_target(const Edit& edit) const {
+  double target = 1e300;
   for (const Facet& facet : edit.added)
-    for (const std::uint32_t v : facet.corners) wish = std::min(wish, size(v));
-  return wish;
+    for (const std::uint32_t v : facet.corners) target = std::min(target, size(v));
+  return target;
 }
 
 Refusal ComplexEditor::check_pair(const Facet& facet, std::size_t i, const Triangle& other,

@@ -35,13 +35,13 @@ struct EditLimits {
   double crease_cosine = 0.5;    ///< angles between two facets inside a surface
   double junction_cosine = 0.9;  ///< angles between two facets where curves run
   double turn_cosine = 0.5;      ///< of a facet against the reference, and in one edit
-  double gap_share = 0;          ///< least distance of sheets that face each other, in wished edge lengths
+  double gap_share = 0;          ///< least distance of sheets that face each other, in target edge lengths
   /// The complex is adapted already: it may be beyond its reach somewhere, where it must not go farther, and
   /// where sheets are nearer than the gap edges grow no faster than it.
   bool adapted = false;
   /// Facets that may be Delaunay stay so, unless that is demanded that brings facets nearer: tetrahedra
   /// between sheets that are near each other need no other points then.
-  bool keeps_balls = false;
+  bool keeps_delaunay = false;
   bool verify = false;
 };
 
@@ -66,15 +66,15 @@ class ComplexEditor {
   const ReferenceSurface& reference() const { return reference_; }
   const ReverseEnvelope& samples() const { return samples_; }
   const Eigen::Vector3d& normal(std::uint32_t t) const { return normals_[t]; }
-  /// Wished edge length at a vertex.
+  /// Target edge length at a vertex.
   double size(std::uint32_t v) const { return std::max(floor_, sizes_[v]); }
-  /// Every wish as large as the largest.
+  /// Every target edge length as large as the largest.
   void set_coarsest(bool on) { floor_ = on ? *std::max_element(sizes_.begin(), sizes_.end()) : 0; }
   /// Cosine of the sharpest fold allowed at an edge.
   double fold_limit(std::uint32_t u, std::uint32_t w) const {
     return on_curves(u, w) ? limits.junction_cosine : limits.crease_cosine;
   }
-  /// Length of an edge in wished lengths.
+  /// Length of an edge in target edge lengths.
   double metric_length(std::uint32_t a, std::uint32_t b) const {
     return (mesh_.point(a) - mesh_.point(b)).norm() * 0.5 * (1 / size(a) + 1 / size(b));
   }
@@ -109,12 +109,12 @@ class ComplexEditor {
   /// Squared distance where nothing of the reference is known to be near.
   static constexpr double kNowhere = 1e300;
   /// Where a triangle is farthest from the reference, or a sample that it or its curve edges host from it.
-  struct Breach {
+  struct Deviation {
     double distance2 = 0;
     Eigen::Vector3d toward = Eigen::Vector3d::Zero();   ///< from the triangle to the reference
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< of the corners at the triangle's end
   };
-  Breach farthest(std::uint32_t t) const;
+  Deviation farthest(std::uint32_t t) const;
   /// Whether the triangle lies inside a sheet that is not folded there and hosts samples for most of its
   /// area, none farther than `reach_mm`.
   bool well_sampled(std::uint32_t t, double reach_mm) const;
@@ -127,28 +127,28 @@ class ComplexEditor {
   std::uint64_t violations() const { return violations_; }
 
  private:
-  inline static const Breach kUnknown{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  inline static const Deviation kUnknown{-1, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
 
   void look_at_old(const Edit& edit);
   Refusal check(const Edit& edit, const Eigen::Vector3d& before);
   Refusal check_shapes(const Edit& edit);
   Refusal check_envelope(const Edit& edit) const;
-  const Breach& farthest_point_of(std::uint32_t t, const Corners& p) const;
+  const Deviation& farthest_point_of(std::uint32_t t, const Corners& p) const;
   std::vector<std::uint32_t> samples_of(std::uint32_t t) const;
   bool is_folded(std::uint32_t t) const;
-  void look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const;
-  void look_from(const Eigen::Vector3d& at, std::uint32_t t, const Corners& p, Breach& worst) const;
+  void look_between_samples(std::uint32_t t, const Corners& p, Deviation& worst) const;
+  void look_from(const Eigen::Vector3d& at, std::uint32_t t, const Corners& p, Deviation& worst) const;
   std::uint32_t nearest_hint(const Facet& facet, const Corners& p) const;
-  Breach farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double lattice_mm,
-                        double content2, std::uint32_t hint, double enough2 = 0,
-                        std::span<const std::uint32_t> more_hints = {}) const;
+  Deviation farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved, double lattice_mm,
+                           double content2, std::uint32_t hint, double enough2 = 0,
+                           std::span<const std::uint32_t> more_hints = {}) const;
   void find_near(const Edit& edit);
   Refusal check_contacts(const Edit& edit);
-  Refusal check_balls(const Edit& edit, const Eigen::Vector3d& before);
+  Refusal check_delaunay(const Edit& edit, const Eigen::Vector3d& before);
   void gather_near_vertices(const Edit& edit);
   bool all_have_balls(const Edit& edit) const;
   bool has_ball(const Triangle& corners, GabrielBalls balls) const;
-  double least_wish(const Edit& edit) const;
+  double least_target(const Edit& edit) const;
   Refusal check_pair(const Facet& facet, std::size_t i, const Triangle& other, const Corners& corners,
                      const Eigen::Vector3d& normal, PairId pair, bool boxes_meet);
   bool closes_tetrahedron(std::uint32_t u, std::uint32_t w, std::uint32_t x, std::uint32_t y) const;
@@ -178,8 +178,8 @@ class ComplexEditor {
   std::optional<IntersectionVerifier> verifier_;
   std::uint64_t violations_ = 0;
   /// Of triangles as they are, by slot, on the lattice of that spacing; distance2 < 0 where not known.
-  mutable std::vector<Breach> breaches_;
-  mutable double breaches_lattice_mm_ = 0;
+  mutable std::vector<Deviation> deviations_;
+  mutable double deviations_lattice_mm_ = 0;
 
   // Of the edit under way.
   const Edit* edit_ = nullptr;
@@ -197,8 +197,8 @@ class ComplexEditor {
   /// What takes an accepted edit back.
   struct Accepted {
     Edit back;
-    std::vector<Breach> breaches;  ///< of what it adds, where known
-    double size = 0;               ///< of the moved vertex
+    std::vector<Deviation> deviations;  ///< of what it adds, where known
+    double size = 0;                    ///< of the moved vertex
     std::uint32_t hint = kNone;
   };
   std::vector<Accepted> trial_;

@@ -64,13 +64,13 @@ std::uint32_t ComplexEditor::nearest_hint(const Facet& facet, const Corners& p) 
 
 /// Of the facet's lattice points; the first one above `content2`. Its corners were looked at when they came
 /// to their places, and each edge inside the edit is left to one of its two facets.
-ComplexEditor::Breach ComplexEditor::farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved,
-                                                    double lattice_mm, double content2, std::uint32_t hint,
-                                                    double enough2,
-                                                    std::span<const std::uint32_t> more_hints) const {
+ComplexEditor::Deviation ComplexEditor::farthest_point(const Facet& facet, const Corners& p,
+                                                       std::uint32_t moved, double lattice_mm,
+                                                       double content2, std::uint32_t hint, double enough2,
+                                                       std::span<const std::uint32_t> more_hints) const {
   const int n = static_cast<int>(std::ceil(longest_edge_mm(p) / lattice_mm));
   const double far2 = content2 < kNowhere ? content2 : limits.reach_mm * limits.reach_mm;
-  Breach worst;
+  Deviation worst;
   if (hint == kNone) {
     worst.distance2 = kNowhere;
     return worst;
@@ -115,14 +115,14 @@ std::vector<std::uint32_t> ComplexEditor::samples_of(std::uint32_t t) const {
 
 /// Walks may end on the way: what seems to be beyond the envelope is looked at from more places. Remembered,
 /// because the same triangles are to be replaced again and again.
-const ComplexEditor::Breach& ComplexEditor::farthest_point_of(std::uint32_t t, const Corners& p) const {
-  if (breaches_lattice_mm_ != limits.lattice_mm) {
-    breaches_.clear();
-    breaches_lattice_mm_ = limits.lattice_mm;
+const ComplexEditor::Deviation& ComplexEditor::farthest_point_of(std::uint32_t t, const Corners& p) const {
+  if (deviations_lattice_mm_ != limits.lattice_mm) {
+    deviations_.clear();
+    deviations_lattice_mm_ = limits.lattice_mm;
   }
-  if (t >= breaches_.size()) breaches_.resize(mesh_.slot_count(), kUnknown);
-  Breach& breach = breaches_[t];
-  if (breach.distance2 < 0) {
+  if (t >= deviations_.size()) deviations_.resize(mesh_.slot_count(), kUnknown);
+  Deviation& deviation = deviations_[t];
+  if (deviation.distance2 < 0) {
     const Facet facet{mesh_.triangle(t), mesh_.pair(t)};
     // No point of the facet is farther than this from a point of the lattice.
     const double between_mm = limits.lattice_mm / std::sqrt(3.0);
@@ -131,18 +131,18 @@ const ComplexEditor::Breach& ComplexEditor::farthest_point_of(std::uint32_t t, c
     const double enough_mm = limits.sure_mm > 0 ? sure_mm : limits.reach_mm;
     const double enough2 = std::min(reference_.near2(), enough_mm * enough_mm);
     const auto look = [&](double lattice_mm) {
-      breach = farthest_point(facet, p, kEveryCorner, lattice_mm, kNowhere, nearest_hint(facet, p), enough2,
-                              samples_of(t));
+      deviation = farthest_point(facet, p, kEveryCorner, lattice_mm, kNowhere, nearest_hint(facet, p),
+                                 enough2, samples_of(t));
     };
     look(limits.lattice_mm);
-    if (limits.sure_mm > 0 && breach.distance2 > sure_mm * sure_mm) look(kCloserShare * limits.lattice_mm);
+    if (limits.sure_mm > 0 && deviation.distance2 > sure_mm * sure_mm) look(kCloserShare * limits.lattice_mm);
   }
-  return breach;
+  return deviation;
 }
 
-ComplexEditor::Breach ComplexEditor::farthest(std::uint32_t t) const {
+ComplexEditor::Deviation ComplexEditor::farthest(std::uint32_t t) const {
   const Corners p = mesh_.corners(mesh_.triangle(t));
-  Breach worst = farthest_point_of(t, p);
+  Deviation worst = farthest_point_of(t, p);
   samples_.for_samples(t, [&](std::uint32_t s) {
     const Eigen::Vector3d& at = reference_.point(s);
     const Eigen::Vector3d on = closest_on_triangle(at, p[0], p[1], p[2]);
@@ -169,7 +169,7 @@ bool ComplexEditor::is_folded(std::uint32_t t) const {
 
 /// Where the surface is folded, the reference may be farther from it between two samples than at both: on
 /// edges from samples of `t` to others', as far as their middle.
-void ComplexEditor::look_between_samples(std::uint32_t t, const Corners& p, Breach& worst) const {
+void ComplexEditor::look_between_samples(std::uint32_t t, const Corners& p, Deviation& worst) const {
   if (!is_folded(t)) return;
   const std::vector<std::uint32_t> own = samples_of(t);
   for (const std::uint32_t s : own)
@@ -182,7 +182,7 @@ void ComplexEditor::look_between_samples(std::uint32_t t, const Corners& p, Brea
 
 /// From a point of the reference at `t` and the facets of its labels around it.
 void ComplexEditor::look_from(const Eigen::Vector3d& at, std::uint32_t t, const Corners& p,
-                              Breach& worst) const {
+                              Deviation& worst) const {
   const Eigen::Vector3d on = closest_on_triangle(at, p[0], p[1], p[2]);
   double distance2 = (at - on).squaredNorm();
   for (const std::uint32_t v : mesh_.triangle(t))

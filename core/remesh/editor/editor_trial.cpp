@@ -25,7 +25,7 @@ void ComplexEditor::remember(const Edit& edit, const Eigen::Vector3d& before) {
     const std::uint32_t t = edit.removed[i];
     step.back.added.push_back({mesh_.triangle(t), mesh_.pair(t)});
     const bool own = t < placed_in_.size() && placed_in_[t] == trial_number_;
-    step.breaches.push_back(t < breaches_.size() ? breaches_[t] : kUnknown);
+    step.deviations.push_back(t < deviations_.size() ? deviations_[t] : kUnknown);
     if (!own) trial_cosine_ = std::max(trial_cosine_, sharpest_cosine(old_corners_[i]));
   }
   step.back.curves_removed = edit.curves_added;
@@ -60,7 +60,7 @@ void ComplexEditor::undo_trial() {
     samples_.try_surface(mesh_, back, kAnywhere, kAnyhow, {old_corners_, old_normals_}, new_normals_);
     commit(back, true);
     for (std::size_t i = 0; i < slots_.size(); ++i)
-      if (slots_[i] < breaches_.size()) breaches_[slots_[i]] = step->breaches[i];
+      if (slots_[i] < deviations_.size()) deviations_[slots_[i]] = step->deviations[i];
   }
 }
 
@@ -94,7 +94,7 @@ void ComplexEditor::place(const Edit& edit, std::size_t i) {
     normals_[slots_[i]] = new_normals_[i];
     balls_[slots_[i]] = balls;
   }
-  if (slots_[i] < breaches_.size()) breaches_[slots_[i]] = kUnknown;
+  if (slots_[i] < deviations_.size()) deviations_[slots_[i]] = kUnknown;
 }
 
 }  // namespace voxtet::remesh

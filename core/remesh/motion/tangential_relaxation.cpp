@@ -13,17 +13,17 @@ using Eigen::Vector3d;
 
 constexpr double kHalfSqrt3 = 0.8660254037844386;
 
-/// To the least squares of the differences between the triangles' areas and their wishes.
+/// To the least squares of the differences between the triangles' areas and their targets.
 Vector3d step_to_areas(const Vector3d& x, std::span<const RingTriangle> ring, const Vector3d& normal,
                        double area) {
-  double wishes = 0;
-  for (const RingTriangle& t : ring) wishes += t.wished_area;
+  double targets = 0;
+  for (const RingTriangle& t : ring) targets += t.target_area;
   Matrix3d system = Matrix3d::Zero();
   Vector3d excess = Vector3d::Zero();
   for (const RingTriangle& t : ring) {
     const Vector3d growth = 0.5 * normal.cross(t.q - t.p);
     system += growth * growth.transpose();
-    excess += growth * (area * t.wished_area / wishes - 0.5 * triangle_cross(x, t.p, t.q).dot(normal));
+    excess += growth * (area * t.target_area / targets - 0.5 * triangle_cross(x, t.p, t.q).dot(normal));
   }
   system += system.trace() * normal * normal.transpose();
   return system.inverse() * excess;

@@ -9,7 +9,7 @@ namespace voxtet::remesh {
 /// A triangle at a vertex, by its other two corners in order.
 struct RingTriangle {
   Eigen::Vector3d p, q;
-  double wished_area = 1;  ///< relative to the others
+  double target_area = 1;  ///< relative to the others
   double need = 1;         ///< how much its shape counts
 };
 
@@ -18,7 +18,7 @@ struct TangentialStep {
   Eigen::Vector3d step;    ///< perpendicular to it
 };
 
-/// From `x` to a place between that which gives the triangles their wished shares of the area (Surazhsky and
+/// From `x` to a place between that which gives the triangles their target shares of the area (Surazhsky and
 /// Gotsman, "Explicit surface remeshing", 2003: least squares, areas being linear in the tangent plane) and
 /// the mean of the apexes that would make each triangle equilateral; `shape_weight` is that of the latter.
 TangentialStep tangential_relaxation(const Eigen::Vector3d& x, std::span<const RingTriangle> ring,

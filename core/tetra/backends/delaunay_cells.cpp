@@ -20,8 +20,8 @@ using Triangulation = DelaunayTriangulation;
 using Cell = Triangulation::Cell_handle;
 using Vertex = Triangulation::Vertex_handle;
 
-/// Circumradius allowed per wished edge length. Measured on hearts and aorta (tests/sweep/sweep_sizes): the
-/// median of inner edges is within 2 % of the wish. The optimised angles are the same for 3 % more or less.
+/// Circumradius allowed per target edge length. Measured on hearts and aorta (tests/sweep/sweep_sizes): the
+/// median of inner edges is within 2 % of the target. The optimised angles are the same for 3 % more or less.
 constexpr double kRadiusPerEdge = 0.75;
 /// Levels of the squared circumradius over what is allowed. With more levels sizes are more even, with fewer
 /// it is quicker: 0.45 s for 210,000 tets with these, 0.85 s with the worst first; the 95 % quantile of
@@ -82,11 +82,11 @@ struct DelaunayCells::Impl {
     info.centre = circumcentre(cell);
     if (!info.centre.allFinite()) return;
     const double radius2 = (info.centre - at(cell, 0)).squaredNorm();
-    const double wished = kRadiusPerEdge * sizing.at(info.centre);
+    const double target = kRadiusPerEdge * sizing.at(info.centre);
     double shortest2 = std::numeric_limits<double>::max();
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < i; ++j) shortest2 = std::min(shortest2, (at(cell, i) - at(cell, j)).squaredNorm());
-    const double size = radius2 / (wished * wished);
+    const double size = radius2 / (target * target);
     if (size > kLevels[0] || radius2 > radius_edge * radius_edge * shortest2)
       bad.push(size, {info.serial, cell});
   }

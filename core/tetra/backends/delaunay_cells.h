@@ -33,7 +33,7 @@ class DelaunayCells {
   bool label(const SurfaceMesh& surface);
 
   enum class Refined { kDone, kCancelled, kTooMany };
-  /// After label(): adds points at the circumcentres of cells that are larger than `sizing` wishes, then of
+  /// After label(): adds points at the circumcentres of cells that are larger than `sizing` asks for, then of
   /// those with a higher ratio of circumradius to shortest edge, except where these
   /// are too close to the surface or behind it. A point only changes cells of one label: the triangulation
   /// stays Delaunay as seen from inside each label. No point is added in a layer. Polls ctx.cancelled().

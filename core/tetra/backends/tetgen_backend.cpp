@@ -11,9 +11,9 @@
 namespace voxtet {
 namespace {
 
-/// A tetrahedron is split when its circumradius exceeds this many times the wished edge length. Measured, so
-/// that the median of log2(edge / wish) over inner edges is 0 (within 0.05 on spheres, shells, boxes, graded
-/// nested spheres).
+/// A tetrahedron is split when its circumradius exceeds this many times the target edge length. Measured, so
+/// that the median of log2(edge / target) over inner edges is 0 (within 0.05 on spheres, shells, boxes,
+/// graded nested spheres).
 constexpr double kRadiusPerEdge = 0.79;
 
 constexpr int kCancelledCode = 100;

@@ -31,8 +31,8 @@ constexpr double kRunawayFactor = 20;
 /// Part of its shortest edge by which a point is displaced, along each axis and either way.
 constexpr double kDisplacement = 5e-7;
 
-/// One way to call a mesher.
-struct Rung {
+/// How a mesher may be called.
+struct Strategy {
   const char* name;
   TetgenOptions options;
   bool displaced = false;  ///< the mesher sees points moved a little; they go back afterwards
@@ -40,10 +40,10 @@ struct Rung {
   TetBackend backend = TetBackend::kTetgen;
 };
 
-/// The ways, in the order in which they are tried until one passes every check. Each has a surface in
-/// tests/unit/tetra/ladder_test.cpp that those before it fail on. Points added on the surface (without -Y)
+/// The strategies, in the order in which they are tried until one passes every check. Each has a surface in
+/// tests/unit/tetra/fallback_test.cpp that those before it fail on. Points added on the surface (without -Y)
 /// are none of them: what that saved the finer tolerance saves as well, and TetGen 1.5.0 crashes there.
-std::vector<Rung> ladder(const FillParams& params, std::size_t max_points) {
+std::vector<Strategy> strategies_for(const FillParams& params, std::size_t max_points) {
   TetgenOptions asked;
   asked.radius_edge = params.radius_edge;
   asked.min_dihedral_deg = params.min_dihedral_deg;
@@ -55,16 +55,17 @@ std::vector<Rung> ladder(const FillParams& params, std::size_t max_points) {
   angles.min_dihedral_deg = angles.max_dihedral_deg = 0;
   shapes.min_dihedral_deg = shapes.max_dihedral_deg = 0;
   shapes.radius_edge = 20;
-  std::vector<Rung> rungs{{"as asked", asked},
-                          {"with a finer tolerance", fine},
-                          {"with points displaced by a millionth of their edges", asked, true},
-                          {"without bounds on dihedral angles", angles, false, true},
-                          {"with bounds on sizes alone", shapes, false, true}};
+  std::vector<Strategy> strategies{{"as asked", asked},
+                                   {"with a finer tolerance", fine},
+                                   {"with points displaced by a millionth of their edges", asked, true},
+                                   {"without bounds on dihedral angles", angles, false, true},
+                                   {"with bounds on sizes alone", shapes, false, true}};
   if (params.backend == TetBackend::kDelaunay) {
-    rungs.front().name = "by TetGen";
-    rungs.insert(rungs.begin(), {"by Delaunay refinement", asked, false, false, TetBackend::kDelaunay});
+    strategies.front().name = "by TetGen";
+    strategies.insert(strategies.begin(),
+                      {"by Delaunay refinement", asked, false, false, TetBackend::kDelaunay});
   }
-  return rungs;
+  return strategies;
 }
 
 Status check_sizing(const SizingField& sizing) {
@@ -128,30 +129,30 @@ Result<TetMesh> mesh_of(const SurfaceMesh& surface, FilledParts filled) {
   return mesh;
 }
 
-Result<TetMesh> fill_by(const Rung& rung, const SurfaceMesh& surface,
+Result<TetMesh> fill_by(const Strategy& strategy, const SurfaceMesh& surface,
                         const std::vector<Eigen::Vector3d>& holes, const SizingField& sizing,
                         const WallLayers& layers, const RunContext& ctx) {
-  if (rung.backend == TetBackend::kDelaunay) {
+  if (strategy.backend == TetBackend::kDelaunay) {
     SurfaceMesh recovered = surface;
-    Result<FilledParts> filled =
-        run_delaunay(recovered, sizing, {rung.options.radius_edge, rung.options.max_points}, layers, ctx);
+    Result<FilledParts> filled = run_delaunay(
+        recovered, sizing, {strategy.options.radius_edge, strategy.options.max_points}, layers, ctx);
     if (!filled) return filled.error();
     return mesh_of(recovered, *std::move(filled));
   }
-  Result<FilledParts> filled = rung.displaced
-                                   ? run_tetgen(displaced(surface), holes, sizing, rung.options, ctx)
-                                   : run_tetgen(surface, holes, sizing, rung.options, ctx);
+  Result<FilledParts> filled = strategy.displaced
+                                   ? run_tetgen(displaced(surface), holes, sizing, strategy.options, ctx)
+                                   : run_tetgen(surface, holes, sizing, strategy.options, ctx);
   if (!filled) return filled.error();
-  if (rung.displaced && filled->points.size() >= surface.points.size())
+  if (strategy.displaced && filled->points.size() >= surface.points.size())
     std::copy(surface.points.begin(), surface.points.end(), filled->points.begin());
   return mesh_of(surface, *std::move(filled));
 }
 
-Result<TetMesh> climb(const SurfaceMesh& surface, const EdgeGroups& edges, const SizingField& sizing,
-                      const FillParams& params, const WallLayers& layers, const RunContext& ctx) {
+Result<TetMesh> fill_by_first(const SurfaceMesh& surface, const EdgeGroups& edges, const SizingField& sizing,
+                              const FillParams& params, const WallLayers& layers, const RunContext& ctx) {
   const std::vector<Eigen::Vector3d> holes = find_hole_seeds(surface, edges);
   const double most = std::min(kRunawayFactor * forecast_points(surface, sizing), 2e9);
-  const std::vector<Rung> rungs = ladder(params, static_cast<std::size_t>(most));
+  const std::vector<Strategy> strategies = strategies_for(params, static_cast<std::size_t>(most));
   RunContext rising = ctx;
   double reached = 0;
   rising.on_progress = [&](const std::string& stage, double fraction) {
@@ -160,33 +161,33 @@ Result<TetMesh> climb(const SurfaceMesh& surface, const EdgeGroups& edges, const
   };
   std::optional<Error> first_failure;
   bool runaway = false;
-  for (std::size_t r = 0; r < rungs.size(); ++r) {
-    const Rung& rung = rungs[r];
-    // Where points were without end, another rounding of the same wishes does not help.
-    if (runaway && !rung.laxer) continue;
+  for (std::size_t r = 0; r < strategies.size(); ++r) {
+    const Strategy& strategy = strategies[r];
+    // Where points were without end, another rounding of the same sizes does not help.
+    if (runaway && !strategy.laxer) continue;
     if (ctx.cancelled()) return cancelled_error("tetra");
-    Result<TetMesh> mesh = fill_by(rung, surface, holes, sizing, layers, rising);
+    Result<TetMesh> mesh = fill_by(strategy, surface, holes, sizing, layers, rising);
     if (mesh) {
-      const std::string filled = std::string("filled ") + rung.name;
-      ctx.note("tetra",
-               filled + " (way " + std::to_string(r + 1) + " of " + std::to_string(rungs.size()) + ")");
-      if (!layers.empty() && rung.backend == TetBackend::kTetgen)
+      const std::string filled = std::string("filled ") + strategy.name;
+      ctx.note("tetra", filled + " (strategy " + std::to_string(r + 1) + " of " +
+                            std::to_string(strategies.size()) + ")");
+      if (!layers.empty() && strategy.backend == TetBackend::kTetgen)
         ctx.warn("tetra",
                  "TetGen, which filled the surface, adds points inside of layers: some have more than one "
                  "element");
-      // TetGen in the first way of its own is no worse than the Delaunay refinement that it follows.
-      if (r > 0 && rungs[r - 1].backend == rung.backend)
+      // TetGen in the first strategy of its own is no worse than the Delaunay refinement that it follows.
+      if (r > 0 && strategies[r - 1].backend == strategy.backend)
         ctx.warn("tetra", filled + ", after: " + first_failure->message);
       return mesh;
     }
     if (mesh.error().code != ErrorCode::kMeshing) return mesh;
-    ctx.note("tetra", std::string("not filled ") + rung.name + ": " + mesh.error().message);
+    ctx.note("tetra", std::string("not filled ") + strategy.name + ": " + mesh.error().message);
     runaway = runaway || is_runaway(mesh.error());
     if (!first_failure) first_failure = mesh.error();
   }
   if (first_failure->where.elements.empty()) first_failure->where = find_narrow_places(surface, edges);
   first_failure->message +=
-      "; none of " + std::to_string(rungs.size()) + " ways to fill the surface succeeded";
+      "; none of " + std::to_string(strategies.size()) + " strategies to fill the surface succeeded";
   return *std::move(first_failure);
 }
 
@@ -199,7 +200,7 @@ Result<TetMesh> check_and_fill(const SurfaceMesh& surface, const SizingField& si
   if (const Status clean = check_intersections(surface); !clean) return clean.error();
   if (const Status apart = check_overlaps(surface, edges); !apart) return apart.error();
   tell_sharp_angles(surface, edges, ctx);
-  return climb(surface, edges, sizing, params, layers, ctx);
+  return fill_by_first(surface, edges, sizing, params, layers, ctx);
 }
 
 }  // namespace

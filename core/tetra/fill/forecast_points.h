@@ -6,7 +6,7 @@
 
 namespace voxtet {
 
-/// Points of the tetrahedra that fill a closed surface with edges as `sizing` wishes: those of the surface,
+/// Points of the tetrahedra that fill a closed surface with edges as `sizing` asks for: those of the surface,
 /// and one for every 5.5 tets, of which there are the integral of dV / (0.096 h^3). The integral is taken
 /// over the cones from the surface's middle to its triangles, with signs; within some 10 % for bodies without
 /// folds, always between the values for the smallest and the largest size.

@@ -21,7 +21,7 @@ namespace voxtet::tetra {
 class InterfaceFlipper {
  public:
   /// `reference` is the label surface; its sides are those of the interfaces. `envelope`: how far from it the
-  /// middle of a new edge or triangle may be, as a part of the wished edge length, where that of the old ones
+  /// middle of a new edge or triangle may be, as a part of the target edge length, where that of the old ones
   /// is not as far.
   InterfaceFlipper(TetComplex& complex, const SurfaceMesh& reference, const SizingField& sizing,
                    const SizeGuard& guard, double envelope, const VolumeKeeper& volumes)

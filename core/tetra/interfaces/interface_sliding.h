@@ -21,7 +21,7 @@ namespace voxtet::tetra {
 class InterfaceSlider {
  public:
   /// `reference` is the label surface; its sides are those of the interfaces. `envelope`: how far from it
-  /// vertices may go, as a part of the wished edge length. Where a label would not keep its volume by
+  /// vertices may go, as a part of the target edge length. Where a label would not keep its volume by
   /// `volumes`, and around `layers`, but not on the sheets between them, each stays as far from the label
   /// surface as it was.
   InterfaceSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,

@@ -21,27 +21,27 @@ class VolumeKeeper {
       : complex_(complex), limit_(limit) {
     for (std::size_t l = 0; l < complex.label_end(); ++l) {
       const auto label = static_cast<Label>(l);
-      wished_mm3_.push_back(label == kBackground || layers.is_layer(label) ? kNone
+      target_mm3_.push_back(label == kBackground || layers.is_layer(label) ? kNone
                                                                            : complex.volume_mm3(label));
     }
   }
 
   /// By how much a label's volume is off, mm³; 0 where it has none to keep.
   double off_mm3(Label label, double gain_mm3 = 0) const {
-    return has_none(label) ? 0 : std::abs(complex_.volume_mm3(label) + gain_mm3 - wished_mm3_[label]);
+    return has_none(label) ? 0 : std::abs(complex_.volume_mm3(label) + gain_mm3 - target_mm3_[label]);
   }
   /// Whether a label has its volume, to the limit, or is not off by more than it was.
   bool allows(Label label, double off_mm3, double was_off_mm3 = 0) const {
-    return has_none(label) || off_mm3 <= std::max(limit_ * wished_mm3_[label], was_off_mm3);
+    return has_none(label) || off_mm3 <= std::max(limit_ * target_mm3_[label], was_off_mm3);
   }
 
  private:
   static constexpr double kNone = -1;
-  bool has_none(Label label) const { return label >= wished_mm3_.size() || wished_mm3_[label] == kNone; }
+  bool has_none(Label label) const { return label >= target_mm3_.size() || target_mm3_[label] == kNone; }
 
   const TetComplex& complex_;
   double limit_;
-  std::vector<double> wished_mm3_;  ///< by label; kNone: any
+  std::vector<double> target_mm3_;  ///< by label; kNone: any
 };
 
 }  // namespace voxtet::tetra

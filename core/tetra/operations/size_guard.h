@@ -1,4 +1,4 @@
-// Keeps edge lengths near the wish while shapes improve.
+// Keeps edge lengths near their target while shapes improve.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,14 @@
 
 namespace voxtet::tetra {
 
-/// Which new edges are allowed: from 0.4 to 1.9 of the wish at their midpoint, or nearer to that range than
+/// Which new edges are allowed: from 0.4 to 1.9 of the target at their midpoint, or nearer to that range than
 /// the edge that was there.
 class SizeGuard {
  public:
   /// The field has to outlive the guard.
   explicit SizeGuard(const SizingField& sizing) : sizing_(sizing) {}
 
-  /// The length of an edge over the wish at its middle.
+  /// The length of an edge over the target at its middle.
   double ratio(const Point& a, const Point& b) const { return (b - a).norm() / sizing_.at((a + b) / 2); }
   /// How far an edge is out of the range, as a factor; at most 1 inside.
   double misfit(const Point& a, const Point& b) const {

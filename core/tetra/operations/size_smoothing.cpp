@@ -6,8 +6,9 @@
 namespace voxtet::tetra {
 namespace {
 
-/// How far an edge is from its wish, by their ratio: the same above and below, 0 where they are equal. About
-/// 1.4 times its log2, without a logarithm, since those of standard libraries differ in their last digit.
+/// How far an edge is from its target length, by their ratio: the same above and below, 0 where they are
+/// equal. About 1.4 times its log2, without a logarithm, since those of standard libraries differ in their
+/// last digit.
 double deviation_of(double ratio) {
   return std::abs(ratio - 1 / ratio);
 }

@@ -1,4 +1,4 @@
-// A vertex goes where its edges are nearer to the lengths wished for.
+// A vertex goes where its edges are nearer to their target lengths.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@ class SizeSmoother {
  public:
   SizeSmoother(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
 
-  /// Moves a vertex that is on no interface and at an edge much longer or shorter than its wish, so that its
-  /// edges together come nearer to their wishes. No tet becomes worse than the worst at the vertex was, or
-  /// than `enough` if that is less. True when it moved.
+  /// Moves a vertex that is on no interface and at an edge much longer or shorter than its target, so that
+  /// its edges together come nearer to their targets. No tet becomes worse than the worst at the vertex was,
+  /// or than `enough` if that is less. True when it moved.
   bool smooth(std::uint32_t vertex, double enough);
 
  private:

@@ -49,8 +49,8 @@ class VertexSmoother {
   VertexSmoother(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
 
   /// Moves a vertex that is on no interface, or along a track, unless the lowest quality of its tets is
-  /// enough. True when that rose and no edge of the vertex has become farther from the wish than the farthest
-  /// was, or than `most_misfit`; else nothing happens.
+  /// enough. True when that rose and no edge of the vertex has become farther from its target than the
+  /// farthest was, or than `most_misfit`; else nothing happens.
   bool smooth(std::uint32_t vertex, double enough, int steps, const Track* track = nullptr,
               double most_misfit = 1);
 

@@ -25,25 +25,25 @@ constexpr int kDeepeningRounds = 50;
 struct Depths {
   std::vector<std::uint32_t> inner, outer;
 
-  /// Of the shortest way along an edge.
+  /// Of the shortest path along an edge.
   std::uint32_t edges_along(const Edge& edge) const {
     const auto& [a, b] = edge;
     return 1 + std::min(inner[a] + outer[b], inner[b] + outer[a]);
   }
 };
 
-/// The edges of ways that are too short, and how deep all points are.
-struct ShortWays {
+/// The edges of paths that are too short, and how deep all points are.
+struct ShortPaths {
   std::vector<Edge> edges;
   Depths depths;
 };
 
-ShortWays find_short_ways(const TetMesh& mesh, const LayeredWall& layered) {
+ShortPaths find_short_paths(const TetMesh& mesh, const LayeredWall& layered) {
   const WallMesh wall(mesh, layered.field);
-  ShortWays ways{{}, {wall.from_inner(), wall.from_judged_outer()}};
+  ShortPaths paths{{}, {wall.from_inner(), wall.from_judged_outer()}};
   for (const Edge& edge : wall.edges_through())
-    if (ways.depths.edges_along(edge) < layered.layers) ways.edges.push_back(edge);
-  return ways;
+    if (paths.depths.edges_along(edge) < layered.layers) paths.edges.push_back(edge);
+  return paths;
 }
 
 std::vector<bool> points_at_0(const std::vector<std::uint32_t>& depths) {
@@ -52,18 +52,18 @@ std::vector<bool> points_at_0(const std::vector<std::uint32_t>& depths) {
   return points;
 }
 
-/// Puts vertices on short ways through one wall. None of the new vertices comes to lie on a short way, so
-/// that all short ways there are lead along edges of short ways that there were at first.
+/// Puts vertices on short paths through one wall. None of the new vertices comes to lie on a short path, so
+/// that all short paths there are lead along edges of short paths that there were at first.
 class Deepener {
  public:
-  Deepener(TetMesh mesh, ShortWays ways, std::uint32_t layers, const SizeGuard& guard)
+  Deepener(TetMesh mesh, ShortPaths paths, std::uint32_t layers, const SizeGuard& guard)
       : complex_(std::move(mesh)),
         inserter_(complex_, guard),
-        edges_(std::move(ways.edges)),
-        least_(std::move(ways.depths)),
+        edges_(std::move(paths.edges)),
+        least_(std::move(paths.depths)),
         layers_(layers) {}
 
-  /// How many edges of short ways there are.
+  /// How many edges of short paths there are.
   std::size_t size() const { return edges_.size(); }
 
   /// Puts vertices on the longest of them, away from where it already did in this round; how many.
@@ -122,7 +122,7 @@ class Deepener {
     return true;
   }
 
-  /// Forgets the edges that are gone or no longer on a short way.
+  /// Forgets the edges that are gone or no longer on a short path.
   void keep_short_ways() {
     std::erase_if(edges_, [this](const Edge& edge) {
       find_tets_around(edge);
@@ -150,10 +150,10 @@ Result<TetMesh> deepen_walls(TetMesh mesh, std::span<const LayeredWall> walls, c
     const SizeGuard guard(sizing);
     std::size_t before = 0, after = 0, count = 0;
     for (const LayeredWall& wall : walls) {
-      ShortWays ways = find_short_ways(mesh, wall);
-      if (ways.edges.empty()) continue;
-      before += ways.edges.size();
-      Deepener deepener(std::move(mesh), std::move(ways), wall.layers, guard);
+      ShortPaths paths = find_short_paths(mesh, wall);
+      if (paths.edges.empty()) continue;
+      before += paths.edges.size();
+      Deepener deepener(std::move(mesh), std::move(paths), wall.layers, guard);
       for (int round = 0; round < kDeepeningRounds; ++round) {
         if (ctx.cancelled()) return cancelled_error("optimise");
         const std::size_t split = deepener.split_some();
@@ -164,7 +164,7 @@ Result<TetMesh> deepen_walls(TetMesh mesh, std::span<const LayeredWall> walls, c
       mesh = deepener.release();
     }
     if (before > 0)
-      ctx.note("optimise", "edges of ways through walls that are too short: " + std::to_string(before) +
+      ctx.note("optimise", "edges of paths through walls that are too short: " + std::to_string(before) +
                                ", then " + std::to_string(after) +
                                "; vertices put on them: " + std::to_string(count));
     return mesh;

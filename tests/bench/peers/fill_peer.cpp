@@ -55,7 +55,7 @@ class TriangleFinder {
   std::vector<std::pair<Triangle, std::uint32_t>> entries_;
 };
 
-/// Scales the wished sizes until the number of tetrahedra is as wished, as nearly as a few trials get.
+/// Scales the target sizes until the number of tetrahedra is as asked for, as nearly as a few trials get.
 void calibrate(FillTask& task, double tets, const FillSurface& fill, const std::string& variant) {
   for (int trial = 0; trial < kMaxTrials; ++trial) {
     const Result<Filled> filled = fill(task, variant);

@@ -17,7 +17,7 @@ struct Filled {
   std::vector<Tet> tets;
 };
 
-/// The main function of a peer: `NAME SURFACE OUT VARIANT TETS`. Where TETS is not 0 the wished sizes are
+/// The main function of a peer: `NAME SURFACE OUT VARIANT TETS`. Where TETS is not 0 the target sizes are
 /// scaled until about so many tetrahedra come out; the run that counts then does everything once more.
 using FillSurface = std::function<Result<Filled>(const FillTask& task, const std::string& variant)>;
 int fill_main(int argc, char** argv, const FillSurface& fill);

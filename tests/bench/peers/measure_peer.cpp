@@ -1,5 +1,5 @@
 // The measures of a peer's mesh, by the code that measures voxtet's own: `measure_peer SURFACE MESH.vtu`,
-// JSON to standard output. Sizes are log2(edge / wish) over all edges.
+// JSON to standard output. Sizes are log2(edge / target) over all edges.
 #include <cmath>
 #include <cstdio>
 #include <map>

@@ -1,4 +1,4 @@
-// CGAL Mesh_3 from the label image, with perturb and exude, at a wished number of tetrahedra:
+// CGAL Mesh_3 from the label image, with perturb and exude, at a target number of tetrahedra:
 // `peer_cgal VOLUME OUT EDGE_MM DISTANCE_MM TETS`. Sizes are scaled until refinement alone gives that number
 // within a twentieth; the run that counts then does everything once more.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -30,8 +30,8 @@ using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 namespace parameters = CGAL::parameters;
 
-/// CGAL's sizes bound radii: of a facet's surface ball and of a cell. Median edges come out at the wish with
-/// these.
+/// CGAL's sizes bound radii: of a facet's surface ball and of a cell. Median edges come out at the target
+/// with these.
 constexpr double kFacetRadiusPerEdge = 0.77, kCellRadiusPerEdge = 0.79;
 constexpr int kMaxTrials = 5;
 constexpr double kLikeCount = 0.05;
@@ -63,7 +63,7 @@ Complex mesh_of(const Domain& domain, const CGAL::Image_3& image, const Criteria
   return mesh;
 }
 
-/// The edge length at which refinement gives the wished number of tetrahedra.
+/// The edge length at which refinement gives the target number of tetrahedra.
 double calibrated_edge(const Domain& domain, const CGAL::Image_3& image, double edge_mm, double distance_mm,
                        double tets) {
   for (int trial = 0; trial < kMaxTrials; ++trial) {

@@ -86,18 +86,18 @@ TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
   ASSERT_EQ(run({"phantom", "nested_boxes", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
                  at("boxes.nii.gz")}),
             kExitOk);
-  ASSERT_EQ(run({"mesh", at("boxes.nii.gz"), "--merge", "--edge-mm", "3", "--look-up", "3,2", "-o",
+  ASSERT_EQ(run({"mesh", at("boxes.nii.gz"), "--merge", "--edge-mm", "3", "--transfer", "3,2", "-o",
                  at("a.carp"), "--report", at("report.json")}),
             kExitOk);
   const json report = read_json("report.json");
-  EXPECT_EQ(report["recipe"]["lookup"]["labels"], json({3, 2}));
-  ASSERT_EQ(report["lookup"].size(), 2U);
-  EXPECT_EQ(report["lookup"][0]["label"], 2);
-  EXPECT_NEAR(report["lookup"][0]["by_fraction"]["error_percent"].get<double>(), 0, 5);
+  EXPECT_EQ(report["recipe"]["transfer"]["labels"], json({3, 2}));
+  ASSERT_EQ(report["transfer"].size(), 2U);
+  EXPECT_EQ(report["transfer"][0]["label"], 2);
+  EXPECT_NEAR(report["transfer"][0]["by_fraction"]["error_percent"].get<double>(), 0, 5);
   for (const char* name : {"a.pts", "a.elem", "a.lon.txt", "a.centroid_label.dat", "a.majority_label.dat",
                            "a.fraction_2.dat", "a.fraction_3.dat"})
     EXPECT_TRUE(fs::exists(at(name))) << name;
-  EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--look-up", "9"}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--transfer", "9"}), kExitUsage);
   // What was looked up goes with the mesh into another format.
   ASSERT_EQ(
       run({"mesh", at("boxes.nii.gz"), "--merge", "--edge-mm", "3", "--look-up", "3,2", "-o", at("b.vtu")}),
@@ -425,7 +425,7 @@ TEST_F(CliTest, ReportsTheLayersOfAWall) {
   const json layers = read_json("report.json")["layers"];
   ASSERT_EQ(layers.size(), 1U);
   EXPECT_EQ(layers[0]["wall"], json({1}));
-  EXPECT_EQ(layers[0]["wished"], 2);
+  EXPECT_EQ(layers[0]["target_layers"], 2);
   EXPECT_GT(layers[0]["by_edges"]["exact"], 0.8);
   EXPECT_EQ(layers[0]["by_lines"]["at_least"], 1);
 }

@@ -146,7 +146,7 @@ TEST(LimitGradation, IsExactForPlanesAlongTheAxes) {
   grid.for_each([&](int, int, int k, std::size_t at) { ASSERT_NEAR(h[at], 1 + 0.25 * 1.7 * k, 1e-4); });
 }
 
-TEST(LimitGradation, LeavesInfinityWhereNothingIsWished) {
+TEST(LimitGradation, LeavesInfinityWhereNothingIsAskedFor) {
   const Grid grid = orthogonal_grid({6, 5, 4}, {1, 1, 1});
   for (const float h :
        limited(grid, 0.3, std::vector<float>(grid.count(), std::numeric_limits<float>::infinity())))

@@ -56,7 +56,7 @@ void expect_exact_layers(const LabelVolume& volume, std::uint32_t layers) {
   EXPECT_TRUE(std::all_of(session.mesh()->labels.begin(), session.mesh()->labels.end(),
                           [](Label label) { return label == 1; }));
   const LayerCount& found = quality.layers.at(0);
-  EXPECT_EQ(found.wished, layers);
+  EXPECT_EQ(found.target_layers, layers);
   EXPECT_EQ(found.by_edges.exact, 1);
   EXPECT_EQ(found.by_lines.exact, 1);
   EXPECT_TRUE(found.places.empty());
@@ -150,7 +150,7 @@ TEST(Layers, PassThroughTheInterfacesOfAWallOfTwoLabels) {
 
 /// A bowl, whose wall is one interface with background, inside and out: coarse first points on it may leave
 /// no circumcentre in the wall.
-TEST(Layers, AreAsCoarseAsWishedInAnOpenBowl) {
+TEST(Layers, AreAsCoarseAsAskedForInAnOpenBowl) {
   for (const double thickness : {3.0, 6.0}) {
     SCOPED_TRACE(thickness);
     const test::Body body{[=](const Eigen::Vector3d& p) -> Label {
@@ -237,8 +237,8 @@ TEST(Layers, AreRefusedWhereTheyCannotBe) {
   EXPECT_EQ(message(exact_recipe(0)),
             "sizing.thickness[0].layers: found 0, expected at least 1 where layering is exact");
   Recipe recipe = exact_recipe(2);
-  recipe.remesh.method = RemeshMethod::kRemesh;
-  EXPECT_NE(message(recipe).find("remesh.method: found remesh, expected delaunay"), std::string::npos);
+  recipe.remesh.method = RemeshMethod::kAdapt;
+  EXPECT_NE(message(recipe).find("remesh.method: found adapt, expected delaunay"), std::string::npos);
   recipe = exact_recipe(2);
   recipe.sizing.thickness.push_back(recipe.sizing.thickness[0]);
   EXPECT_NE(message(recipe).find("sizing.thickness[1].wall: found no meshed label"), std::string::npos);

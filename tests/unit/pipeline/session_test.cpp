@@ -154,7 +154,7 @@ TEST(Session, ReusesWhatDidNotChange) {
     if (fraction == 0 && (ran.empty() || ran.back() != stage)) ran.push_back(stage);
   };
   ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
-  EXPECT_EQ(ran, (std::vector<std::string>{"tetra", "optimise", "lookup", "quality"}));
+  EXPECT_EQ(ran, (std::vector<std::string>{"tetra", "optimise", "transfer", "quality"}));
   EXPECT_TRUE(session.cached(Stage::kRemesh));
   recipe.tetra.radius_edge = FillParams{}.radius_edge;
   session.set_recipe(recipe);
@@ -184,7 +184,7 @@ TEST(Session, KeepsNothingToSpareWhereNoMemoryIsSetAside) {
   EXPECT_FALSE(session.cached(Stage::kSmooth));
 }
 
-TEST(Session, LooksUpLabelsOfTheWholeImageInAMeshOfMergedOnes) {
+TEST(Session, TransfersLabelsOfTheWholeImageInAMeshOfMergedOnes) {
   Session session;
   Recipe recipe;
   PhantomParams& phantom = recipe.source.phantom.emplace();
@@ -194,48 +194,48 @@ TEST(Session, LooksUpLabelsOfTheWholeImageInAMeshOfMergedOnes) {
   recipe.labels = {1, 2, 5, 6};
   recipe.merge = {{1, 2, 5, 6}};
   recipe.sizing.edge_mm = 3;
-  recipe.lookup.labels = {5, 6, 3};
+  recipe.transfer.labels = {5, 6, 3};
   session.set_recipe(recipe);
   RunContext ctx;
   const Status done = session.run(Stage::kQuality, ctx);
   ASSERT_TRUE(done.ok()) << done.error().message;
-  ASSERT_EQ(session.lookup()->labels.size(), 3U);
+  ASSERT_EQ(session.transfer()->labels.size(), 3U);
   const nlohmann::json report = report_json(session);
-  ASSERT_EQ(report["lookup"].size(), 3U);
+  ASSERT_EQ(report["transfer"].size(), 3U);
   for (const int i : {1, 2}) {
-    const nlohmann::json& label = report["lookup"][static_cast<std::size_t>(i)];
+    const nlohmann::json& label = report["transfer"][static_cast<std::size_t>(i)];
     // A few hundred voxels, many at the surface of the wall, which is smoothed.
     EXPECT_NEAR(label["by_fraction"]["error_percent"].get<double>(), 0, 4) << label;
     EXPECT_GT(label["by_majority"]["dice"].get<double>(), 0.85) << label;
   }
-  EXPECT_LT(report["lookup"][0]["by_fraction"]["error_percent"].get<double>(), -80)
+  EXPECT_LT(report["transfer"][0]["by_fraction"]["error_percent"].get<double>(), -80)
       << "blood was not meshed: little of it lies in the mesh";
 
   const std::string mesh = digest_of(*session.mesh());
-  recipe.lookup.labels = {6};
+  recipe.transfer.labels = {6};
   session.set_recipe(recipe);
   ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
   EXPECT_TRUE(session.cached(Stage::kTetra));
-  EXPECT_FALSE(session.cached(Stage::kLookup));
-  EXPECT_EQ(session.lookup()->labels.size(), 1U);
+  EXPECT_FALSE(session.cached(Stage::kTransfer));
+  EXPECT_EQ(session.transfer()->labels.size(), 1U);
   EXPECT_EQ(digest_of(*session.mesh()), mesh);
 }
 
-TEST(Session, RefusesToLookUpALabelThatTheImageDoesNotHold) {
+TEST(Session, RefusesToTransferALabelThatTheImageDoesNotHold) {
   Session session;
   Recipe recipe = small_case();
   RunContext ctx;
   const auto expect_refused = [&](Stage last = Stage::kQuality) {
-    recipe.lookup.labels = {77};
+    recipe.transfer.labels = {77};
     session.set_recipe(recipe);
     const Status done = session.run(last, ctx);
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().code, ErrorCode::kUsage);
-    EXPECT_EQ(done.error().stage, "lookup");
+    EXPECT_EQ(done.error().stage, "transfer");
   };
   expect_refused();
   EXPECT_EQ(session.surface(), nullptr) << "refused before anything is made";
-  recipe.lookup.labels = {};
+  recipe.transfer.labels = {};
   session.set_recipe(recipe);
   ASSERT_TRUE(session.run(Stage::kQuality, ctx).ok());
   expect_refused();

@@ -92,7 +92,7 @@ TEST(MeasureQuality, IsExactOnAMeshMadeOfVoxels) {
     EXPECT_NEAR(f.volume_error_percent, 0, 1e-9);
     EXPECT_NEAR(f.mesh_mm3, f.voxel_mm3, 1e-9);
     EXPECT_EQ(f.tets, 6 * f.voxels);
-    EXPECT_NEAR(f.wished_edge_mm, 10.0 / 6, 1e-6);
+    EXPECT_NEAR(f.target_edge_mm, 10.0 / 6, 1e-6);
   }
   EXPECT_EQ(report->labels[0].label, 1);
   EXPECT_EQ(report->labels[1].voxels, 1U);

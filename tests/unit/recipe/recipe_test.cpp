@@ -107,6 +107,22 @@ TEST(WithField, SetsNestedFieldsAndRefusesUnknownOnes) {
   EXPECT_FALSE(with_field(*recipe, "sizing.regions[x].edge_mm", "1").ok());
 }
 
+// Cases and links from before a field or a choice had its name of today.
+TEST(ParseRecipe, ReadsFormerNamesAndWritesThoseOfToday) {
+  const auto old = parse_recipe(R"({"remesh": {"method": "remesh"}, "lookup": {"labels": [5]}})");
+  ASSERT_TRUE(old.ok()) << old.error().message;
+  EXPECT_EQ(old->remesh.method, RemeshMethod::kAdapt);
+  EXPECT_EQ(old->transfer.labels, std::vector<Label>{5});
+  EXPECT_EQ(recipe_to_json(*old, true),
+            nlohmann::json::parse(R"({"remesh": {"method": "adapt"}, "transfer": {"labels": [5]}})"));
+  EXPECT_EQ(with_field(*old, "lookup.labels", "[6]")->transfer.labels, std::vector<Label>{6});
+
+  const auto both = parse_recipe(R"({"transfer": {"labels": [5]}, "lookup": {"labels": [6]}})");
+  ASSERT_FALSE(both.ok());
+  EXPECT_EQ(both.error().message,
+            "lookup: found beside transfer, which is its name today; expected one of them");
+}
+
 TEST(RecipeSchema, DescribesEveryFieldOfTheRecipe) {
   std::vector<std::string> paths;
   for (const json& field : recipe_schema()) {

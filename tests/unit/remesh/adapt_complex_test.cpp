@@ -141,7 +141,7 @@ TEST(AdaptComplex, KeepsACubeOfThreeMaterialsConforming) {
 }
 
 TEST(AdaptComplex, KeepsTheSheetsOfAThinSlabApart) {
-  // Two voxels thick, edges wished twice as long.
+  // Two voxels thick, edges asked for twice as long.
   const LabelVolume volume = test::make_volume(
       28, 28, 10, [](int i, int j, int k) { return i > 3 && i < 24 && j > 3 && j < 24 && k > 3 && k < 6; });
   const SurfaceMesh reference = extracted(volume, true);
@@ -199,7 +199,7 @@ TEST_P(AdaptNoise, NeverChangesTopologyNorIntersects) {
 INSTANTIATE_TEST_SUITE_P(Seeds, AdaptNoise, ::testing::Range(0, 12));
 
 TEST(AdaptComplex, LeavesWhatAdmitsNoOperation) {
-  // One tetrahedron: no collapse keeps it, no split is wished.
+  // One tetrahedron: no collapse keeps it, no split is asked for.
   SurfaceMesh tet;
   tet.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   tet.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};

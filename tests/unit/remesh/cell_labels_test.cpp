@@ -1,4 +1,4 @@
-// What changes the labels of a complex: fragments dropped, pinches mended, wedges removed.
+// What changes the labels of a complex: islands removed, pinches mended, wedges removed.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -222,31 +222,30 @@ TEST(RemoveIslands, DropsWhatHoldsNoVoxelOfItsLabelUnlessItIsAllThatThereIs) {
   }
 }
 
-TEST(RemoveIslands, KeepsOneFragmentBesideTheCentreOfALoneVoxel) {
+TEST(RemoveIslands, KeepsOneIslandBesideTheCentreOfALoneVoxel) {
   const LabelVolume volume = test::make_volume(
       8, 8, 8, [](int i, int j, int k) { return i < 2 || (i == 4 && j == 3 && k == 3) ? 1 : 0; });
   const LabelField field = field_of(volume);
   const std::array<int, 3> before{13, 9, 9}, centre{14, 9, 9}, behind{15, 9, 9}, away{15, 14, 14};
-  const auto remaining = [&](const std::vector<std::array<int, 3>>& fragments) {
+  const auto remaining = [&](const std::vector<std::array<int, 3>>& islands) {
     LabelledCells cells = test::lattice_complex(20, 0.2, 1.05, [&](int i, int j, int k) {
-      const bool in_fragment =
-          std::find(fragments.begin(), fragments.end(), std::array{i, j, k}) != fragments.end();
-      return i < 2 || in_fragment ? 1 : 0;
+      const bool in_island = std::find(islands.begin(), islands.end(), std::array{i, j, k}) != islands.end();
+      return i < 2 || in_island ? 1 : 0;
     });
     remove_islands(cells, field, find_pieces(field));
     std::vector<std::array<int, 3>> kept;
-    for (const auto& [i, j, k] : fragments)
+    for (const auto& [i, j, k] : islands)
       if (cells.labels[6 * static_cast<std::size_t>(i + 20 * (j + 20 * k))] == 1) kept.push_back({i, j, k});
     return kept;
   };
-  using Fragments = std::vector<std::array<int, 3>>;
-  EXPECT_EQ(remaining({centre}), Fragments{centre});
-  EXPECT_EQ(remaining({behind}), Fragments{behind});
+  using Islands = std::vector<std::array<int, 3>>;
+  EXPECT_EQ(remaining({centre}), Islands{centre});
+  EXPECT_EQ(remaining({behind}), Islands{behind});
   EXPECT_EQ(remaining({before, behind}).size(), 1U) << "there is one voxel";
-  EXPECT_EQ(remaining({away}), Fragments{}) << "background lies between it and the voxel";
+  EXPECT_EQ(remaining({away}), Islands{}) << "background lies between it and the voxel";
 }
 
-TEST(RemoveIslands, GivesACrumbToTheLabelWithMostOfItsRim) {
+TEST(RemoveIslands, GivesAnIslandToTheLabelWithMostOfItsRim) {
   const LabelledCells cells = test::lattice_complex(3, 1, 0, [](int i, int j, int k) {
     return i == 1 && j == 1 && k == 1 ? 5 : i < 2 ? 3 : 4;
   });

@@ -41,7 +41,7 @@ SurfaceMesh label_surface(const LabelVolume& volume) {
   return smooth_surface(extract_surface(volume, {}, ctx).value(), volume, {}, ctx).value();
 }
 
-/// Improves what was adapted to smaller edges than are wished now; returns both.
+/// Improves what was adapted to smaller edges than are asked for now; returns both.
 std::array<SurfaceMesh, 2> expect_coarser_and_as_good(const SurfaceMesh& reference, double edge_before_mm,
                                                       double edge_mm) {
   RunContext ctx;
@@ -58,9 +58,9 @@ std::array<SurfaceMesh, 2> expect_coarser_and_as_good(const SurfaceMesh& referen
   const test::SurfaceReport before = test::report_on(fine, sizing), after = test::report_on(surface, sizing);
   EXPECT_GE(after.least_planar_deg, std::min(before.least_planar_deg, 29.25) - 1e-9);
   EXPECT_GT(after.size_median, before.size_median + 0.2);
-  const std::vector<double> wished = enclosed_volumes_mm3(reference), found = enclosed_volumes_mm3(surface);
-  EXPECT_EQ(found.size(), wished.size());
-  for (std::size_t l = 1; l < wished.size(); ++l) EXPECT_NEAR(found[l], wished[l], 0.01 * wished[l]);
+  const std::vector<double> target = enclosed_volumes_mm3(reference), found = enclosed_volumes_mm3(surface);
+  EXPECT_EQ(found.size(), target.size());
+  for (std::size_t l = 1; l < target.size(); ++l) EXPECT_NEAR(found[l], target[l], 0.01 * target[l]);
   EXPECT_EQ(digest_of(improve_surface(fine, reference, sizing, strict_params(), ctx).value()),
             digest_of(surface));
   return {fine, surface};
@@ -101,7 +101,7 @@ std::size_t count_without_balls(const SurfaceMesh& surface) {
 }
 
 TEST(ImproveSurface, KeepsFacetsOfThinBodiesDelaunay) {
-  // As thick in the middle as half an edge of those wished.
+  // As thick in the middle as half a target edge.
   SurfaceMesh reference = test::sphere({0, 0, 0}, 12, 5, 1, 0);
   for (Eigen::Vector3d& p : reference.points) p.z() *= 0.06;
   RunContext ctx;

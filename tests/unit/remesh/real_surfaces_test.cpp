@@ -135,7 +135,7 @@ TEST(RemeshRealByOperations, OpensTheSmallestAnglesWithHealing) {
   if (!volume) GTEST_SKIP() << "biv_es_oblique_sax.nii.gz is not present";
   const SizingField sizing = test::uniform_sizing(2 * volume->smallest_spacing_mm());
   RemeshParams params;
-  params.method = RemeshMethod::kRemesh;
+  params.method = RemeshMethod::kAdapt;
   RunContext ctx;
   const SurfaceMesh reference = test::label_surface(*volume);
   const Result<SurfaceMesh> surface = remesh_surface(*volume, reference, sizing, params, ctx);

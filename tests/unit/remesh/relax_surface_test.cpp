@@ -51,7 +51,7 @@ TEST(RelaxSurface, EvensOutSizesAndShapesAlongTheSurface) {
   for (const Vector3d& p : after.points) EXPECT_NEAR((p - Vector3d(1, 2, 3)).norm(), 12, 0.1);
 }
 
-TEST(RelaxSurface, FollowsTheWishedSizes) {
+TEST(RelaxSurface, FollowsTheTargetSizes) {
   SurfaceMesh surface = test::sphere({0, 0, 0}, 12, 4, 1, 0);
   const SizingField sizing = test::sampled_sizing(
       {-14, -14, -14}, {14, 14, 14}, 1, [](const Vector3d& p) { return 0.85 * (1 + 0.02 * p.z()); });

@@ -53,8 +53,8 @@ struct RandomCase {
   SurfaceMesh reference = test::label_surface(volume);
 };
 
-const char* const kFellBack = "the method remesh was taken instead";
-const std::vector<std::string> kDelaunayNote{"method delaunay"}, kRemeshNote{"method remesh"};
+const char* const kFellBack = "the method adapt was taken instead";
+const std::vector<std::string> kDelaunayNote{"method delaunay"}, kAdaptNote{"method adapt"};
 
 TEST(RemeshMethods, StayWithDelaunayWhereNothingNeedBeKept) {
   const LabelVolume volume = test::random_volume(9, 3, 0);
@@ -77,7 +77,7 @@ TEST(RemeshMethods, KeepEveryPieceHandleAndContactOnDemand) {
     EXPECT_TRUE(test::is_valid_surface(all.surface)) << seed;
     fallen += all.warned_of(kFellBack);
     changed += all.warned_of("changed the topology of labels");
-    EXPECT_EQ(all.notes, all.warned_of(kFellBack) ? kRemeshNote : kDelaunayNote);
+    EXPECT_EQ(all.notes, all.warned_of(kFellBack) ? kAdaptNote : kDelaunayNote);
   }
   EXPECT_GT(fallen, 0);
   EXPECT_GT(changed, 0);
@@ -105,12 +105,12 @@ class RemeshSchedules : public ::testing::TestWithParam<AdaptSchedule> {};
 
 TEST_P(RemeshSchedules, KeepTopologyShapesAndEmbedding) {
   RemeshParams params;
-  params.method = RemeshMethod::kRemesh;
+  params.method = RemeshMethod::kAdapt;
   params.schedule = GetParam();
   const LabelVolume volume = test::heart_volume(30, 26, 26);
   const SurfaceMesh reference = test::label_surface(volume);
   const Outcome out = remesh_with(volume, reference, 2, params);
-  EXPECT_EQ(out.notes, kRemeshNote);
+  EXPECT_EQ(out.notes, kAdaptNote);
   EXPECT_FALSE(out.warned_of(kFellBack));
   ASSERT_TRUE(test::is_valid_surface(out.surface));
   EXPECT_EQ(label_topology(out.surface), label_topology(reference));
@@ -140,11 +140,11 @@ TEST_P(RemeshSchedules, ChangeNothingThatIntersects) {
 TEST(RemeshMethods, SayWhatVerificationFound) {
   const LabelVolume volume = test::heart_volume(20, 18, 18);
   RemeshParams params;
-  params.method = RemeshMethod::kRemesh;
+  params.method = RemeshMethod::kAdapt;
   params.verify = true;
   const Outcome out = remesh_with(volume, test::label_surface(volume), 2, params);
   ASSERT_EQ(out.notes.size(), 2U);
-  EXPECT_EQ(out.notes[0], kRemeshNote[0]);
+  EXPECT_EQ(out.notes[0], kAdaptNote[0]);
   EXPECT_EQ(out.notes[1].find("intersections found after "), 0U) << out.notes[1];
   EXPECT_NE(out.notes[1].find(" verified operations: 0"), std::string::npos) << out.notes[1];
   EXPECT_TRUE(out.warnings.empty());
@@ -160,7 +160,7 @@ TEST(RemeshMethods, GiveTheSameBytesOnEveryRunAndPlatform) {
   const LabelVolume volume = test::heart_volume(28, 24, 24);
   const SurfaceMesh reference = test::label_surface(volume);
   RemeshParams params;
-  params.method = RemeshMethod::kRemesh;
+  params.method = RemeshMethod::kAdapt;
   const std::string first = digest_of(remesh_with(volume, reference, 2, params).surface);
   EXPECT_EQ(digest_of(remesh_with(volume, reference, 2, params).surface), first);
   EXPECT_EQ(first, "a8dc3b5a56b17d93f33c0be5d86757ad615f8f5db5f169e06f996ad945a38968");
@@ -169,7 +169,7 @@ TEST(RemeshMethods, GiveTheSameBytesOnEveryRunAndPlatform) {
 TEST(RemeshMethods, StopWhenCancelled) {
   const LabelVolume volume = test::ball_volume(30, 14.5, 12);
   RemeshParams params;
-  params.method = RemeshMethod::kRemesh;
+  params.method = RemeshMethod::kAdapt;
   RunContext ctx;
   int polls = 0;
   ctx.on_cancelled = [&] { return ++polls > 3; };

@@ -1,4 +1,4 @@
-// The adapted surface of small bodies: closed, conforming, well shaped, of the wished size, and the same
+// The adapted surface of small bodies: closed, conforming, well shaped, of the target size, and the same
 // every time.
 #include "remesh/remesh_surface.h"
 
@@ -54,7 +54,7 @@ double volume_of(const SurfaceMesh& surface, Label label) {
   return 0;
 }
 
-TEST(RemeshSurface, GivesARoundClosedSphereOfTheWishedSize) {
+TEST(RemeshSurface, GivesARoundClosedSphereOfTheTargetSize) {
   constexpr double kRadius = 12.3;
   const LabelVolume volume = ball(32, kRadius, Eigen::Matrix4d::Identity());
   for (const double h : {1.2, 1.6, 2.0}) {
@@ -187,7 +187,7 @@ TEST(RemeshSurface, KeepsLabelsOfOneVoxelAndLinesOfVoxels) {
 }
 
 TEST(RemeshSurface, TakesFewRingsOfThreeAroundALineOfVoxels) {
-  // No edge around the line can be as long as is wished; those along it can be longer.
+  // No edge around the line can be as long as is asked for; those along it can be longer.
   const LabelVolume volume = test::make_volume(
       44, 14, 14, [](int i, int j, int k) { return j == 6 && k == 6 && i >= 2 && i < 42 ? 1 : 0; });
   for (const auto& [edge_mm, most] : {std::pair{3.0, 112U}, std::pair{5.0, 104U}}) {

@@ -27,7 +27,7 @@ TEST(SeedJunctions, AreNoneWhereNoThreeLabelsMeet) {
   EXPECT_TRUE(seed_junctions(sphere, test::uniform_sizing(1)).empty());
 }
 
-TEST(SeedJunctions, DivideAClosedCurveIntoEqualPartsOfTheWishedLength) {
+TEST(SeedJunctions, DivideAClosedCurveIntoEqualPartsOfTheTargetLength) {
   for (const double edge : {1.0, 2.5, 6.0}) {
     const std::vector<Vector3d> points = seed_junctions(halved_ball(), test::uniform_sizing(edge));
     const double length = 2 * EIGEN_PI * 9.3;

@@ -16,7 +16,7 @@ namespace voxtet::test {
 struct SurfaceReport {
   double least_planar_deg = 180;    ///< smallest angle of a triangle
   double least_dihedral_deg = 180;  ///< smallest angle between two triangles that share an edge
-  double size_median = 0, size_p5 = 0, size_p95 = 0;  ///< log2(edge length / wish at its midpoint)
+  double size_median = 0, size_p5 = 0, size_p95 = 0;  ///< log2(edge length / target at its midpoint)
 };
 
 inline double angle_deg(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {

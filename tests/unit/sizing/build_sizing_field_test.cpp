@@ -70,7 +70,7 @@ TEST(BuildSizingField, FillsTheBackgroundFromTheLabelsUpToTheLargestSize) {
   EXPECT_NEAR(*std::max_element(field.h_mm.begin(), field.h_mm.end()), 3, 1e-6);
 }
 
-TEST(BuildSizingField, ClampsWishesToTheBounds) {
+TEST(BuildSizingField, ClampsTargetsToTheBounds) {
   const LabelVolume volume = two_halves();
   SizingParams params;
   params.labels = {{1, 0.2}, {2, 90}};
@@ -272,9 +272,9 @@ WallField wedge(const LabelVolume& volume) {
   return wall;
 }
 
-SizingField build_with_wall(const LabelVolume& volume, SizingParams params, const ThicknessSize& wish) {
+SizingField build_with_wall(const LabelVolume& volume, SizingParams params, const ThicknessSize& rule) {
   params.gradation = 1;
-  params.thickness = {wish};
+  params.thickness = {rule};
   const std::vector<WallField> walls{wedge(volume)};
   RunContext ctx;
   return build_sizing_field(volume, params, ctx, {walls}).value();
@@ -284,11 +284,11 @@ TEST(BuildSizingField, LayersDivideTheThicknessOfAWall) {
   const LabelVolume volume = two_halves();
   SizingParams params;
   params.edge_mm = 9;
-  ThicknessSize wish;
-  wish.wall = {1};
+  ThicknessSize rule;
+  rule.wall = {1};
   for (const std::uint32_t layers : {1U, 2U, 4U}) {
-    wish.layers = layers;
-    const SizingField field = build_with_wall(volume, params, wish);
+    rule.layers = layers;
+    const SizingField field = build_with_wall(volume, params, rule);
     for (const int i : {4, 8, 13})
       EXPECT_NEAR(at_voxel(volume, field, i, 12, 12), i / 2.0 / layers, 1e-5) << layers;
     // Beyond the wall the other label's own size, as far as the gradation allows.
@@ -298,13 +298,13 @@ TEST(BuildSizingField, LayersDivideTheThicknessOfAWall) {
 
 TEST(BuildSizingField, ThicknessIsMappedToARangeOfSizes) {
   const LabelVolume volume = two_halves();
-  ThicknessSize wish;
-  wish.wall = {1};
-  wish.thin_mm = 3;
-  wish.thick_mm = 5;
-  wish.edge_thin_mm = 1.5;
-  wish.edge_thick_mm = 2.5;
-  const SizingField field = build_with_wall(volume, {}, wish);
+  ThicknessSize rule;
+  rule.wall = {1};
+  rule.thin_mm = 3;
+  rule.thick_mm = 5;
+  rule.edge_thin_mm = 1.5;
+  rule.edge_thick_mm = 2.5;
+  const SizingField field = build_with_wall(volume, {}, rule);
   EXPECT_NEAR(at_voxel(volume, field, 4, 12, 12), 1.5, 1e-5);
   EXPECT_NEAR(at_voxel(volume, field, 8, 12, 12), 2, 1e-5);
   EXPECT_NEAR(at_voxel(volume, field, 9, 12, 12), 2.25, 1e-5);
@@ -313,11 +313,11 @@ TEST(BuildSizingField, ThicknessIsMappedToARangeOfSizes) {
 
 TEST(BuildSizingField, TheRangeOfThicknessIsThatOfTheWallUnlessGiven) {
   const LabelVolume volume = two_halves();
-  ThicknessSize wish;
-  wish.wall = {1};
-  wish.edge_thin_mm = 1;
-  wish.edge_thick_mm = 4;  // the wall's thickness runs from 2 to 6.5 mm
-  const SizingField field = build_with_wall(volume, {}, wish);
+  ThicknessSize rule;
+  rule.wall = {1};
+  rule.edge_thin_mm = 1;
+  rule.edge_thick_mm = 4;  // the wall's thickness runs from 2 to 6.5 mm
+  const SizingField field = build_with_wall(volume, {}, rule);
   EXPECT_NEAR(at_voxel(volume, field, 4, 12, 12), 1, 1e-5);
   EXPECT_NEAR(at_voxel(volume, field, 8, 12, 12), 1 + 3 * (4 - 2) / 4.5, 1e-5);
   EXPECT_NEAR(at_voxel(volume, field, 12, 12, 12), 1 + 3 * (6 - 2) / 4.5, 1e-5);
@@ -327,10 +327,10 @@ TEST(BuildSizingField, TheSmallerOfLabelSizeAndThicknessHolds) {
   const LabelVolume volume = two_halves();
   SizingParams params;
   params.labels = {{1, 2.5}};
-  ThicknessSize wish;
-  wish.wall = {1};
-  wish.layers = 1;
-  const SizingField field = build_with_wall(volume, params, wish);
+  ThicknessSize rule;
+  rule.wall = {1};
+  rule.layers = 1;
+  const SizingField field = build_with_wall(volume, params, rule);
   EXPECT_NEAR(at_voxel(volume, field, 4, 12, 12), 2, 1e-5);
   EXPECT_NEAR(at_voxel(volume, field, 10, 12, 12), 2.5, 1e-5);
 }

@@ -48,10 +48,10 @@ TEST(CurvatureSize, GivesABallSoManyEdgesATurn) {
   ASSERT_TRUE(field.ok()) << field.error().message;
   for (const auto& [label, radius] : {std::pair<Label, double>{1, kRadius}, {2, 6}}) {
     const std::vector<double> sizes = at_surface(volume, *field, label);
-    const double wished = 2 * EIGEN_PI * radius / 24;
-    EXPECT_NEAR(sizes[sizes.size() / 2], wished, 0.06 * wished);
-    EXPECT_GT(sizes[sizes.size() / 20], 0.85 * wished);
-    EXPECT_LT(sizes[sizes.size() * 19 / 20], 1.15 * wished);
+    const double target = 2 * EIGEN_PI * radius / 24;
+    EXPECT_NEAR(sizes[sizes.size() / 2], target, 0.06 * target);
+    EXPECT_GT(sizes[sizes.size() / 20], 0.85 * target);
+    EXPECT_LT(sizes[sizes.size() * 19 / 20], 1.15 * target);
   }
   // Beyond the surface sizes rise as the gradation lets them, from the smallest around.
   const double at_middle = 2 * EIGEN_PI * kRadius / 24 + params.gradation * kRadius;
@@ -70,7 +70,7 @@ TEST(CurvatureSize, CountsTheLabelsNamedAlone) {
   EXPECT_LT(field->at({kMiddle, kMiddle, 48 - 6}), 2);
 }
 
-TEST(CurvatureSize, AsksForNothingBelowItsOwnMinimumNorAboveOtherWishes) {
+TEST(CurvatureSize, AsksForNothingBelowItsOwnMinimumNorAboveOtherRules) {
   SizingParams params;
   params.edge_mm = 2;
   params.curvature = {{{}, 1000, 1.25}};
@@ -83,9 +83,9 @@ TEST(CurvatureSize, AsksForNothingBelowItsOwnMinimumNorAboveOtherWishes) {
 
 TEST(CurvatureSize, NamesTheFieldThatIsWrong) {
   const LabelVolume volume = two_balls();
-  const auto message_of = [&](const CurvatureSize& wish) {
+  const auto message_of = [&](const CurvatureSize& rule) {
     SizingParams params;
-    params.curvature = {{}, wish};
+    params.curvature = {{}, rule};
     const Result<SizingField> field = build_with_curvature(volume, params);
     return field ? std::string() : field.error().message;
   };

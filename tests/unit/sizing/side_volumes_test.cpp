@@ -74,17 +74,17 @@ TEST(MaskSize, RefusesMasksThatSayNothing) {
   Side side{{&mask}, {}, {}};
   SizingParams params;
   params.masks.resize(1);
-  MaskSize& wish = params.masks[0];
-  wish.name = "paint.nii";
+  MaskSize& rule = params.masks[0];
+  rule.name = "paint.nii";
   expect_refused(build(params, side), ErrorCode::kUsage, "sizing.masks[0].edges: found none");
-  wish.edges = {{4, 1}};
+  rule.edges = {{4, 1}};
   expect_refused(build(params, side), ErrorCode::kUsage, "found 4, which the mask 'paint.nii' does not hold");
-  wish.edges = {{3, 1}, {3, 2}};
+  rule.edges = {{3, 1}, {3, 2}};
   expect_refused(build(params, side), ErrorCode::kUsage,
                  "sizing.masks[0].edges[1].label: label 3 has a size");
-  wish.edges = {{3, 0}};
+  rule.edges = {{3, 0}};
   expect_refused(build(params, side), ErrorCode::kUsage, "sizing.masks[0].edges[0].edge_mm: found 0");
-  wish.edges = {{3, 1}};
+  rule.edges = {{3, 1}};
   side.masks = {&elsewhere};
   expect_refused(build(params, side), ErrorCode::kUsage, "lies in the volume");
 }
@@ -174,7 +174,7 @@ TEST(SizeRegion, OutsideOfTheVolumeChangesNothingAndIsWarnedOf) {
   EXPECT_NE(side.warnings[0].find("sizing.regions[0] 'far'"), std::string::npos) << side.warnings[0];
 }
 
-TEST(BuildSizingField, SaysWhichWishesAreBeyondTheBounds) {
+TEST(BuildSizingField, SaysWhichTargetsAreBeyondTheBounds) {
   Side side;
   SizingParams params;
   params.edge_min_mm = 1;
@@ -191,7 +191,7 @@ TEST(BuildSizingField, SaysWhichWishesAreBeyondTheBounds) {
                 "sizing.regions[0].edge_mm: 0.5 mm is below sizing.edge_min_mm, which holds: 1 mm"}));
 }
 
-// Contradictory wishes are no error: the smallest wins, whatever the order.
+// Contradictory rules are no error: the smallest wins, whatever the order.
 TEST(SizeRegion, OverlappingRegionsTakeTheSmallestSize) {
   Side side;
   SizingParams params;

@@ -14,11 +14,11 @@ namespace voxtet {
 namespace {
 
 constexpr int kBricks = 12;  ///< along a side of the slab
-constexpr double kWishMm = 1.5;
+constexpr double kTargetMm = 1.5;
 
 TetMesh deepened(const TetMesh& mesh, std::uint32_t layers) {
   const WallField field = test::slab_wall();
-  const SizingField sizing = test::uniform_sizing(kWishMm);
+  const SizingField sizing = test::uniform_sizing(kTargetMm);
   RunContext ctx;
   return deepen_walls(mesh, std::vector<LayeredWall>{{field, layers}}, sizing, ctx).value();
 }
@@ -70,7 +70,7 @@ TEST(DeepenWalls, LeavesOthersAsTheyAre) {
 
 TEST(DeepenWalls, CanBeCancelled) {
   const WallField field = test::slab_wall();
-  const SizingField sizing = test::uniform_sizing(kWishMm);
+  const SizingField sizing = test::uniform_sizing(kTargetMm);
   RunContext ctx;
   ctx.on_cancelled = [] { return true; };
   const Result<TetMesh> none =

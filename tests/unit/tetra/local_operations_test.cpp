@@ -58,7 +58,7 @@ const std::vector<Point> kTriangle{{1, 0, 0}, {-0.5, 0.8, 0}, {-0.5, -0.8, 0}};
 /// Its shorter diagonal joins points 3 and 5.
 const std::vector<Point> kSquare{{1, 0, 0}, {0, 0.9, 0}, {-1, 0, 0}, {0, -0.9, 0}};
 
-const SizingField kWish = test::uniform_sizing(2);
+const SizingField kTarget = test::uniform_sizing(2);
 
 /// Tries the side opposite to `apex` of each tet at it.
 bool remove_faces_below(TetComplex& complex, std::uint32_t apex, const SizeGuard& guard) {
@@ -71,7 +71,7 @@ bool remove_faces_below(TetComplex& complex, std::uint32_t apex, const SizeGuard
 /// The edge from point 0 to point 1 is between the first two corners of tet 0.
 TetMesh without_edge(TetMesh mesh, bool expected) {
   TetComplex complex(std::move(mesh));
-  EXPECT_EQ(remove_edge(complex, 0, 0, 1, SizeGuard(kWish)), expected);
+  EXPECT_EQ(remove_edge(complex, 0, 0, 1, SizeGuard(kTarget)), expected);
   return std::move(complex).release();
 }
 
@@ -101,15 +101,15 @@ TEST(RemoveEdge, LeavesWhatWouldNotGainAndEdgesOnInterfaces) {
   EXPECT_EQ(without_edge(two_labels, false).tets.size(), 3U);
 }
 
-TEST(RemoveEdge, KeepsNewEdgesNearTheWish) {
+TEST(RemoveEdge, KeepsNewEdgesNearTheTarget) {
   const SizingField small = test::uniform_sizing(0.4);
   TetComplex complex(ring_mesh(0.8, {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}));
   EXPECT_FALSE(remove_edge(complex, 0, 0, 1, SizeGuard(small)))
-      << "diagonals of 2 for an edge of 1.6, wish 0.4";
+      << "diagonals of 2 for an edge of 1.6, target 0.4";
 }
 
 TEST(RemoveFaces, MakesThreeOfTwoTetsWhereTheApexesAreNear) {
-  const SizeGuard guard(kWish);
+  const SizeGuard guard(kTarget);
   TetMesh before = mesh_of({{0, 0, 0.42}, {0, 0, -0.42}, kTriangle[0], kTriangle[1], kTriangle[2]},
                            {{2, 3, 4, 0}, {2, 4, 3, 1}});
   TetComplex complex(before);
@@ -122,7 +122,7 @@ TEST(RemoveFaces, MakesThreeOfTwoTetsWhereTheApexesAreNear) {
 }
 
 TEST(RemoveFaces, TakesTwoFacesBetweenTheSameApexes) {
-  const SizeGuard guard(kWish);
+  const SizeGuard guard(kTarget);
   const TetMesh before = mesh_of({{0, 0, 0.6}, {0, 0, -0.6}, kSquare[0], kSquare[1], kSquare[2], kSquare[3]},
                                  {{2, 3, 5, 0}, {3, 4, 5, 0}, {2, 5, 3, 1}, {3, 5, 4, 1}});
   TetComplex complex(before);
@@ -217,8 +217,8 @@ TetMesh star_in_cube(const Point& apex) {
 
 TEST(VertexSmoother, CentresTheVertexOfACube) {
   TetComplex complex(star_in_cube({0.8, 0.7, 0.25}));
-  const SizingField wish = test::uniform_sizing(1);
-  const SizeGuard guard(wish);
+  const SizingField target = test::uniform_sizing(1);
+  const SizeGuard guard(target);
   VertexSmoother smoother(complex, guard);
   for (int i = 0; i < 10; ++i) smoother.smooth(8, 1, 10);
   EXPECT_FALSE(smoother.smooth(8, 0.1, 10)) << "good enough";
@@ -228,8 +228,8 @@ TEST(VertexSmoother, CentresTheVertexOfACube) {
 TEST(SizeSmoother, EvensOutTheEdgesOfAVertex) {
   const Point start(0.75, 0.65, 0.3), centre(0.5, 0.5, 0.5);
   TetComplex complex(star_in_cube(start));
-  const SizingField wish = test::uniform_sizing(0.866);
-  const SizeGuard guard(wish);
+  const SizingField target = test::uniform_sizing(0.866);
+  const SizeGuard guard(target);
   SizeSmoother smoother(complex, guard);
   for (int i = 0; i < 10; ++i) smoother.smooth(8, 0);
   EXPECT_LT((complex.point(8) - centre).norm(), 0.7 * (start - centre).norm());
@@ -240,10 +240,10 @@ TEST(SizeSmoother, KeepsTheQualityDemanded) {
   const TetMesh before = star_in_cube({0.5, 0.5, 0.5});
   TetComplex complex(before);
   // Long edges below, short ones above: the vertex is drawn up, where its tets become flat.
-  SizingField wish = test::uniform_sizing(1);
-  wish.size = {1, 1, 2};
-  wish.h_mm = {2.0F, 0.3F};
-  const SizeGuard guard(wish);
+  SizingField target = test::uniform_sizing(1);
+  target.size = {1, 1, 2};
+  target.h_mm = {2.0F, 0.3F};
+  const SizeGuard guard(target);
   SizeSmoother smoother(complex, guard);
   const double regular = lowest_quality(before);
   EXPECT_FALSE(smoother.smooth(8, regular));
@@ -258,8 +258,8 @@ TEST(SizeSmoother, KeepsTheQualityDemanded) {
 TEST(VertexInserter, MayPutItsVertexInThePlaceOfAnother) {
   const TetMesh before = star_in_cube({0.5, 0.5, 0.05});
   TetComplex complex(before);
-  const SizingField wish = test::uniform_sizing(1);
-  const SizeGuard guard(wish);
+  const SizingField target = test::uniform_sizing(1);
+  const SizeGuard guard(target);
   VertexInserter inserter(complex, guard);
   std::uint32_t worst = 0;
   for (std::uint32_t t = 0; t < complex.places(); ++t)

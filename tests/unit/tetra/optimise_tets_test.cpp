@@ -242,7 +242,7 @@ double largest_misfit(const TetMesh& mesh, const SizingField& sizing) {
   return misfit;
 }
 
-TEST(OptimiseTets, MakesNoEdgeFartherFromTheWishThanThereWas) {
+TEST(OptimiseTets, MakesNoEdgeFartherFromTheTargetThanThereWas) {
   const TetMesh before = random_mesh(7, 800, 1);
   const SizingField sizing = test::uniform_sizing(0.8 * median_edge(before));
   const double largest = largest_misfit(before, sizing);
@@ -252,7 +252,7 @@ TEST(OptimiseTets, MakesNoEdgeFartherFromTheWishThanThereWas) {
   EXPECT_LE(largest_misfit(optimise_fixed(before, sizing, params), sizing), largest);
 }
 
-/// Of all edges, the part longer or shorter than the wish by a factor of 1.41.
+/// Of all edges, the part longer or shorter than the target by a factor of 1.41.
 double share_far_off(const TetMesh& mesh, const SizingField& sizing) {
   const tetra::SizeGuard guard(sizing);
   const auto edges = tet_edges(mesh.tets, mesh.points.size());
@@ -263,7 +263,7 @@ double share_far_off(const TetMesh& mesh, const SizingField& sizing) {
   return static_cast<double>(far_off) / static_cast<double>(edges.size());
 }
 
-TEST(OptimiseTets, BringsEdgesNearerToTheWish) {
+TEST(OptimiseTets, BringsEdgesNearerToTheTarget) {
   const SurfaceMesh surface = two_balls();
   const SizingField sizing = test::uniform_sizing(1.4);
   const TetMesh before = filled(surface, sizing), after = optimise(before, surface, sizing);

@@ -14,9 +14,9 @@ namespace {
 using test::kSlabThickness;
 using test::slab;
 
-LayerCount count(const TetMesh& mesh, std::uint32_t wished) {
+LayerCount count(const TetMesh& mesh, std::uint32_t target) {
   const WallField field = test::slab_wall();
-  const std::vector<LayeredWall> walls{{field, wished}};
+  const std::vector<LayeredWall> walls{{field, target}};
   return count_layers(mesh, walls).counts.at(0);
 }
 
@@ -27,7 +27,7 @@ double area(const LayerShares& shares) {
 TEST(CountLayers, BothWaysFindTheLayersThatAreThere) {
   for (const std::uint32_t layers : {1U, 2U, 3U, 4U}) {
     const LayerCount found = count(slab(12, static_cast<int>(layers)), layers);
-    EXPECT_EQ(found.wished, layers);
+    EXPECT_EQ(found.target_layers, layers);
     EXPECT_DOUBLE_EQ(found.by_edges.exact, 1) << layers;
     EXPECT_DOUBLE_EQ(found.by_edges.at_least, 1) << layers;
     EXPECT_DOUBLE_EQ(found.by_lines.exact, 1) << layers;

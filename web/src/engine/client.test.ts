@@ -47,11 +47,11 @@ describe('EngineClient', () => {
     expect(neighbours).toBe(4 * (result.report?.tets ?? 0));
   });
 
-  it('hands over what was looked up in the image, and nothing where no label was asked for', async () => {
+  it('hands over what was transferred from the image, and nothing where no label was asked for', async () => {
     const client = start();
     const arraysOf = async (labels: number[]) => {
       const names: string[] = [];
-      const recipe = JSON.stringify({ ...phantom, lookup: { labels } });
+      const recipe = JSON.stringify({ ...phantom, transfer: { labels } });
       await client.run(recipe, phantom.source, 'quality', {
         onStage: (summary, arrays) => {
           if (summary.name === 'quality')

@@ -1,10 +1,10 @@
 /** What the engine says and takes: the JSON of the wasm surface, typed. Lengths mm, patient space RAS. */
+import { stageNames } from './generated';
 import type { Recipe, Vec3 } from './recipe_types';
 
 export * from './recipe_types';
 
-/** The stages that the app shows. The engine's `tetra` runs by itself before `optimise`, `lookup` before `quality`. */
-export const stageNames = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'optimise', 'quality'] as const;
+export { stageNames };
 export type StageName = (typeof stageNames)[number];
 
 export type ErrorCode =
@@ -111,7 +111,7 @@ export interface LabelFidelity {
   volume_error_percent: number;
   dice: number;
   median_edge_mm: number;
-  wished_edge_mm: number;
+  target_edge_mm: number;
 }
 
 /** Pairs are of the label surface and of the mesh. */
@@ -152,13 +152,13 @@ export interface LayerShares {
 
 export interface LayerCount {
   wall: number[];
-  wished: number;
+  target_layers: number;
   by_edges: LayerShares;
   by_lines: LayerShares;
 }
 
 /** A label given to tetrahedra three ways, against its voxels. */
-export interface LookedUpLabel {
+export interface TransferredLabel {
   label: number;
   voxel_mm3: number;
   by_fraction: { mm3: number; error_percent: number };
@@ -173,8 +173,8 @@ export interface Report {
   points: number;
   source: VolumeSummary;
   stages: (Omit<StageSummary, 'key'> & { digest: string })[];
-  /** Absent where no label was to be looked up. */
-  lookup?: LookedUpLabel[];
+  /** Absent where no label was to be transferred. */
+  transfer?: TransferredLabel[];
   /** Absent where no number of layers is a target. */
   layers?: LayerCount[];
   quality: { metrics: Metric[]; checklist: ChecklistItem[]; passed: boolean };

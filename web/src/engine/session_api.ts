@@ -53,8 +53,8 @@ const arrayNames: Partial<Record<StageName, readonly string[]>> = {
   optimise: ['points', 'tets', 'labels'],
 };
 
-/** What was looked up stands with the evidence. */
-const stagesOfEvidence = ['quality', 'lookup'];
+/** What was transferred stands with the evidence. */
+const stagesOfEvidence = ['quality', 'transfer'];
 
 /** For shaders, which cannot tell what is not a number: `none` in its place. */
 function withNone(values: Float32Array, none: number): Float32Array {

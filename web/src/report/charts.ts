@@ -34,7 +34,7 @@ function make(found: Report, pinned: Report | null): Charts {
   return {
     edges: pinned
       ? against('edge_mm', 'Edge length')
-      : [...one('wished_edge_mm', 'Target', 'before'), ...one('edge_mm', 'Edge length')],
+      : [...one('target_edge_mm', 'Target', 'before'), ...one('edge_mm', 'Edge length')],
     ratios: against('size_log2', 'Size ratio'),
     aspects: pinned
       ? against('triangle_aspect_after', 'Adapted surface')

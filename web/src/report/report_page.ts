@@ -123,7 +123,7 @@ export function reportPage(
     number(row.mesh_mm3 / 1000),
     number(row.volume_error_percent),
     row.dice.toFixed(4),
-    `${number(row.median_edge_mm)} / ${number(row.wished_edge_mm)}`,
+    `${number(row.median_edge_mm)} / ${number(row.target_edge_mm)}`,
   ]);
   const measures = found.quality.metrics.map((metric) => [
     `${metric.name.replaceAll('_', ' ')} (${metric.elements})`,

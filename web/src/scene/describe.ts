@@ -5,7 +5,7 @@ import { nameOf, voxelMm } from '../store/case/input';
 import { shownResult } from '../store/run/results';
 import { fractionLabel, type Picked } from '../store/view';
 
-/** What was looked up in the image at one tet. */
+/** What was transferred from the image to one tet. */
 function lookedUpLines({ values: arrays }: StageArrays['quality'], tet: number): [string, string][] {
   const { centroid_label: centroid, majority_label: majority } = arrays;
   if (!centroid || !majority) return [];

@@ -1,7 +1,7 @@
 /** A small engine of the same surface as the wasm module: a ball in a ball, cut into five tetrahedra a cube. */
+import { optionalDefaults, recipeDefaults, stageSpecs } from '../generated';
 import { oppositeFace, tetNeighbours } from '../../geometry/tet_neighbours';
 
-const stages = ['volume', 'surface', 'smooth', 'sizing', 'remesh', 'tetra', 'optimise', 'lookup', 'quality'];
 const cubeTets = [
   [0, 1, 3, 5],
   [0, 3, 2, 6],
@@ -9,56 +9,9 @@ const cubeTets = [
   [3, 5, 6, 7],
   [0, 3, 5, 6],
 ];
-const defaults = {
-  source: {},
-  labels: [],
-  merge: [],
-  volume: { slice_ratio: 2, speck_voxels: 0, hole_voxels: 0 },
-  surface: { method: 'auto' },
-  smooth: { iterations: 50, step: 0.4, max_move_voxels: 0.5, keep_volume: true },
-  sizing: {
-    edge_mm: 2,
-    labels: [],
-    regions: [],
-    distances: [],
-    thickness: [],
-    masks: [],
-    images: [],
-    curvature: [],
-    edge_min_mm: 0.1,
-    edge_max_mm: 50,
-    gradation: 0.3,
-  },
-  remesh: {
-    method: 'delaunay',
-    keep_topology: 'labels',
-    facet_angle_deg: 30,
-    max_distance_voxels: 0.25,
-    schedule: 'adaptive',
-    shape_weight: 0.6,
-    verify: false,
-  },
-  tetra: { backend: 'tetgen', radius_edge: 1.414, min_dihedral_deg: 0, max_dihedral_deg: 145 },
-  optimise: { rounds: 4, min_dihedral_deg: 35, insertion_deg: 33, slide: 0.1 },
-  lookup: { labels: [], samples_min: 4, samples_max: 64 },
-  quality: { histogram_bins: 64, sample_spacing_voxels: 0.25 },
-  limits: { tets: 0, memory_mb: 0, seconds: 0 },
-};
-
-const phantomDefaults = {
-  kind: 'biventricle',
-  spacing_mm: [1.5, 1.5, 1.5],
-  rotation_deg: [0, 0, 0],
-  mirrored: false,
-  radius_mm: 20,
-  inner_radius_mm: 12,
-  thickness_mm: 8,
-  scale: 1,
-  roughness_mm: 0.8,
-  blood_pools: true,
-  scar: false,
-  seed: 1,
-};
+const stages = stageSpecs.map(({ name }) => name);
+const { expected, ...defaults } = recipeDefaults;
+const phantomDefaults = optionalDefaults['source.phantom'];
 
 function hash(text) {
   let a = 0x811c9dc5;
@@ -272,11 +225,11 @@ class Session {
   describe(stage) {
     const names = {
       quality: ['min_dihedral_deg', 'max_dihedral_deg', 'radius_ratio', 'edge_mm', 'target_mm', 'size_log2'],
-      lookup: this.recipe.lookup.labels.length
+      transfer: this.recipe.transfer.labels.length
         ? [
             'centroid_label',
             'majority_label',
-            ...this.recipe.lookup.labels.map((label) => `fraction_${label}`),
+            ...this.recipe.transfer.labels.map((label) => `fraction_${label}`),
           ]
         : [],
     };
@@ -322,7 +275,7 @@ class Session {
   array(stage, array) {
     if (!this.done.has(stage) || stage === 'walls') return undefined;
     if (stage === 'volume') return new Uint16Array(12 ** 3).map((_, i) => (i % 12 > 3 && i % 12 < 8 ? 1 : 0));
-    if (stage === 'lookup') return new Float32Array(this.mesh.labels.length).fill(0.5);
+    if (stage === 'transfer') return new Float32Array(this.mesh.labels.length).fill(0.5);
     if (stage === 'sizing') return new Float32Array(12 ** 3).map((_, i) => 1 + 3 * ((i % 12) / 12));
     if (stage === 'quality') {
       return new Float32Array(this.mesh.labels.length).map((_, i) =>
@@ -371,7 +324,7 @@ class Session {
           metric('dihedral_deg', 'deg', 'dihedrals', 12, 150),
           metric('radius_ratio', '1', 'tets', 0.2, 1, [7]),
           metric('edge_mm', 'mm', 'edges', 1, 5),
-          metric('wished_edge_mm', 'mm', 'edges', 1.2, 4),
+          metric('target_edge_mm', 'mm', 'edges', 1.2, 4),
           metric('triangle_aspect_before', '1', 'triangles', 1, 6),
           metric('triangle_aspect_after', '1', 'triangles', 1, 2.5),
         ],
@@ -391,7 +344,7 @@ class Session {
             volume_error_percent: -0.2,
             dice: 0.99,
             median_edge_mm: 2.1,
-            wished_edge_mm: 2,
+            target_edge_mm: 2,
           },
         ],
         mesh_to_surface: distance,

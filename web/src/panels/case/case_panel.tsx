@@ -7,7 +7,7 @@ import { CurvatureList } from './curvature_list';
 import { dialogShown } from '../controls/dialog_shown';
 import { NumberField } from '../controls/fields';
 import { LabelTable } from './label_table';
-import { LookUpFields } from './look_up_fields';
+import { TransferFields } from './transfer_fields';
 import { MergeAllField } from './merge_all_field';
 import { PaintSection } from './paint_section';
 import { RegionList } from './region_list';
@@ -25,7 +25,7 @@ function LabelSection({ current }: { current: Recipe }) {
       <h2>Labels</h2>
       <LabelTable current={current} />
       {chosen.length > 1 && <MergeAllField current={current} chosen={chosen} />}
-      <LookUpFields current={current} />
+      <TransferFields current={current} />
     </section>
   );
 }

@@ -1,4 +1,4 @@
-import type { LabelFidelity, LayerCount, LookedUpLabel, Report } from '../../engine/contract';
+import type { LabelFidelity, LayerCount, TransferredLabel, Report } from '../../engine/contract';
 import { nameOf } from '../../store/case/input';
 import { colourOf } from '../../store/view';
 import { distanceText, percent, topologyRow, type TopologyCell } from './fidelity_text';
@@ -49,7 +49,7 @@ function LabelTable({ labels }: { labels: LabelFidelity[] }) {
                 {row.dice.toFixed(3)}
               </td>
               <td class="num" title="median edge length / median target edge length">
-                {short(row.median_edge_mm)} / {short(row.wished_edge_mm)}
+                {short(row.median_edge_mm)} / {short(row.target_edge_mm)}
               </td>
             </tr>
           ))}
@@ -108,7 +108,7 @@ function TopologyTable({ found }: { found: Report['fidelity']['topology'] }) {
   );
 }
 
-function LookUpTable({ labels }: { labels: LookedUpLabel[] }) {
+function TransferTable({ labels }: { labels: TransferredLabel[] }) {
   const cell = (found: { error_percent: number; dice?: number }) => (
     <td class="num" title={found.dice === undefined ? undefined : `Dice ${found.dice.toFixed(3)}`}>
       {percent(found.error_percent)}
@@ -116,9 +116,9 @@ function LookUpTable({ labels }: { labels: LookedUpLabel[] }) {
   );
   return (
     <>
-      <h3>Looked up in the image</h3>
-      <div class="table-scroll" tabIndex={0} role="region" aria-label="Labels looked up">
-        <table class="measures" data-testid="lookup">
+      <h3>Label transfer</h3>
+      <div class="table-scroll" tabIndex={0} role="region" aria-label="Labels transferred">
+        <table class="measures" data-testid="transfer">
           <Heads numbers={['Shares', 'Centroid', 'Majority']} />
           <tbody>
             {labels.map((row) => (
@@ -149,10 +149,10 @@ function LayerTable({ walls }: { walls: LayerCount[] }) {
         <table class="measures" data-testid="layers">
           <Heads first="Wall" numbers={['Target', 'Exactly', 'At least']} />
           <tbody>
-            {walls.map(({ wall, wished, by_edges }) => (
+            {walls.map(({ wall, target_layers, by_edges }) => (
               <tr key={wall.join()}>
                 <th scope="row">{wall.map(nameOf).join(', ')}</th>
-                <td class="num">{wished}</td>
+                <td class="num">{target_layers}</td>
                 {share(by_edges.exact)}
                 {share(by_edges.at_least)}
               </tr>
@@ -180,7 +180,7 @@ export function FidelitySection({ found }: { found: Report }) {
       </p>
       <TopologyTable found={topology} />
       {found.layers && <LayerTable walls={found.layers} />}
-      {found.lookup && <LookUpTable labels={found.lookup} />}
+      {found.transfer && <TransferTable labels={found.transfer} />}
     </section>
   );
 }

@@ -32,7 +32,7 @@ describe('colours of tetrahedra', () => {
     expect(paint.kind === 'scale' && [paint.legend.lo, paint.legend.hi]).toEqual([-1, 1]);
   });
 
-  it('follow the labels that were looked up, and shares from nothing to all', () => {
+  it('follow the labels that were transferred, and shares from nothing to all', () => {
     colourBy.value = 'majority_label';
     expect(tetPaint(field('majority_label', parts, { scale: 'label' })).kind).toBe('given');
     colourBy.value = 'fraction_5';

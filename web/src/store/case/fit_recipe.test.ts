@@ -19,11 +19,11 @@ describe('a saved recipe', () => {
     const saved = {
       source: { file: { name: 'heart.nii', sha256: '' } },
       merge: true,
-      remesh: { method: 'remesh', smoothing_voxels: 0.7 },
+      remesh: { method: 'adapt', smoothing_voxels: 0.7 },
       polish: { rounds: 2 },
     };
     expect(fitRecipe(saved, defaults)).toEqual({
-      fitted: { source: saved.source, remesh: { method: 'remesh' } },
+      fitted: { source: saved.source, remesh: { method: 'adapt' } },
       left: ['merge', 'remesh.smoothing_voxels', 'polish'],
     });
   });

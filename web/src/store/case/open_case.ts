@@ -171,13 +171,24 @@ function isOf(saved: SavedCase, offer: OfferedCase): boolean {
   );
 }
 
+/** A saved recipe as the engine knows it; where it refuses it whole, without the fields that are gone, `left`. */
+async function acceptSaved(saved: Recipe): Promise<{ recipe: Recipe; left: string[] }> {
+  try {
+    return { recipe: (await engine.checkRecipe(saved)).recipe, left: [] };
+  } catch (error) {
+    const { fitted, left } = fitRecipe(saved, defaults.value ?? {});
+    if (left.length === 0) throw error;
+    return { recipe: (await engine.checkRecipe(fitted)).recipe, left };
+  }
+}
+
 /** Takes up the case that the last page left; by itself only where the engine was at rest. */
 async function resumeCase({ saved, interrupted }: NonNullable<Awaited<ReturnType<typeof savedCase>>>) {
   try {
     const digest = saved.recipe.source.file?.sha256;
     if (digest && saved.file) engine.keepVolume(digest, saved.file);
-    const { fitted, left } = fitRecipe(saved.recipe, defaults.value ?? {});
-    const accepted = withoutPromise((await engine.checkRecipe(fitted)).recipe);
+    const { recipe: known, left } = await acceptSaved(saved.recipe);
+    const accepted = withoutPromise(known);
     const { id, colours, sides } = saved;
     const promise = left.length === 0 ? saved.promise : null;
     offered.value = { id, recipe: accepted, promise, origin: 'interrupted', colours, sides };

@@ -1,29 +1,20 @@
 import type { Recipe, StageName } from '../../engine/contract';
+import { stageSpecs } from '../../engine/generated';
 import { canonicalJson } from '../../link/canonical';
 
-/** What each stage is made from: fields of the recipe, and stages before it. */
-const inputs: Record<StageName, { fields: (keyof Recipe)[]; after: StageName[] }> = {
-  volume: { fields: ['source', 'labels', 'merge', 'volume'], after: [] },
-  surface: { fields: ['surface'], after: ['volume'] },
-  smooth: { fields: ['smooth'], after: ['surface'] },
-  sizing: { fields: ['sizing'], after: ['smooth'] },
-  remesh: { fields: ['remesh'], after: ['sizing'] },
-  optimise: { fields: ['tetra', 'optimise'], after: ['remesh'] },
-  quality: { fields: ['lookup', 'quality'], after: ['optimise'] },
-};
+type AnyStage = (typeof stageSpecs)[number]['name'];
+type Group = keyof Recipe;
 
-function fieldsOf(stage: StageName): Set<keyof Recipe> {
-  const { fields, after } = inputs[stage];
-  return new Set([...after.flatMap((before) => [...fieldsOf(before)]), ...fields]);
+/** The groups of the recipe that each stage is made from, its own and those of the stages before it. */
+const groupsOf = new Map<AnyStage, ReadonlySet<Group>>();
+for (const { name, inputs, reads } of stageSpecs) {
+  const own = reads.map((path) => path.split('.')[0] as Group);
+  groupsOf.set(name, new Set([...inputs.flatMap((before) => [...(groupsOf.get(before) ?? [])]), ...own]));
 }
-
-const reaching = Object.fromEntries(
-  (Object.keys(inputs) as StageName[]).map((stage) => [stage, [...fieldsOf(stage)].sort()]),
-) as Record<StageName, (keyof Recipe)[]>;
 
 /** Everything of the recipe that a stage's result depends on: where it differs, the stage has to run again. */
 export function stageInput(recipe: Recipe, stage: StageName): string {
-  return canonicalJson(reaching[stage].map((field) => recipe[field]));
+  return canonicalJson([...(groupsOf.get(stage) ?? [])].sort().map((group) => recipe[group]));
 }
 
 /** Whether two recipes ask for the same, in whatever order their fields stand. */

@@ -1,4 +1,4 @@
-#include "phantom/drop_fragments.h"
+#include "phantom/keep_large_components.h"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace voxtet {
 
-void drop_fragments(LabelVolume& volume, double share) {
+void keep_large_components(LabelVolume& volume, double share) {
   bool changed = true;
   while (changed) {
     changed = false;
@@ -16,13 +16,13 @@ void drop_fragments(LabelVolume& volume, double share) {
     std::vector<std::uint32_t> largest(65536, 0);
     for (std::size_t v = 0; v < ids.size(); ++v)
       largest[volume.labels[v]] = std::max(largest[volume.labels[v]], sizes[ids[v]]);
-    std::map<std::pair<Label, std::uint32_t>, std::vector<std::size_t>> fragments;
+    std::map<std::pair<Label, std::uint32_t>, std::vector<std::size_t>> components;
     for (std::size_t v = 0; v < ids.size(); ++v) {
       const Label label = volume.labels[v];
       if (label != kBackground && sizes[ids[v]] < share * largest[label])
-        fragments[{label, ids[v]}].push_back(v);
+        components[{label, ids[v]}].push_back(v);
     }
-    for (const auto& [key, voxels] : fragments) {
+    for (const auto& [key, voxels] : components) {
       const Label replacement = neighbour_by_area(volume.size, volume.labels, voxels, {1, 1, 1});
       for (const std::size_t voxel : voxels) volume.labels[voxel] = replacement;
       changed = true;

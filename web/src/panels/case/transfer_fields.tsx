@@ -4,24 +4,25 @@ import { editRecipe } from '../../store/case/recipe';
 import { CheckField, NumberField } from '../controls/fields';
 
 /** Labels that become values of the tetrahedra instead of regions of the mesh. */
-export function LookUpFields({ current }: { current: Recipe }) {
-  const { labels } = current.lookup;
+export function TransferFields({ current }: { current: Recipe }) {
+  const { labels } = current.transfer;
   const toggle = (label: number) =>
-    editRecipe('Look up label', (draft) => {
+    editRecipe('Transfer label', (draft) => {
       const others = labels.filter((one) => one !== label);
-      draft.lookup.labels = others.length < labels.length ? others : [...others, label].sort((a, b) => a - b);
+      draft.transfer.labels =
+        others.length < labels.length ? others : [...others, label].sort((a, b) => a - b);
     });
   const samples = (text: string, key: 'samples_min' | 'samples_max') => (
     <NumberField
       label={text}
-      path={`lookup.${key}`}
-      value={current.lookup[key]}
-      onChange={(value) => editRecipe(text, (draft) => void (draft.lookup[key] = value), key)}
+      path={`transfer.${key}`}
+      value={current.transfer[key]}
+      onChange={(value) => editRecipe(text, (draft) => void (draft.transfer[key] = value), key)}
     />
   );
   return (
     <details class="more">
-      <summary>Look up in the image{labels.length > 0 && <span class="tag">{labels.length}</span>}</summary>
+      <summary>Label transfer{labels.length > 0 && <span class="tag">{labels.length}</span>}</summary>
       <p class="facts">
         Every tetrahedron is told what share of it these labels have, whether the mesh follows their boundary
         or not.
@@ -30,7 +31,7 @@ export function LookUpFields({ current }: { current: Recipe }) {
         {volume.value?.labels.map(({ label }) => (
           <CheckField
             key={label}
-            label={`Look up ${nameOf(label)}`}
+            label={`Transfer ${nameOf(label)}`}
             checked={labels.includes(label)}
             onChange={() => toggle(label)}
           />

@@ -55,7 +55,7 @@ void expect_filled(const SurfaceMesh& surface, double edge, const std::string& w
   EXPECT_EQ(warned, way != "as asked") << name;
 }
 
-TEST(Ladder, FillsSheetsFarCloserThanTheirEdgesAsAsked) {
+TEST(Fallback, FillsSheetsFarCloserThanTheirEdgesAsAsked) {
   for (const double gap : {0.05, 0.001}) {
     SurfaceMesh sheets = sphere({0, 0, 0}, 10, 3, 1, 0);
     append(sheets, sphere({0, 0, 0}, 10 - gap, 3, 2, 1));
@@ -63,7 +63,7 @@ TEST(Ladder, FillsSheetsFarCloserThanTheirEdgesAsAsked) {
   }
 }
 
-TEST(Ladder, FillsSharpRimsAsAskedAndSaysHowSharp) {
+TEST(Fallback, FillsSharpRimsAsAskedAndSaysHowSharp) {
   // Pressed spheres: dihedral angles at the rim of 2.3 and 0.23 degrees.
   for (const double height : {1e-3, 1e-4}) {
     const SurfaceMesh lens = scaled(sphere({0, 0, 0}, 10, 3, 1, 0), {1, 1, height});
@@ -76,7 +76,7 @@ TEST(Ladder, FillsSharpRimsAsAskedAndSaysHowSharp) {
   }
 }
 
-TEST(Ladder, FillsNeedlesAndSpikesAsAskedAndNotesTheirAngle) {
+TEST(Fallback, FillsNeedlesAndSpikesAsAskedAndNotesTheirAngle) {
   const SurfaceMesh needles = needled(sphere({0, 0, 0}, 10, 3, 1, 0), 300, 0.01, 1);
   expect_filled(needles, 2, "as asked", "needles");
   expect_filled(test::spiked(1e-3, 8, 3, 6, 1), 2, "as asked", "spikes");
@@ -85,47 +85,47 @@ TEST(Ladder, FillsNeedlesAndSpikesAsAskedAndNotesTheirAngle) {
   EXPECT_EQ(out.warnings[0].find("a triangle has an angle of 0."), 0U) << out.warnings[0];
 }
 
-TEST(Ladder, FillsFarAwayTinyAndHugeSurfacesAsAsked) {
+TEST(Fallback, FillsFarAwayTinyAndHugeSurfacesAsAsked) {
   const SurfaceMesh body = random_cells(5, 3, 0.1, 5);
   expect_filled(scaled(body, {1, 1, 1}, {1e5, -1e5, 1e5}), 1, "as asked", "far");
   expect_filled(scaled(body, {1e-3, 1e-3, 1e-3}), 1e-3, "as asked", "tiny");
   expect_filled(scaled(body, {1e4, 1e4, 1e4}), 1e4, "as asked", "huge");
 }
 
-TEST(Ladder, FillsManySpecksDeepNestsAndCoplanarTrianglesAsAsked) {
+TEST(Fallback, FillsManySpecksDeepNestsAndCoplanarTrianglesAsAsked) {
   expect_filled(specks(10, 0.2, 3), 3, "as asked", "specks");
   expect_filled(test::nested_spheres(10, 0.9), 2, "as asked", "nested");
   expect_filled(random_cells(6, 5, 0, 5), 1, "as asked", "coplanar");
 }
 
-TEST(Ladder, FillsAPrismThatCannotBeCutWithoutAPointInside) {
+TEST(Fallback, FillsAPrismThatCannotBeCutWithoutAPointInside) {
   for (const double turn : {0.3, 0.577, 0.7})
     expect_filled(test::twisted_prism(turn), 5, "as asked", "prism");
 }
 
-TEST(Ladder, TakesAFinerToleranceWherePointsAllButCoincide) {
+TEST(Fallback, TakesAFinerToleranceWherePointsAllButCoincide) {
   for (const double gap : {1e-8, 1e-11, 1e-13})
     expect_filled(nearly_touching(gap), 4, "with a finer tolerance", "gap " + std::to_string(gap));
   expect_filled(test::spiked(1e-4, 6, 2, 4, 3), 4, "with a finer tolerance", "spike");
 }
 
-TEST(Ladder, DisplacesPointsWhereATetrahedronComesOutFlat) {
+TEST(Fallback, DisplacesPointsWhereATetrahedronComesOutFlat) {
   expect_filled(needled(sphere({0, 0, 0}, 10, 2, 1, 0), 100, 0.003, 14), 4,
                 "with points displaced by a millionth of their edges", "needles");
 }
 
-TEST(Ladder, DropsTheBoundsOnDihedralAnglesWhereTheyTakeTooManyPoints) {
+TEST(Fallback, DropsTheBoundsOnDihedralAnglesWhereTheyTakeTooManyPoints) {
   expect_filled(specks(2, 0.003, 2), 5, "without bounds on dihedral angles", "specks");
 }
 
-TEST(Ladder, DropsAllBoundsOnShapesWhereTheyTakeTooManyPoints) {
+TEST(Fallback, DropsAllBoundsOnShapesWhereTheyTakeTooManyPoints) {
   const SurfaceMesh surface = specks(2, 1e-4, 2);
   expect_filled(surface, 5, "with bounds on sizes alone", "specks");
   EXPECT_LT(static_cast<double>(fill_noted(surface, 5).mesh->points.size()),
             20 * forecast_points(surface, uniform_sizing(5)));
 }
 
-TEST(Ladder, EndsWhereTheMesherWalksInCircles) {
+TEST(Fallback, EndsWhereTheMesherWalksInCircles) {
   // A slab a ten-millionth as thick as wide: with the default tolerance TetGen looks for an edge for ever.
   const SurfaceMesh slab = test::cells({5, 5, 3}, 1, [](int, int, int k) { return Label(k == 1 ? 2 : 1); });
   const Filled out = fill_noted(turned(scaled(slab, {1, 1, 1e-7}), 5, 2, 2, 3), 1);
@@ -133,7 +133,7 @@ TEST(Ladder, EndsWhereTheMesherWalksInCircles) {
   EXPECT_NE(out.notes[1].find("did not come to an end"), std::string::npos) << out.notes[1];
 }
 
-TEST(Ladder, NamesTheTrianglesWhereNothingHelps) {
+TEST(Fallback, NamesTheTrianglesWhereNothingHelps) {
   // Two vertices closer than doubles near them can tell from a point on a line between others.
   const SurfaceMesh surface = nearly_touching(1e-14);
   const Filled out = fill_noted(surface, 4);
@@ -150,7 +150,7 @@ TEST(Ladder, NamesTheTrianglesWhereNothingHelps) {
   EXPECT_EQ(out.notes.size(), 6U) << "the angles, and why each way failed";
 }
 
-TEST(Ladder, GivesTheSameBytesOnEveryPlatform) {
+TEST(Fallback, GivesTheSameBytesOnEveryPlatform) {
   const SurfaceMesh surface = needled(sphere({0, 0, 0}, 10, 2, 1, 0), 100, 0.003, 14);
   const Filled first = fill_noted(surface, 4), second = fill_noted(surface, 4);
   ASSERT_TRUE(first.mesh.ok() && second.mesh.ok());
@@ -160,7 +160,7 @@ TEST(Ladder, GivesTheSameBytesOnEveryPlatform) {
       << "another platform, another mesh";
 }
 
-TEST(Ladder, EndsOnRandomNastySurfacesWithAMeshOrTheTriangles) {
+TEST(Fallback, EndsOnRandomNastySurfacesWithAMeshOrTheTriangles) {
   int filled = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
     for (const double width : {0.01, 0.001}) {

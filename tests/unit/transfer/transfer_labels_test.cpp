@@ -1,4 +1,4 @@
-#include "lookup/look_up_labels.h"
+#include "transfer/transfer_labels.h"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 namespace voxtet {
 namespace {
 
-Result<LabelLookUp> look_up(const TetMesh& mesh, const LabelVolume& volume, std::vector<Label> labels,
-                            int samples_min = 4, int samples_max = 64) {
+Result<LabelTransfer> transfer(const TetMesh& mesh, const LabelVolume& volume, std::vector<Label> labels,
+                               int samples_min = 4, int samples_max = 64) {
   RunContext ctx;
-  return look_up_labels(mesh, volume, {std::move(labels), samples_min, samples_max}, ctx);
+  return transfer_labels(mesh, volume, {std::move(labels), samples_min, samples_max}, ctx);
 }
 
 /// n^3 cells of Kuhn's six tets over the box [low, high]; one label.
@@ -48,19 +48,19 @@ double volume_of(const TetMesh& mesh, std::size_t t) {
   return std::abs(tet_volume_mm3({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]}));
 }
 
-TEST(LookUpLabels, GivesNothingWhereNothingIsAsked) {
-  const auto found = look_up(test::kuhn_cube(2), cube_volume([](auto&) { return true; }), {});
+TEST(TransferLabels, GivesNothingWhereNothingIsAsked) {
+  const auto found = transfer(test::kuhn_cube(2), cube_volume([](auto&) { return true; }), {});
   ASSERT_TRUE(found.ok());
   EXPECT_TRUE(found->labels.empty());
   EXPECT_TRUE(found->fields.empty());
 }
 
-TEST(LookUpLabels, IsExactWhereVoxelFacesAreTetFaces) {
+TEST(TransferLabels, IsExactWhereVoxelFacesAreTetFaces) {
   // Cells of 5 mm: the plane z = 5 between the labels is a plane of faces.
   const TetMesh mesh = box_mesh(2, {0, 0, 0}, {10, 10, 10});
-  const auto found = look_up(mesh, cube_volume([](const auto& p) { return p.z() > 5; }), {5});
+  const auto found = transfer(mesh, cube_volume([](const auto& p) { return p.z() > 5; }), {5});
   ASSERT_TRUE(found.ok()) << found.error().message;
-  const LookedUpLabel& label = found->labels.front();
+  const TransferredLabel& label = found->labels.front();
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     double z = 0;
     for (const std::uint32_t v : mesh.tets[t]) z += mesh.points[v].z() / 4;
@@ -75,20 +75,20 @@ TEST(LookUpLabels, IsExactWhereVoxelFacesAreTetFaces) {
   EXPECT_EQ(label.majority_dice, 1);
 }
 
-TEST(LookUpLabels, GivesTheVolumeFractionOfATetCutByAPlane) {
+TEST(TransferLabels, GivesTheVolumeFractionOfATetCutByAPlane) {
   // Corner tets of 10 mm: the part beyond x = 5 is (1/2)^3 of one with three edges at its far corner.
   TetMesh mesh;
   mesh.points = {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 10}};
   mesh.tets = {{0, 1, 2, 3}};
   mesh.labels = {1};
   const LabelVolume volume = cube_volume([](const auto& p) { return p.x() > 5; });
-  const auto found = look_up(mesh, volume, {1, 5}, 4, 4096);
+  const auto found = transfer(mesh, volume, {1, 5}, 4, 4096);
   ASSERT_TRUE(found.ok());
   EXPECT_NEAR(found->fraction(1)[0], 0.125, 0.01);
   EXPECT_EQ(found->majority()[0], 1);
 }
 
-TEST(LookUpLabels, CutsATetIntoPartsOfEqualVolumeAsSymmetricAsKuhns) {
+TEST(TransferLabels, CutsATetIntoPartsOfEqualVolumeAsSymmetricAsKuhns) {
   // A plane through the barycentre parallel to a face leaves 27/64 of the volume on the side of the corner.
   for (std::uint32_t corner = 0; corner < 4; ++corner) {
     TetMesh mesh;
@@ -97,17 +97,17 @@ TEST(LookUpLabels, CutsATetIntoPartsOfEqualVolumeAsSymmetricAsKuhns) {
     mesh.tets = {{0, 1, 2, 3}};
     mesh.labels = {1};
     const LabelVolume volume = cube_volume([](const auto& p) { return p.z() > 2; });
-    const auto found = look_up(mesh, volume, {1, 5}, 64, 64);
+    const auto found = transfer(mesh, volume, {1, 5}, 64, 64);
     ASSERT_TRUE(found.ok());
     EXPECT_NEAR(found->fraction(1)[0], 27.0 / 64, 0.05) << corner;
   }
 }
 
-TEST(LookUpLabels, FractionsOfAllLabelsAndBackgroundSumToOne) {
+TEST(TransferLabels, FractionsOfAllLabelsAndBackgroundSumToOne) {
   LabelVolume volume = cube_volume([](const auto& p) { return p.norm() < 6; });
   for (std::size_t i = 0; i < volume.labels.size(); i += 3) volume.labels[i] = 7;
   const TetMesh mesh = box_mesh(4, {1, 1, 1}, {9, 9, 9});
-  const auto found = look_up(mesh, volume, {7, 1, 5, 5});
+  const auto found = transfer(mesh, volume, {7, 1, 5, 5});
   ASSERT_TRUE(found.ok());
   ASSERT_EQ(found->labels.size(), 3U);
   EXPECT_EQ(found->labels[0].label, 1);
@@ -120,9 +120,9 @@ TEST(LookUpLabels, FractionsOfAllLabelsAndBackgroundSumToOne) {
   }
 }
 
-TEST(LookUpLabels, FindsBackgroundOutsideOfTheVolume) {
+TEST(TransferLabels, FindsBackgroundOutsideOfTheVolume) {
   const TetMesh mesh = box_mesh(2, {20, 20, 20}, {30, 30, 30});
-  const auto found = look_up(mesh, cube_volume([](const auto& p) { return p.x() > 5; }), {5});
+  const auto found = transfer(mesh, cube_volume([](const auto& p) { return p.x() > 5; }), {5});
   ASSERT_TRUE(found.ok());
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     EXPECT_EQ(found->centroid()[t], kBackground);
@@ -132,24 +132,24 @@ TEST(LookUpLabels, FindsBackgroundOutsideOfTheVolume) {
   EXPECT_EQ(found->labels[0].majority_dice, 0);
 }
 
-TEST(LookUpLabels, TakesMoreSamplesOfLargerTets) {
+TEST(TransferLabels, TakesMoreSamplesOfLargerTets) {
   // n^3 samples make every fraction a multiple of 1/n^3; 8 samples a voxel are asked for.
   const LabelVolume volume = cube_volume([](const auto& p) { return p.x() + p.y() > 9; });
   for (const auto& [cells, parts] : {std::pair{10U, 8.0}, std::pair{5U, 27.0}, std::pair{2U, 64.0}}) {
     const TetMesh mesh = box_mesh(cells, {0, 0, 0}, {10, 10, 10});
-    const auto found = look_up(mesh, volume, {5});
+    const auto found = transfer(mesh, volume, {5});
     ASSERT_TRUE(found.ok());
     for (const float f : found->fraction(0)) EXPECT_NEAR(f * parts, std::round(f * parts), 1e-4);
   }
 }
 
-TEST(LookUpLabels, ConvergesToTheVolumeOfTheVoxels) {
+TEST(TransferLabels, ConvergesToTheVolumeOfTheVoxels) {
   const LabelVolume volume =
       cube_volume([](const auto& p) { return (p - Eigen::Vector3d(5, 5, 5)).norm() < 4; });
   double last = 1;
   for (const std::uint32_t cells : {3U, 6U, 12U, 24U}) {
     const TetMesh mesh = box_mesh(cells, {0, 0, 0}, {10, 10, 10});
-    const auto found = look_up(mesh, volume, {5}, 64, 64);
+    const auto found = transfer(mesh, volume, {5}, 64, 64);
     ASSERT_TRUE(found.ok());
     last = std::abs(found->labels[0].fraction_mm3 / found->labels[0].voxel_mm3 - 1);
     EXPECT_LT(last, 0.06) << cells;
@@ -157,7 +157,7 @@ TEST(LookUpLabels, ConvergesToTheVolumeOfTheVoxels) {
   EXPECT_LT(last, 0.005);
 }
 
-TEST(LookUpLabels, FollowsAnObliqueMirroredAnisotropicAffine) {
+TEST(TransferLabels, FollowsAnObliqueMirroredAnisotropicAffine) {
   // The same voxels and the same mesh, both moved: the same answers.
   const LabelVolume volume = cube_volume([](const auto& p) { return p.norm() < 7; });
   const TetMesh mesh = box_mesh(5, {0.0313, 0.0217, 0.0131}, {9.9271, 9.9173, 9.9119});
@@ -170,7 +170,7 @@ TEST(LookUpLabels, FollowsAnObliqueMirroredAnisotropicAffine) {
   TetMesh moved_mesh = mesh;
   for (Eigen::Vector3d& p : moved_mesh.points)
     p = motion.topLeftCorner<3, 3>() * p + motion.topRightCorner<3, 1>();
-  const auto straight = look_up(mesh, volume, {5}), oblique = look_up(moved_mesh, moved, {5});
+  const auto straight = transfer(mesh, volume, {5}), oblique = transfer(moved_mesh, moved, {5});
   ASSERT_TRUE(straight.ok() && oblique.ok());
   EXPECT_EQ(straight->centroid(), oblique->centroid());
   EXPECT_EQ(straight->majority(), oblique->majority());
@@ -179,7 +179,7 @@ TEST(LookUpLabels, FollowsAnObliqueMirroredAnisotropicAffine) {
   EXPECT_EQ(straight->labels[0].majority_dice, oblique->labels[0].majority_dice);
 }
 
-TEST(LookUpLabels, LetsTheCentroidDecideBetweenEqualLabels) {
+TEST(TransferLabels, LetsTheCentroidDecideBetweenEqualLabels) {
   TetMesh mesh;
   mesh.points = {{4, 1, 1}, {6, 1, 1}, {4.9, 3, 1}, {4.9, 1, 3}};
   mesh.tets = {{0, 1, 2, 3}};
@@ -188,19 +188,19 @@ TEST(LookUpLabels, LetsTheCentroidDecideBetweenEqualLabels) {
   for (const double shift : {-0.2, -0.1, 0.0, 0.1, 0.2}) {
     LabelVolume volume = cube_volume([](const auto& p) { return p.x() > 5; });
     volume.index_to_mm(0, 3) += shift;
-    const auto found = look_up(mesh, volume, {5}, 8, 8);
+    const auto found = transfer(mesh, volume, {5}, 8, 8);
     ASSERT_TRUE(found.ok());
     const float fraction = found->fraction(0)[0];
     EXPECT_EQ(found->majority()[0], fraction > 0.5F ? 5 : fraction < 0.5F ? 1 : found->centroid()[0]);
   }
 }
 
-TEST(LookUpLabels, TakesDegenerateTetsByWhereTheyAre) {
+TEST(TransferLabels, TakesDegenerateTetsByWhereTheyAre) {
   TetMesh mesh;
   mesh.points = {{2, 2, 2}, {3, 2, 2}, {4, 2, 2}, {8, 8, 8}};
   mesh.tets = {{0, 0, 0, 0}, {0, 1, 2, 0}, {3, 3, 3, 3}, {0, 2, 1, 3}};
   mesh.labels = {1, 1, 1, 1};
-  const auto found = look_up(mesh, cube_volume([](const auto& p) { return p.x() > 7; }), {5});
+  const auto found = transfer(mesh, cube_volume([](const auto& p) { return p.x() > 7; }), {5});
   ASSERT_TRUE(found.ok());
   EXPECT_EQ(found->majority()[0], 1);
   EXPECT_EQ(found->majority()[1], 1);
@@ -208,42 +208,42 @@ TEST(LookUpLabels, TakesDegenerateTetsByWhereTheyAre) {
   EXPECT_NEAR(found->labels[0].fraction_mm3, volume_of(mesh, 3) * found->fraction(0)[3], 1e-12);
 }
 
-TEST(LookUpLabels, RefusesLabelsThatTheVolumeDoesNotHold) {
+TEST(TransferLabels, RefusesLabelsThatTheVolumeDoesNotHold) {
   const TetMesh mesh = box_mesh(1, {0, 0, 0}, {10, 10, 10});
   const LabelVolume volume = cube_volume([](const auto& p) { return p.x() > 7; });
   for (const Label label : {Label{9}, kBackground}) {
-    const auto found = look_up(mesh, volume, {5, label});
+    const auto found = transfer(mesh, volume, {5, label});
     ASSERT_FALSE(found.ok());
     EXPECT_EQ(found.error().code, ErrorCode::kUsage);
-    EXPECT_EQ(found.error().stage, "lookup");
+    EXPECT_EQ(found.error().stage, "transfer");
     EXPECT_NE(found.error().message.find("holds 1, 5"), std::string::npos) << found.error().message;
   }
 }
 
-TEST(LookUpLabels, RefusesBoundsOnSamplesOutOfOrderAndBrokenMeshes) {
+TEST(TransferLabels, RefusesBoundsOnSamplesOutOfOrderAndBrokenMeshes) {
   const LabelVolume volume = cube_volume([](const auto& p) { return p.x() > 7; });
   TetMesh mesh = box_mesh(1, {0, 0, 0}, {10, 10, 10});
-  EXPECT_EQ(look_up(mesh, volume, {5}, 0, 64).error().code, ErrorCode::kUsage);
-  EXPECT_EQ(look_up(mesh, volume, {5}, 8, 4).error().code, ErrorCode::kUsage);
+  EXPECT_EQ(transfer(mesh, volume, {5}, 0, 64).error().code, ErrorCode::kUsage);
+  EXPECT_EQ(transfer(mesh, volume, {5}, 8, 4).error().code, ErrorCode::kUsage);
   TetMesh unlabelled = mesh;
   unlabelled.labels.clear();
-  EXPECT_EQ(look_up(unlabelled, volume, {5}).error().code, ErrorCode::kInternal);
+  EXPECT_EQ(transfer(unlabelled, volume, {5}).error().code, ErrorCode::kInternal);
   mesh.tets[2][1] = 1000;
-  EXPECT_EQ(look_up(mesh, volume, {5}).error().where.elements, std::vector<std::uint32_t>{2});
+  EXPECT_EQ(transfer(mesh, volume, {5}).error().where.elements, std::vector<std::uint32_t>{2});
 }
 
-TEST(LookUpLabels, CanBeCancelled) {
+TEST(TransferLabels, CanBeCancelled) {
   RunContext ctx;
   ctx.on_cancelled = [] { return true; };
-  const auto found = look_up_labels(box_mesh(1, {0, 0, 0}, {10, 10, 10}),
-                                    cube_volume([](const auto& p) { return p.x() > 7; }), {{5}, 4, 64}, ctx);
+  const auto found = transfer_labels(box_mesh(1, {0, 0, 0}, {10, 10, 10}),
+                                     cube_volume([](const auto& p) { return p.x() > 7; }), {{5}, 4, 64}, ctx);
   ASSERT_FALSE(found.ok());
   EXPECT_EQ(found.error().code, ErrorCode::kCancelled);
 }
 
-TEST(LookUpLabels, NamesItsFields) {
-  const auto found = look_up(box_mesh(2, {0, 0, 0}, {10, 10, 10}),
-                             cube_volume([](const auto& p) { return p.x() > 5; }), {5, 1});
+TEST(TransferLabels, NamesItsFields) {
+  const auto found = transfer(box_mesh(2, {0, 0, 0}, {10, 10, 10}),
+                              cube_volume([](const auto& p) { return p.x() > 5; }), {5, 1});
   ASSERT_TRUE(found.ok());
   const std::vector<Field>& data = found->fields;
   ASSERT_EQ(data.size(), 4U);

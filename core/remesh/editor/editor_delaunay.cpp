@@ -6,14 +6,14 @@
 namespace voxtet::remesh {
 
 /// After find_near.
-Refusal ComplexEditor::check_balls(const Edit& edit, const Eigen::Vector3d& before) {
+Refusal ComplexEditor::check_delaunay(const Edit& edit, const Eigen::Vector3d& before) {
   gather_near_vertices(edit);
   if (all_have_balls(edit)) return Refusal::kNo;
   for (std::size_t k = 0; k < near_vertices_.size(); ++k)
     if (near_vertices_[k] == edit.moved) near_points_[k] = before;
   for (const std::uint32_t t : edit.removed)
     if (!has_ball(mesh_.triangle(t), balls_[t])) return Refusal::kNo;
-  return Refusal::kBall;
+  return Refusal::kNotDelaunay;
 }
 
 /// Of the new facets and of the triangles near them, each once.

@@ -1,4 +1,4 @@
-#include "lookup/look_up_labels.h"
+#include "transfer/transfer_labels.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "lookup";
+constexpr const char* kStage = "transfer";
 constexpr double kSamplesPerVoxel = 8;
 constexpr std::size_t kTetsPerPoll = 1 << 14;
 
@@ -107,14 +107,14 @@ class Tally {
 };
 
 /// The labels asked for, ascending and once each, with the volume of their voxels.
-Result<std::vector<LookedUpLabel>> asked_labels(const LabelVolume& volume, const LookUpParams& params) {
+Result<std::vector<TransferredLabel>> asked_labels(const LabelVolume& volume, const TransferParams& params) {
   if (params.samples_min < 1 || params.samples_max < params.samples_min)
     return usage_error(kStage, "samples_min " + std::to_string(params.samples_min) + ", samples_max " +
                                    std::to_string(params.samples_max) +
                                    ": expected 1 <= samples_min <= samples_max");
   std::vector<std::uint64_t> voxels(65536, 0);
   for (const Label label : volume.labels) ++voxels[label];
-  std::vector<LookedUpLabel> asked;
+  std::vector<TransferredLabel> asked;
   for (std::size_t label = 0; label < voxels.size(); ++label) {
     if (std::find(params.labels.begin(), params.labels.end(), label) == params.labels.end()) continue;
     if (label != kBackground && voxels[label] > 0) {
@@ -126,7 +126,7 @@ Result<std::vector<LookedUpLabel>> asked_labels(const LabelVolume& volume, const
     for (std::size_t other = 1; other < voxels.size(); ++other)
       if (voxels[other] > 0) held += (held.empty() ? "" : ", ") + std::to_string(other);
     return usage_error(kStage,
-                       "label " + std::to_string(label) + " is to be looked up; the volume holds " + held);
+                       "label " + std::to_string(label) + " is to be transferred; the volume holds " + held);
   }
   return asked;
 }
@@ -161,14 +161,14 @@ const std::vector<Barycentric>& enough_samples(const std::vector<std::vector<Bar
 
 /// Whether each label counts: it was asked for, or most of its voxels' centres are in the mesh.
 std::vector<bool> counted_labels(const TetMesh& mesh, const LabelVolume& volume,
-                                 const std::vector<LookedUpLabel>& asked) {
+                                 const std::vector<TransferredLabel>& asked) {
   const std::vector<Label> raster = rasterise(mesh, mesh.labels, volume);
   std::vector<std::int64_t> balance(65536, 0);
   for (std::size_t i = 0; i < raster.size(); ++i)
     balance[volume.labels[i]] += raster[i] == kBackground ? -1 : 1;
   std::vector<bool> counts(balance.size());
   for (std::size_t label = 1; label < balance.size(); ++label) counts[label] = balance[label] > 0;
-  for (const LookedUpLabel& label : asked) counts[label.label] = true;
+  for (const TransferredLabel& label : asked) counts[label.label] = true;
   return counts;
 }
 
@@ -184,12 +184,12 @@ double dice_of(Label label, const std::vector<Label>& voxels, const std::vector<
 
 /// Adds what tet `t` has of the label to its volumes.
 /// Fields of a mesh's tetrahedra, all 0.
-std::vector<Field> blank_fields(const std::vector<LookedUpLabel>& labels, std::size_t tets) {
+std::vector<Field> blank_fields(const std::vector<TransferredLabel>& labels, std::size_t tets) {
   const std::vector<float> blank(tets, 0);
   std::vector<Field> fields{
       {"centroid_label", "Label at the centroid", "1", On::kTets, Scale::kLabel, 1, blank},
       {"majority_label", "Majority label", "1", On::kTets, Scale::kLabel, 1, blank}};
-  for (const LookedUpLabel& asked : labels) {
+  for (const TransferredLabel& asked : labels) {
     const std::string number = std::to_string(asked.label);
     fields.push_back(
         {"fraction_" + number, "Share of label " + number, "1", On::kTets, Scale::kSequential, 1, blank});
@@ -197,7 +197,7 @@ std::vector<Field> blank_fields(const std::vector<LookedUpLabel>& labels, std::s
   return fields;
 }
 
-void add_tet(LookedUpLabel& asked, Label centroid, Label majority, double mm3, float fraction) {
+void add_tet(TransferredLabel& asked, Label centroid, Label majority, double mm3, float fraction) {
   asked.fraction_mm3 += static_cast<double>(fraction) * mm3;
   if (centroid == asked.label) asked.centroid_mm3 += mm3;
   if (majority == asked.label) asked.majority_mm3 += mm3;
@@ -207,8 +207,8 @@ std::vector<Label> as_labels(const std::vector<float>& values) {
   return {values.begin(), values.end()};
 }
 
-Status look_up_tets(const TetMesh& mesh, const LabelVolume& volume, const LookUpParams& params,
-                    const RunContext& ctx, LabelLookUp& found) {
+Status transfer_to_tets(const TetMesh& mesh, const LabelVolume& volume, const TransferParams& params,
+                        const RunContext& ctx, LabelTransfer& found) {
   const NearestVoxel voxels(volume);
   const std::vector<std::vector<Barycentric>> sets = sample_sets(params.samples_max);
   const std::vector<bool> counted = counted_labels(mesh, volume, found.labels);
@@ -245,27 +245,27 @@ Status look_up_tets(const TetMesh& mesh, const LabelVolume& volume, const LookUp
 
 }  // namespace
 
-Status check_look_up(const LabelVolume& volume, const LookUpParams& params) {
+Status check_transfer(const LabelVolume& volume, const TransferParams& params) {
   if (params.labels.empty()) return std::monostate{};
-  const Result<std::vector<LookedUpLabel>> asked = asked_labels(volume, params);
+  const Result<std::vector<TransferredLabel>> asked = asked_labels(volume, params);
   if (!asked) return asked.error();
   return std::monostate{};
 }
 
-Result<LabelLookUp> look_up_labels(const TetMesh& mesh, const LabelVolume& volume, const LookUpParams& params,
-                                   RunContext& ctx) {
-  LabelLookUp found;
+Result<LabelTransfer> transfer_labels(const TetMesh& mesh, const LabelVolume& volume,
+                                      const TransferParams& params, RunContext& ctx) {
+  LabelTransfer found;
   if (params.labels.empty()) return found;
   if (std::optional<Error> broken = check_mesh(mesh)) return *std::move(broken);
-  Result<std::vector<LookedUpLabel>> asked = asked_labels(volume, params);
+  Result<std::vector<TransferredLabel>> asked = asked_labels(volume, params);
   if (!asked) return asked.error();
   found.labels = *std::move(asked);
   found.fields = blank_fields(found.labels, mesh.tets.size());
-  if (Status done = look_up_tets(mesh, volume, params, ctx, found); !done) return done.error();
+  if (Status done = transfer_to_tets(mesh, volume, params, ctx, found); !done) return done.error();
 
   const std::vector<Label> by_centroid = rasterise(mesh, as_labels(found.centroid()), volume);
   const std::vector<Label> by_majority = rasterise(mesh, as_labels(found.majority()), volume);
-  for (LookedUpLabel& label : found.labels) {
+  for (TransferredLabel& label : found.labels) {
     label.centroid_dice = dice_of(label.label, volume.labels, by_centroid);
     label.majority_dice = dice_of(label.label, volume.labels, by_majority);
   }

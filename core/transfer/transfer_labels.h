@@ -1,11 +1,11 @@
-// Labels looked up instead of meshed: scar, border zone or any other label becomes a value of each tet of a
+// Labels transferred instead of meshed: scar, border zone or any other label becomes a value of each tet of a
 // mesh that does not follow its boundary. As for the conductivity in Lamecker et al.; see also ALGORITHMS,
 // "Labels and conductivity to tets".
 #pragma once
 
 #include <vector>
 
-#include "types/label_lookup.h"
+#include "types/label_transfer.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"
@@ -13,13 +13,13 @@
 
 namespace voxtet {
 
-struct LookUpParams {
-  std::vector<Label> labels;  ///< to be looked up; empty: nothing is
+struct TransferParams {
+  std::vector<Label> labels;  ///< to be transferred; empty: nothing is
   int samples_min = 4;        ///< per tet, at least 1
   int samples_max = 64;       ///< per tet, at least samples_min
 };
 
-/// The label of `volume` at the voxel nearest to a point is looked up at each tet's centroid and at its
+/// The label of `volume` at the voxel nearest to a point is taken at each tet's centroid and at its
 /// samples; outside of the grid it is background. Samples: the barycentres of the n^3 parts of equal volume
 /// into which Kuhn's subdivision cuts a tet; exact for functions that are linear in it. Some 8 fall into a
 /// voxel: n is the least with n^3 >= clamp(8 V_tet / V_voxel, samples_min, samples_max), unless that exceeds
@@ -29,10 +29,10 @@ struct LookUpParams {
 /// majority, else the lowest. Linear time, plus a few passes over the voxels. Errors: kUsage for parameters
 /// out of range, labels that the volume does not hold (the message lists those it does), background;
 /// kInternal where the mesh breaks an invariant; kCancelled.
-Result<LabelLookUp> look_up_labels(const TetMesh& mesh, const LabelVolume& volume, const LookUpParams& params,
-                                   RunContext& ctx);
+Result<LabelTransfer> transfer_labels(const TetMesh& mesh, const LabelVolume& volume,
+                                      const TransferParams& params, RunContext& ctx);
 
-/// What look_up_labels refuses before it needs a mesh.
-Status check_look_up(const LabelVolume& volume, const LookUpParams& params);
+/// What transfer_labels refuses before it needs a mesh.
+Status check_transfer(const LabelVolume& volume, const TransferParams& params);
 
 }  // namespace voxtet

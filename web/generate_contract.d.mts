@@ -1,0 +1,3 @@
+export function committedSchema(): object;
+export function generate(schema: object): string;
+export const generatedFile: URL;

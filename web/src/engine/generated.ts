@@ -1,0 +1,539 @@
+// Made from schema.json by generate_contract.mjs.
+
+export type Vec3 = [number, number, number];
+
+/** Every field of the recipe, as the engine declares them. */
+export interface RecipeFields {
+  source: {
+    phantom?: {
+      /** Which body. */
+      kind: 'sphere' | 'shell' | 'torus' | 'slab' | 'nested_boxes' | 'branching_tube' | 'biventricle';
+      /** Distance between voxel centres along the image axes; mm. */
+      spacing_mm: Vec3;
+      /** Rotation of the image axes about x, then y, then z; deg. */
+      rotation_deg: Vec3;
+      /** First image axis reversed. */
+      mirrored: boolean;
+      /** Radius: sphere, shell (outer), torus (major); half size of the boxes; mm. */
+      radius_mm: number;
+      /** Inner radius of the shell, minor radius of the torus; mm. */
+      inner_radius_mm: number;
+      /** Thickness of the slab; mm. */
+      thickness_mm: number;
+      /** Biventricle: size, 1 is an adult heart. */
+      scale: number;
+      /** Biventricle: amplitude of the seeded roughness of the walls; mm. */
+      roughness_mm: number;
+      /** Biventricle: label the cavities as 3 and 4. */
+      blood_pools: boolean;
+      /** Biventricle: scar core 5, crossed by an isthmus, with border zone 6. */
+      scar: boolean;
+      /** Biventricle: seed of the roughness. */
+      seed: number;
+    };
+    file?: {
+      /** Name of the file that holds the volume. */
+      name: string;
+      /** Digest of its voxels and affine; empty accepts any. */
+      sha256: string;
+    };
+  };
+  /** Labels to mesh; none: all. */
+  labels: number[];
+  /** Groups of labels; each is meshed as one region. */
+  merge: number[][];
+  volume: {
+    /** Slices thicker than so many pixels are interpolated to voxels; 0 never does. */
+    slice_ratio: number;
+    /** Pieces of a label with fewer voxels are removed; 0 keeps all; voxel. */
+    speck_voxels: number;
+    /** Enclosed pieces of background with fewer voxels are filled; 0 keeps all; voxel. */
+    hole_voxels: number;
+  };
+  surface: {
+    /** How the label surface is extracted; auto: by the number of labels. */
+    method: 'auto' | 'marching_cubes' | 'marching_tets';
+  };
+  smooth: {
+    /** Bi-Laplacian steps, and as many again for thick regions of several labels; 0 leaves the staircase. */
+    iterations: number;
+    /** Step of each iteration. */
+    step: number;
+    /** How far a vertex may move along each image axis; voxel. */
+    max_move_voxels: number;
+    /** Restore each label's volume after smoothing. */
+    keep_volume: boolean;
+  };
+  sizing: {
+    /** Edge length wherever nothing smaller is asked; mm. */
+    edge_mm: number;
+    /** Edge length inside single labels, instead of edge_mm. */
+    labels: {
+      /** The label. */
+      label: number;
+      /** Edge length inside it; mm. */
+      edge_mm: number;
+    }[];
+    /** Places with their own edge length. */
+    regions: {
+      /** Name of the region. */
+      name: string;
+      /** Shape of the region. */
+      shape: 'sphere' | 'box' | 'capsule';
+      /** Centre of sphere or box, first end of a capsule; RAS; mm. */
+      centre_mm: Vec3;
+      /** Second end of a capsule; RAS; mm. */
+      end_mm: Vec3;
+      /** Half edges of a box; mm. */
+      half_size_mm: Vec3;
+      /** Rotation of a box about x, then y, then z; deg. */
+      axes_deg: Vec3;
+      /** Radius of sphere or capsule; mm. */
+      radius_mm: number;
+      /** Edge length inside; mm. */
+      edge_mm: number;
+      /** Width of the band around it over which the size returns to its surroundings'; mm. */
+      band_mm: number;
+    }[];
+    /** Edge length growing with the distance to a label. */
+    distances: {
+      /** The label from which distance is measured. */
+      label: number;
+      /** Edge length at the label; mm. */
+      edge_mm: number;
+      /** Growth of the edge length per mm of distance; mm/mm. */
+      slope: number;
+    }[];
+    /** Edge length by the thickness of a wall, instead of edge_mm there. */
+    thickness: {
+      /** Labels of the image that form the wall. */
+      wall: number[];
+      /** Labels on its inner side (blood pools); none: the cavities of the background. */
+      inner: number[];
+      /** Elements asked for across the wall; 0: the ranges below instead. */
+      layers: number;
+      /** How the layers are had: size: by the size of elements alone; exact: by sheets across the wall, with one element between two of them. */
+      layering: 'size' | 'exact';
+      /** Edge length where the wall is thin; mm. */
+      edge_thin_mm: number;
+      /** Edge length where the wall is thick; mm. */
+      edge_thick_mm: number;
+      /** Thickness that is thin; 0 with thick_mm 0: the first percentile; mm. */
+      thin_mm: number;
+      /** Thickness that is thick; 0 with thin_mm 0: the last percentile; mm. */
+      thick_mm: number;
+    }[];
+    /** Edge lengths painted over the volume. */
+    masks: {
+      /** Name of the file that holds the mask, a label volume on any grid. */
+      name: string;
+      /** Digest of its voxels and affine; empty accepts any. */
+      sha256: string;
+      /** Edge length where the mask has a label. */
+      edges: {
+        /** The label. */
+        label: number;
+        /** Edge length inside it; mm. */
+        edge_mm: number;
+      }[];
+    }[];
+    /** Images of edge lengths, instead of edge_mm where they have one. */
+    images: {
+      /** Name of the file (NIfTI) that holds edge lengths in mm, on any grid. */
+      name: string;
+      /** Digest of its voxels and affine; empty accepts any. */
+      sha256: string;
+    }[];
+    /** Edge length by the curvature of the label surface. */
+    curvature: {
+      /** Labels whose surfaces count; none: all. */
+      labels: number[];
+      /** Edges to a full turn of the surface's circle of curvature. */
+      edges_per_turn: number;
+      /** No edge length below this is asked, however sharp the bend; mm. */
+      edge_min_mm: number;
+    }[];
+    /** No edge length below this is asked; mm. */
+    edge_min_mm: number;
+    /** No edge length above this is asked; mm. */
+    edge_max_mm: number;
+    /** Bound on how fast the edge length may change per mm; mm/mm. */
+    gradation: number;
+  };
+  remesh: {
+    /** How the adapted surface is made. */
+    method: 'delaunay' | 'adapt';
+    /** What makes method delaunay give way to adapt: a lost or self-touching label, any change of topology, or nothing. */
+    keep_topology: 'labels' | 'all' | 'nothing';
+    /** delaunay: lower bound on the triangles' angles; deg. */
+    facet_angle_deg: number;
+    /** delaunay: distance allowed from triangles to labels; voxel. */
+    max_distance_voxels: number;
+    /** adapt: adaptive, or the paper's coarsen, refine, optimise. */
+    schedule: 'adaptive' | 'paper';
+    /** adapt: weight of shape against size when points are moved. */
+    shape_weight: number;
+    /** adapt: check every operation for intersections; slow. */
+    verify: boolean;
+  };
+  tetra: {
+    /** Which mesher fills the surface. */
+    backend: 'tetgen' | 'delaunay';
+    /** Bound on circumradius over shortest edge. */
+    radius_edge: number;
+    /** tetgen: smallest dihedral angle that refinement aims at; 0: none; deg. */
+    min_dihedral_deg: number;
+    /** tetgen: largest dihedral angle that its optimisation aims at; deg. */
+    max_dihedral_deg: number;
+  };
+  optimise: {
+    /** Rounds of work on badly shaped tetrahedra; 0 leaves them. */
+    rounds: number;
+    /** Tetrahedra with a smaller dihedral angle are worked on; deg. */
+    min_dihedral_deg: number;
+    /** Where tetrahedra stay below this, vertices are inserted, and those on the surface slide; deg. */
+    insertion_deg: number;
+    /** How far from the label surface vertices may slide, as a part of the target edge length; 0: not at all. */
+    slide: number;
+  };
+  transfer: {
+    /** Labels of the image to transfer to the tetrahedra, meshed or not. */
+    labels: number[];
+    /** Samples of each tetrahedron, at least. */
+    samples_min: number;
+    /** Samples of each tetrahedron, at most. */
+    samples_max: number;
+  };
+  quality: {
+    /** Bins of each histogram. */
+    histogram_bins: number;
+    /** Spacing of the samples that distances are measured at; voxel. */
+    sample_spacing_voxels: number;
+  };
+  physics?: {
+    diffusion?: {
+      /** Label from which heat spreads. */
+      from: number;
+      /** Diffusivity, the same everywhere; mm2/ms. */
+      diffusivity_mm2_per_ms: number;
+      /** Time at the end; ms. */
+      end_ms: number;
+      /** Time step; ms. */
+      step_ms: number;
+      /** Time between two frames; ms. */
+      frame_ms: number;
+    };
+  };
+  limits: {
+    /** Most tetrahedra; a case forecast to have more is refused. 0: no limit. */
+    tets: number;
+    /** Most memory, by forecast; 0: no limit; MB. */
+    memory_mb: number;
+    /** Most time, by forecast; 0: no limit; s. */
+    seconds: number;
+  };
+  expected: {
+    /** Version of voxtet that made the mesh. */
+    engine: string;
+    /** SHA-256 of the mesh's points, tetrahedra and labels. */
+    digest: string;
+    /** Number of tetrahedra. */
+    tets: number;
+  };
+}
+
+/** The recipe before anybody has changed it. */
+export const recipeDefaults = {
+  "source": {},
+  "labels": [],
+  "merge": [],
+  "volume": {
+    "slice_ratio": 2,
+    "speck_voxels": 0,
+    "hole_voxels": 0
+  },
+  "surface": {
+    "method": "auto"
+  },
+  "smooth": {
+    "iterations": 50,
+    "step": 0.4,
+    "max_move_voxels": 0.5,
+    "keep_volume": true
+  },
+  "sizing": {
+    "edge_mm": 2,
+    "labels": [],
+    "regions": [],
+    "distances": [],
+    "thickness": [],
+    "masks": [],
+    "images": [],
+    "curvature": [],
+    "edge_min_mm": 0.1,
+    "edge_max_mm": 50,
+    "gradation": 0.3
+  },
+  "remesh": {
+    "method": "delaunay",
+    "keep_topology": "all",
+    "facet_angle_deg": 30,
+    "max_distance_voxels": 0.5,
+    "schedule": "adaptive",
+    "shape_weight": 0.7,
+    "verify": false
+  },
+  "tetra": {
+    "backend": "delaunay",
+    "radius_edge": 1.414,
+    "min_dihedral_deg": 0,
+    "max_dihedral_deg": 145
+  },
+  "optimise": {
+    "rounds": 4,
+    "min_dihedral_deg": 35,
+    "insertion_deg": 33,
+    "slide": 0.1
+  },
+  "transfer": {
+    "labels": [],
+    "samples_min": 4,
+    "samples_max": 64
+  },
+  "quality": {
+    "histogram_bins": 64,
+    "sample_spacing_voxels": 0.25
+  },
+  "limits": {
+    "tets": 0,
+    "memory_mb": 0,
+    "seconds": 0
+  },
+  "expected": {
+    "engine": "",
+    "digest": "",
+    "tets": 0
+  }
+} as const;
+
+/** Groups that a recipe need not have, as they are at first. */
+export const optionalDefaults = {
+  "source.phantom": {
+    "kind": "biventricle",
+    "spacing_mm": [
+      1.5,
+      1.5,
+      1.5
+    ],
+    "rotation_deg": [
+      0,
+      0,
+      0
+    ],
+    "mirrored": false,
+    "radius_mm": 20,
+    "inner_radius_mm": 12,
+    "thickness_mm": 8,
+    "scale": 1,
+    "roughness_mm": 0.8,
+    "blood_pools": true,
+    "scar": false,
+    "seed": 1
+  },
+  "source.file": {
+    "name": "",
+    "sha256": ""
+  },
+  "physics": {},
+  "physics.diffusion": {
+    "from": 1,
+    "diffusivity_mm2_per_ms": 1,
+    "end_ms": 100,
+    "step_ms": 1,
+    "frame_ms": 5
+  }
+} as const;
+
+/** What each stage is made from: stages before it, and fields of the recipe. */
+export const stageSpecs = [
+  {
+    "in_steps": false,
+    "inputs": [],
+    "name": "volume",
+    "reads": [
+      "source.phantom",
+      "labels",
+      "merge",
+      "volume"
+    ],
+    "shown": true,
+    "title": "Volume"
+  },
+  {
+    "in_steps": false,
+    "inputs": [
+      "volume"
+    ],
+    "name": "surface",
+    "reads": [
+      "surface"
+    ],
+    "shown": true,
+    "title": "Label surface"
+  },
+  {
+    "in_steps": false,
+    "inputs": [
+      "volume",
+      "surface"
+    ],
+    "name": "smooth",
+    "reads": [
+      "smooth"
+    ],
+    "shown": true,
+    "title": "Smoothed surface"
+  },
+  {
+    "in_steps": false,
+    "inputs": [
+      "volume",
+      "smooth"
+    ],
+    "name": "walls",
+    "reads": [
+      "sizing.thickness[].wall",
+      "sizing.thickness[].inner",
+      "sizing.thickness[].layering"
+    ],
+    "shown": false,
+    "title": "Walls"
+  },
+  {
+    "in_steps": false,
+    "inputs": [
+      "volume",
+      "smooth",
+      "walls"
+    ],
+    "name": "sizing",
+    "reads": [
+      "sizing"
+    ],
+    "shown": true,
+    "title": "Sizing field"
+  },
+  {
+    "in_steps": false,
+    "inputs": [
+      "volume",
+      "walls"
+    ],
+    "name": "layers",
+    "reads": [
+      "sizing.thickness[].layers",
+      "sizing.thickness[].layering"
+    ],
+    "shown": false,
+    "title": "Layers of walls"
+  },
+  {
+    "in_steps": false,
+    "inputs": [
+      "volume",
+      "smooth",
+      "sizing",
+      "layers"
+    ],
+    "name": "remesh",
+    "reads": [
+      "remesh"
+    ],
+    "shown": true,
+    "title": "Adapted surface"
+  },
+  {
+    "in_steps": false,
+    "inputs": [
+      "sizing",
+      "layers",
+      "remesh"
+    ],
+    "name": "tetra",
+    "reads": [
+      "tetra"
+    ],
+    "shown": false,
+    "title": "Filled tetrahedra"
+  },
+  {
+    "in_steps": false,
+    "inputs": [
+      "smooth",
+      "sizing",
+      "layers",
+      "remesh",
+      "tetra"
+    ],
+    "name": "optimise",
+    "reads": [
+      "optimise"
+    ],
+    "shown": true,
+    "title": "Tetrahedra"
+  },
+  {
+    "in_steps": false,
+    "inputs": [
+      "volume",
+      "optimise"
+    ],
+    "name": "transfer",
+    "reads": [
+      "transfer"
+    ],
+    "shown": false,
+    "title": "Label transfer"
+  },
+  {
+    "in_steps": false,
+    "inputs": [
+      "volume",
+      "smooth",
+      "walls",
+      "sizing",
+      "remesh",
+      "optimise",
+      "transfer"
+    ],
+    "name": "quality",
+    "reads": [
+      "quality"
+    ],
+    "shown": true,
+    "title": "Evidence"
+  },
+  {
+    "in_steps": true,
+    "inputs": [
+      "optimise"
+    ],
+    "name": "diffusion",
+    "reads": [
+      "physics.diffusion"
+    ],
+    "shown": false,
+    "title": "Heat diffusion"
+  }
+] as const;
+
+/** The stages that the app shows; the others run by themselves before those that need them. */
+export const stageNames = [
+  "volume",
+  "surface",
+  "smooth",
+  "sizing",
+  "remesh",
+  "optimise",
+  "quality"
+] as const;
