@@ -61,11 +61,6 @@ Body body_of(const PhantomParams& params) {
 }
 
 /// A grid whose axes are the columns of the body's rotation, wide enough for the body.
-struct Grid {
-  std::array<int, 3> size{};
-  Eigen::Matrix4d index_to_mm = Eigen::Matrix4d::Identity();
-};
-
 Result<Grid> grid_around(const Body& body, const PhantomParams& params) {
   const Eigen::Matrix3d rotation = rotation_from_degrees(params.rotation_deg);
   Grid grid;
@@ -93,31 +88,24 @@ Result<Grid> grid_around(const Body& body, const PhantomParams& params) {
 }
 
 LabelVolume sample(const Body& body, const Grid& grid) {
-  LabelVolume volume;
-  volume.size = grid.size;
-  volume.index_to_mm = grid.index_to_mm;
+  LabelVolume volume{grid, {}, {}};
   volume.labels.resize(volume.voxel_count());
-  std::size_t at = 0;
-  for (int k = 0; k < grid.size[2]; ++k)
-    for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i)
-        volume.labels[at++] = body.label_at(volume.to_mm({1.0 * i, 1.0 * j, 1.0 * k}));
+  grid.visit(
+      [&](int i, int j, int k, std::size_t at) { volume.labels[at] = body.label_at(grid.to_mm(i, j, k)); });
   return volume;
 }
 
 /// The same volume cut down to its labels and `kPadding` voxels around them; empty if there are no labels.
 LabelVolume cropped(const LabelVolume& volume) {
   std::array<int, 3> low = volume.size, high{-1, -1, -1};
-  for (int k = 0; k < volume.size[2]; ++k)
-    for (int j = 0; j < volume.size[1]; ++j)
-      for (int i = 0; i < volume.size[0]; ++i) {
-        if (volume.at(i, j, k) == kBackground) continue;
-        const std::array<int, 3> voxel{i, j, k};
-        for (int d = 0; d < 3; ++d) {
-          low[d] = std::min(low[d], voxel[d]);
-          high[d] = std::max(high[d], voxel[d]);
-        }
-      }
+  volume.visit([&](int i, int j, int k, std::size_t at) {
+    if (volume.labels[at] == kBackground) return;
+    const std::array<int, 3> voxel{i, j, k};
+    for (std::size_t d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], voxel[d]);
+      high[d] = std::max(high[d], voxel[d]);
+    }
+  });
   LabelVolume result;
   if (high[0] < 0) return result;
   Eigen::Vector3d first;

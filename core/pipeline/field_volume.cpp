@@ -14,10 +14,10 @@ Result<ScalarVolume> field_volume(const Session& session, std::string_view name)
     return usage_error("field",
                        "the case has no " + std::string(name) + ": its sizing.thickness names no wall");
   const LabelVolume& volume = *session.volume();
-  ScalarVolume out{volume.size, volume.index_to_mm, {}};
+  ScalarVolume out{volume, {}};
   if (name == "size") {
-    for_voxels(volume, [&](const Eigen::Vector3d& mm) {
-      out.values.push_back(static_cast<float>(session.sizing()->at(mm)));
+    volume.visit([&](int i, int j, int k, std::size_t) {
+      out.values.push_back(static_cast<float>(session.sizing()->at(volume.to_mm(i, j, k))));
     });
     return out;
   }

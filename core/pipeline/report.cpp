@@ -183,7 +183,10 @@ json report_json(const Session& session) {
 }
 
 json schema_json() {
-  return {{"version", engine_version()}, {"fields", recipe_schema()}, {"stages", stages_schema()}};
+  json schema = recipe_schema();
+  schema["stages"] = stages_schema();
+  schema["version"] = engine_version();
+  return schema;
 }
 
 json error_json(const Error& error) {

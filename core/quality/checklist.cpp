@@ -125,17 +125,15 @@ std::size_t count_wrong_faces(const TetMesh& mesh, std::span<const TetFace> tet_
 /// less.
 std::vector<bool> thin_labels(const LabelVolume& volume) {
   std::vector<std::uint64_t> voxels(65536, 0), inner(65536, 0);
-  for (int k = 0; k < volume.size[2]; ++k)
-    for (int j = 0; j < volume.size[1]; ++j)
-      for (int i = 0; i < volume.size[0]; ++i) {
-        const Label label = volume.at(i, j, k);
-        if (label == kBackground) continue;
-        ++voxels[label];
-        const auto like = [&](int x, int y, int z) { return volume.at_or_background(x, y, z) == label; };
-        if (like(i - 1, j, k) && like(i + 1, j, k) && like(i, j - 1, k) && like(i, j + 1, k) &&
-            like(i, j, k - 1) && like(i, j, k + 1))
-          ++inner[label];
-      }
+  volume.visit([&](int i, int j, int k, std::size_t voxel) {
+    const Label label = volume.labels[voxel];
+    if (label == kBackground) return;
+    ++voxels[label];
+    const auto like = [&](int x, int y, int z) { return volume.at_or_background(x, y, z) == label; };
+    if (like(i - 1, j, k) && like(i + 1, j, k) && like(i, j - 1, k) && like(i, j + 1, k) &&
+        like(i, j, k - 1) && like(i, j, k + 1))
+      ++inner[label];
+  });
   std::vector<bool> thin(65536);
   for (std::size_t label = 0; label < thin.size(); ++label) thin[label] = 3 * inner[label] < voxels[label];
   return thin;

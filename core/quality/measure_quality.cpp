@@ -19,6 +19,7 @@
 #include "quality/summarise.h"
 #include "quality/surface_distance.h"
 #include "quality/tet_measure_table.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -31,7 +32,7 @@ constexpr double kDistanceToleranceVoxels = 0.05;
 Status check_params(const QualityParams& params) {
   if (params.histogram_bins < 1 || !(params.sample_spacing_voxels > 0))
     return Error{ErrorCode::kUsage,
-                 "quality",
+                 kQualityStage,
                  "quality: found histogram_bins " + std::to_string(params.histogram_bins) +
                      " and sample_spacing_voxels " + std::to_string(params.sample_spacing_voxels) +
                      ", expected both above 0",
@@ -44,7 +45,7 @@ Status check_mesh_arrays(const TetMesh& mesh) {
     for (const std::uint32_t v : mesh.tets[t])
       if (v >= mesh.points.size())
         return Error{ErrorCode::kBadInput,
-                     "quality",
+                     kQualityStage,
                      "tetrahedron " + std::to_string(t) + " refers to point " + std::to_string(v) + " of " +
                          std::to_string(mesh.points.size()),
                      {{}, {t}}};
@@ -52,20 +53,20 @@ Status check_mesh_arrays(const TetMesh& mesh) {
     for (const std::uint32_t v : mesh.faces[f])
       if (v >= mesh.points.size())
         return Error{ErrorCode::kBadInput,
-                     "quality",
+                     kQualityStage,
                      "face " + std::to_string(f) + " refers to point " + std::to_string(v) + " of " +
                          std::to_string(mesh.points.size()),
                      {}};
   if (mesh.face_sides.size() != mesh.faces.size())
     return Error{ErrorCode::kBadInput,
-                 "quality",
+                 kQualityStage,
                  "found " + std::to_string(mesh.faces.size()) + " faces and " +
                      std::to_string(mesh.face_sides.size()) +
                      " pairs of sides, expected one pair for each face",
                  {}};
   if (mesh.tets.empty() || mesh.labels.size() != mesh.tets.size())
     return Error{ErrorCode::kBadInput,
-                 "quality",
+                 kQualityStage,
                  "found " + std::to_string(mesh.tets.size()) + " tetrahedra and " +
                      std::to_string(mesh.labels.size()) +
                      " labels, expected one label for each of at least one tetrahedron",
@@ -175,7 +176,7 @@ QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& fa
 Result<QualityReport> measure_mesh(const TetMesh& mesh, const QualityParams& params, RunContext& ctx) {
   if (Status valid = check_params(params); !valid) return valid.error();
   if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
-  if (ctx.cancelled()) return cancelled_error("quality");
+  if (ctx.cancelled()) return cancelled_error(kQualityStage);
   return report_of_mesh(mesh, tet_faces(mesh.tets, mesh.points.size()), nullptr, params.histogram_bins,
                         ctx.threads);
 }
@@ -187,15 +188,15 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   const int bins = params.histogram_bins;
   const std::vector<TetFace> faces = tet_faces(mesh.tets, mesh.points.size());
   if (!has_places(mesh)) return report_of_mesh(mesh, faces, &reference.sizing, bins, ctx.threads);
-  ctx.progress("quality", 0.1);
-  if (ctx.cancelled()) return cancelled_error("quality");
+  ctx.progress(kQualityStage, 0.1);
+  if (ctx.cancelled()) return cancelled_error(kQualityStage);
   const double voxel = reference.volume.smallest_spacing_mm();
   const SurfaceMesh& surface = reference.label_surface;
   DistanceMeasurement distances(
       {mesh.points, mesh.faces, mesh.face_sides}, {surface.points, surface.triangles, surface.sides},
       {params.sample_spacing_voxels * voxel, kDistanceToleranceVoxels * voxel}, ctx);
-  ctx.progress("quality", 0.2);
-  if (ctx.cancelled()) return cancelled_error("quality");
+  ctx.progress(kQualityStage, 0.2);
+  if (ctx.cancelled()) return cancelled_error(kQualityStage);
   std::vector<MetricSummary> of_triangles;
   std::vector<LabelFidelity> labels;
   TopologyLedger before;
@@ -209,7 +210,7 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
                       [&] { distances_of_faces = distance_fields(mesh, surface, voxel); },
                       [&] { before = label_topology(surface); },
                       [&] { of_triangles = triangle_metrics(surface, reference.adapted, bins); }});
-  if (ctx.cancelled()) return cancelled_error("quality");
+  if (ctx.cancelled()) return cancelled_error(kQualityStage);
   const Result<SurfaceDistances> measured = distances.result();
   if (!measured) return measured.error();
   report.mesh_to_surface = measured->forth;

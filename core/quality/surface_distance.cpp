@@ -14,6 +14,7 @@
 #include "geometry/elements/surface_measures.h"
 #include "geometry/elements/triangle_measures.h"
 #include "geometry/search/closest_point.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -286,7 +287,7 @@ void DistanceMeasurement::measure(std::size_t direction) {
 }
 
 Result<SurfaceDistances> DistanceMeasurement::result() const {
-  if (impl_->cancelled) return cancelled_error("quality");
+  if (impl_->cancelled) return cancelled_error(kQualityStage);
   return SurfaceDistances{impl_->found[0], impl_->found[1]};
 }
 

@@ -85,7 +85,8 @@ Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const s
 /// Every field with its value, or (`minimal`) only those that differ from their default.
 nlohmann::json recipe_to_json(const Recipe& recipe, bool minimal = false);
 
-/// The field table: [{path, type, unit, default, min, max, values, description, items}].
+/// The table of fields: {fields: [{path, type, unit, default, min, max, values, description, items}],
+/// optional_groups: [path]}, the latter the groups that a recipe need not have.
 nlohmann::json recipe_schema();
 
 }  // namespace voxtet

@@ -34,7 +34,7 @@ const char* type_name(const Whole&) {
 class SchemaWriter {
  public:
   explicit SchemaWriter(std::string path = {}) : path_(std::move(path)) {}
-  json fields = json::array();
+  json fields = json::array(), optional_groups = json::array();
 
   template <class T>
   void field(const FieldInfo& info, T& value) {
@@ -58,9 +58,11 @@ class SchemaWriter {
     SchemaWriter inner(at(info.name));
     visit_fields(inner, value);
     for (json& entry : inner.fields) fields.push_back(std::move(entry));
+    for (json& entry : inner.optional_groups) optional_groups.push_back(std::move(entry));
   }
   template <class T>
   void optional_group(const FieldInfo& info, std::optional<T>&) {
+    optional_groups.push_back(at(info.name));
     T defaults;
     group(info, defaults);
   }
@@ -90,7 +92,7 @@ json recipe_schema() {
   Recipe defaults;
   SchemaWriter writer;
   visit_fields(writer, defaults);
-  return std::move(writer.fields);
+  return {{"fields", std::move(writer.fields)}, {"optional_groups", std::move(writer.optional_groups)}};
 }
 
 }  // namespace voxtet

@@ -28,6 +28,8 @@ using namespace remesh;
 /// thick leave no room for good tetrahedra across it. Measured on shells: 0.8 gives 33 degrees where 1
 /// gave 16.
 constexpr double kLayerDistance = 0.8;
+/// Of the time: of the label field in refinement, and of refinement in both it and improvement.
+constexpr double kFieldShare = 0.1, kRefinementShare = 0.8;
 
 Error bad_input(const std::string& message) {
   return {ErrorCode::kBadInput, kRemeshStage, message, {}};
@@ -121,18 +123,6 @@ void warn_about_sizes(const SurfaceMesh& surface, const SizingField& sizing, Run
             "narrow places demand it");
 }
 
-/// The caller's context, with progress that never falls: repeated refinements start their own count again.
-RunContext with_rising_progress(const RunContext& ctx) {
-  RunContext rising = ctx;
-  if (ctx.on_progress)
-    rising.on_progress = [report = ctx.on_progress, highest = 0.0](const std::string& stage,
-                                                                   double fraction) mutable {
-      highest = std::max(highest, fraction);
-      report(stage, highest);
-    };
-  return rising;
-}
-
 /// Why a surface is not good enough to be kept instead of one with the reference's exact topology; empty if
 /// it is.
 std::string broken_topology(const TopologyLedger& wanted, const TopologyLedger& found, KeepTopology keep) {
@@ -212,13 +202,13 @@ Result<SurfaceMesh> refine(const LabelVolume& volume, const SurfaceMesh& referen
                            const RemeshParams& params, RunContext& ctx, const WallLayers& layers) {
   const LabelField field(volume, reference, layers);
   if (ctx.cancelled()) return cancelled_error(kRemeshStage);
-  ctx.progress(kRemeshStage, 0.08);
+  RunContext refinement = ctx.part(kFieldShare, 1);
   DelaunayParams aims{params.facet_angle_deg, params.max_distance_voxels};
   if (!layers.empty()) {
     aims.missed_voxels = aims.max_distance_voxels;
     aims.max_distance_voxels *= kLayerDistance;
   }
-  return delaunay_surface(field, reference, wanted, sizing, aims, ctx);
+  return delaunay_surface(field, reference, wanted, sizing, aims, refinement);
 }
 
 Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,
@@ -227,7 +217,8 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
   ctx.progress(kRemeshStage, 0);
   if (params.method == RemeshMethod::kAdapt) return adapt(volume, reference, sizing, params, ctx);
   const TopologyLedger wanted = label_topology(reference);
-  Result<SurfaceMesh> surface = refine(volume, reference, wanted, sizing, params, ctx, layers);
+  RunContext first = ctx.part(0, kRefinementShare), then = ctx.part(kRefinementShare, 1);
+  Result<SurfaceMesh> surface = refine(volume, reference, wanted, sizing, params, first, layers);
   if (!surface) return surface;
   const TopologyLedger found = label_topology(merge_layers(*surface, layers));
   const std::string broken = broken_topology(wanted, found, params.keep_topology);
@@ -237,11 +228,11 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
       ctx.warn(kRemeshStage, in_words(difference));
     // Sheets between layers are not on the reference: nothing there could be moved.
     if (!layers.empty()) return surface;
-    return improve(*surface, volume, reference, sizing, params, ctx);
+    return improve(*surface, volume, reference, sizing, params, then);
   }
   ctx.warn(kRemeshStage, "the method delaunay " + broken + ": the method adapt was taken instead" +
                              (layers.empty() ? "" : ", which lays no sheets between layers"));
-  return adapt(volume, reference, sizing, params, ctx);
+  return adapt(volume, reference, sizing, params, then);
 }
 
 }  // namespace
@@ -259,7 +250,7 @@ Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh&
                  "layers",
                  {}};
   try {
-    RunContext rising = with_rising_progress(ctx);
+    RunContext rising = ctx.part(0, 1);
     Result<SurfaceMesh> surface = by_method(volume, reference, sizing, params, rising, layers);
     if (surface) {
       warn_about_sizes(*surface, sizing, ctx);

@@ -36,34 +36,20 @@ std::optional<Error> find_volume_error(const LabelVolume& volume) {
 /// The grid of the volume with `kPadding` points more on each side, all of them +infinity.
 SizingField padded_grid(const LabelVolume& volume) {
   SizingField field;
-  std::size_t count = 1;
-  for (int d = 0; d < 3; ++d) {
-    field.size[d] = volume.size[d] + 2 * kPadding;
-    count *= static_cast<std::size_t>(field.size[d]);
-  }
+  for (std::size_t d = 0; d < 3; ++d) field.size[d] = volume.size[d] + 2 * kPadding;
   field.index_to_mm = volume.index_to_mm;
   field.index_to_mm.topRightCorner<3, 1>() = volume.to_mm(Eigen::Vector3d::Constant(-kPadding));
-  field.mm_to_index = field.index_to_mm.inverse();
-  field.h_mm.assign(count, kFar);
+  field.invert();
+  field.h_mm.assign(field.voxel_count(), kFar);
   return field;
-}
-
-std::size_t offset_of(const SizingField& field, int i, int j, int k) {
-  return static_cast<std::size_t>(i) +
-         static_cast<std::size_t>(field.size[0]) *
-             (static_cast<std::size_t>(j) +
-              static_cast<std::size_t>(field.size[1]) * static_cast<std::size_t>(k));
 }
 
 /// Calls visit(label of the voxel, offset in the field) for every voxel.
 template <class Visit>
 void for_each_voxel(const LabelVolume& volume, const SizingField& field, Visit visit) {
-  const Label* label = volume.labels.data();
-  for (int k = 0; k < volume.size[2]; ++k)
-    for (int j = 0; j < volume.size[1]; ++j) {
-      const std::size_t row = offset_of(field, kPadding, j + kPadding, k + kPadding);
-      for (int i = 0; i < volume.size[0]; ++i) visit(*label++, row + static_cast<std::size_t>(i));
-    }
+  volume.visit([&](int i, int j, int k, std::size_t at) {
+    visit(volume.labels[at], field.offset(i + kPadding, j + kPadding, k + kPadding));
+  });
 }
 
 /// Sizes that hold in place of edge_mm where they are finite.
@@ -108,8 +94,7 @@ struct IndexBox {
 
 IndexBox index_box(const SizingField& field, const Eigen::Vector3d& low_mm, const Eigen::Vector3d& high_mm) {
   const Eigen::Matrix3d to_index = field.mm_to_index.topLeftCorner<3, 3>();
-  const Eigen::Vector3d middle =
-      to_index * ((low_mm + high_mm) / 2) + field.mm_to_index.topRightCorner<3, 1>();
+  const Eigen::Vector3d middle = field.to_index((low_mm + high_mm) / 2);
   const Eigen::Vector3d half = to_index.cwiseAbs() * ((high_mm - low_mm) / 2);
   IndexBox box;
   for (int d = 0; d < 3; ++d) {
@@ -134,7 +119,7 @@ bool add_region_size(const SizeRegion& region, double edge_max_mm, const std::ve
                                       field.index_to_mm.topRightCorner<3, 1>();
         const double d = distance.at(point);
         if (d > 0 && d >= region.band_mm) continue;
-        const std::size_t at = offset_of(field, i, j, k);
+        const std::size_t at = field.offset(i, j, k);
         const double outer = std::min<double>(around[at], edge_max_mm);
         const double size =
             d > 0 ? region.edge_mm + (outer - region.edge_mm) * (d / region.band_mm) : region.edge_mm;

@@ -36,9 +36,7 @@ void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureS
     const std::vector<bool> counts = points_of(surface, rule.labels);
     for (std::size_t p = 0; p < surface.points.size(); ++p) {
       if (!counts[p]) continue;
-      const Eigen::Vector3d index = field.mm_to_index.topLeftCorner<3, 3>() * surface.points[p] +
-                                    field.mm_to_index.topRightCorner<3, 1>();
-      for_grid_corners(field.size, index, [&](std::size_t at, double weight) {
+      for_grid_corners(field.size, field.to_index(surface.points[p]), [&](std::size_t at, double weight) {
         sum[at] += static_cast<float>(weight * curvature[p]);
         weights[at] += static_cast<float>(weight);
       });

@@ -67,23 +67,14 @@ class GapFinder {
 /// The integral of e^-3 over the labelled voxels. The grid has the volume's points and some more around them.
 double tets_per_volume(const LabelVolume& volume, const SizingField& grid,
                        const std::vector<float>& edge_mm) {
-  const auto offset = [&](int i, int j, int k) {
-    const auto pad = [&](int d) {
-      return (grid.size[static_cast<std::size_t>(d)] - volume.size[static_cast<std::size_t>(d)]) / 2;
-    };
-    return static_cast<std::size_t>(i + pad(0)) +
-           static_cast<std::size_t>(grid.size[0]) *
-               (static_cast<std::size_t>(j + pad(1)) +
-                static_cast<std::size_t>(grid.size[1]) * static_cast<std::size_t>(k + pad(2)));
-  };
+  std::array<int, 3> pad{};
+  for (std::size_t d = 0; d < 3; ++d) pad[d] = (grid.size[d] - volume.size[d]) / 2;
   double sum = 0;
-  const Label* label = volume.labels.data();
-  for (int k = 0; k < volume.size[2]; ++k)
-    for (int j = 0; j < volume.size[1]; ++j) {
-      const float* row = edge_mm.data() + offset(0, j, k);
-      for (int i = 0; i < volume.size[0]; ++i)
-        if (*label++ != kBackground) sum += 1 / (static_cast<double>(row[i]) * row[i] * row[i]);
-    }
+  volume.visit([&](int i, int j, int k, std::size_t voxel) {
+    if (volume.labels[voxel] == kBackground) return;
+    const double edge = edge_mm[grid.offset(i + pad[0], j + pad[1], k + pad[2])];
+    sum += 1 / (edge * edge * edge);
+  });
   return sum * volume.voxel_mm3();
 }
 
@@ -133,9 +124,7 @@ Result<MeshForecast> MeshForecaster::forecast(const SizingField& sizing, const R
   for (const Sample& sample : samples_) {
     const double h = sizing.at(sample.at), area = sample.area_mm2, per_mm2 = demand_per_mm2(sample, h);
     out.triangles += kTrianglesPerArea * area * per_mm2;
-    const Vector3d index =
-        sizing.mm_to_index.topLeftCorner<3, 3>() * sample.at + sizing.mm_to_index.topRightCorner<3, 1>();
-    for_grid_corners(sizing.size, index, [&](std::size_t at, double weight) {
+    for_grid_corners(sizing.size, sizing.to_index(sample.at), [&](std::size_t at, double weight) {
       demand[at] += static_cast<float>(weight * area * per_mm2);
       weights[at] += static_cast<float>(weight * area);
     });

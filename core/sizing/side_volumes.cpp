@@ -18,7 +18,6 @@ Error refuse(ErrorCode code, const std::string& name, const std::string& message
 }
 
 /// Offset of the grid point nearest to a continuous index, if there is one within half a step.
-template <class Grid>
 bool nearest_offset(const Grid& grid, const Eigen::Vector3d& index, std::size_t& offset) {
   offset = 0;
   for (int d = 2; d >= 0; --d) {
@@ -30,12 +29,9 @@ bool nearest_offset(const Grid& grid, const Eigen::Vector3d& index, std::size_t&
 }
 
 /// Calls visit(offset, index) for all points of a grid.
-template <class Grid, class Visit>
+template <class Visit>
 void for_points(const Grid& grid, Visit&& visit) {
-  std::size_t at = 0;
-  for (int k = 0; k < grid.size[2]; ++k)
-    for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i, ++at) visit(at, Eigen::Vector4d(i, j, k, 1));
+  grid.visit([&](int i, int j, int k, std::size_t at) { visit(at, Eigen::Vector4d(i, j, k, 1)); });
 }
 
 Eigen::Vector3d mapped(const Eigen::Matrix4d& by, const Eigen::Vector4d& index) {

@@ -37,14 +37,11 @@ void lower_by_thickness(const WallField& wall, const ThicknessSize& rule, const 
     return rule.edge_thin_mm + share * (rule.edge_thick_mm - rule.edge_thin_mm);
   };
   const Eigen::Matrix4d to_wall = wall.mm_to_index * grid.index_to_mm;
-  std::size_t at = 0;
-  for (int k = 0; k < grid.size[2]; ++k)
-    for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i, ++at) {
-        const Eigen::Vector4d index = to_wall * Eigen::Vector4d(i, j, k, 1);
-        const double thickness = wall.thickness_at_index(index.head<3>());
-        if (thickness > 0) sizes[at] = std::min(sizes[at], static_cast<float>(edge_of(thickness)));
-      }
+  grid.visit([&](int i, int j, int k, std::size_t at) {
+    const Eigen::Vector4d index = to_wall * Eigen::Vector4d(i, j, k, 1);
+    const double thickness = wall.thickness_at_index(index.head<3>());
+    if (thickness > 0) sizes[at] = std::min(sizes[at], static_cast<float>(edge_of(thickness)));
+  });
 }
 
 }  // namespace voxtet

@@ -15,7 +15,6 @@
 namespace voxtet {
 namespace {
 
-constexpr const char* kStage = "transfer";
 constexpr double kSamplesPerVoxel = 8;
 constexpr std::size_t kTetsPerPoll = 1 << 14;
 
@@ -109,9 +108,9 @@ class Tally {
 /// The labels asked for, ascending and once each, with the volume of their voxels.
 Result<std::vector<TransferredLabel>> asked_labels(const LabelVolume& volume, const TransferParams& params) {
   if (params.samples_min < 1 || params.samples_max < params.samples_min)
-    return usage_error(kStage, "samples_min " + std::to_string(params.samples_min) + ", samples_max " +
-                                   std::to_string(params.samples_max) +
-                                   ": expected 1 <= samples_min <= samples_max");
+    return usage_error(kTransferStage, "samples_min " + std::to_string(params.samples_min) +
+                                           ", samples_max " + std::to_string(params.samples_max) +
+                                           ": expected 1 <= samples_min <= samples_max");
   std::vector<std::uint64_t> voxels(65536, 0);
   for (const Label label : volume.labels) ++voxels[label];
   std::vector<TransferredLabel> asked;
@@ -125,7 +124,7 @@ Result<std::vector<TransferredLabel>> asked_labels(const LabelVolume& volume, co
     std::string held;
     for (std::size_t other = 1; other < voxels.size(); ++other)
       if (voxels[other] > 0) held += (held.empty() ? "" : ", ") + std::to_string(other);
-    return usage_error(kStage,
+    return usage_error(kTransferStage,
                        "label " + std::to_string(label) + " is to be transferred; the volume holds " + held);
   }
   return asked;
@@ -133,12 +132,12 @@ Result<std::vector<TransferredLabel>> asked_labels(const LabelVolume& volume, co
 
 std::optional<Error> check_mesh(const TetMesh& mesh) {
   if (mesh.labels.size() != mesh.tets.size())
-    return Error{ErrorCode::kInternal, kStage, "the mesh has not one label per tetrahedron", {}};
+    return Error{ErrorCode::kInternal, kTransferStage, "the mesh has not one label per tetrahedron", {}};
   for (std::uint32_t t = 0; t < mesh.tets.size(); ++t)
     for (const std::uint32_t v : mesh.tets[t])
       if (v >= mesh.points.size())
         return Error{ErrorCode::kInternal,
-                     kStage,
+                     kTransferStage,
                      "tetrahedron " + std::to_string(t) + " uses point " + std::to_string(v) + " of " +
                          std::to_string(mesh.points.size()),
                      {{}, {t}}};
@@ -215,8 +214,8 @@ Status transfer_to_tets(const TetMesh& mesh, const LabelVolume& volume, const Tr
   Tally tally;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     if (t % kTetsPerPoll == 0) {
-      if (ctx.cancelled()) return cancelled_error(kStage);
-      ctx.progress(kStage, 0.8 * static_cast<double>(t) / static_cast<double>(mesh.tets.size()));
+      if (ctx.cancelled()) return cancelled_error(kTransferStage);
+      ctx.progress(kTransferStage, static_cast<double>(t) / static_cast<double>(mesh.tets.size()));
     }
     const auto [a, b, c, d] = mesh.tets[t];
     const TetCorners p{mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]};
@@ -261,7 +260,8 @@ Result<LabelTransfer> transfer_labels(const TetMesh& mesh, const LabelVolume& vo
   if (!asked) return asked.error();
   found.labels = *std::move(asked);
   found.fields = blank_fields(found.labels, mesh.tets.size());
-  if (Status done = transfer_to_tets(mesh, volume, params, ctx, found); !done) return done.error();
+  if (Status done = transfer_to_tets(mesh, volume, params, ctx.part(0, 0.8), found); !done)
+    return done.error();
 
   const std::vector<Label> by_centroid = rasterise(mesh, as_labels(found.centroid()), volume);
   const std::vector<Label> by_majority = rasterise(mesh, as_labels(found.majority()), volume);
@@ -269,7 +269,7 @@ Result<LabelTransfer> transfer_labels(const TetMesh& mesh, const LabelVolume& vo
     label.centroid_dice = dice_of(label.label, volume.labels, by_centroid);
     label.majority_dice = dice_of(label.label, volume.labels, by_majority);
   }
-  ctx.progress(kStage, 1);
+  ctx.progress(kTransferStage, 1);
   return found;
 }
 

@@ -2,6 +2,7 @@
 // stage prints.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -36,6 +37,19 @@ struct RunContext {
   }
   void note(const std::string& stage, const std::string& message) const {
     if (on_note) on_note(stage, message);
+  }
+
+  /// The same caller, for a part of the stage: fractions told to it from 0 to 1 arrive as `from` to `to`, and
+  /// never fall.
+  RunContext part(double from, double to) const {
+    RunContext out = *this;
+    if (on_progress)
+      out.on_progress = [tell = on_progress, from, to, highest = 0.0](const std::string& stage,
+                                                                      double fraction) mutable {
+        highest = std::max(highest, fraction);
+        tell(stage, from + highest * (to - from));
+      };
+    return out;
   }
 };
 

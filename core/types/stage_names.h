@@ -1,9 +1,19 @@
-// The names of the stages, as errors, warnings, notes and progress tell them.
+// The names of the stages, as errors, warnings, notes, progress and reports tell them.
 #pragma once
 
 namespace voxtet {
 
+inline constexpr const char* kVolumeStage = "volume";
+inline constexpr const char* kSurfaceStage = "surface";
+inline constexpr const char* kSmoothStage = "smooth";
+inline constexpr const char* kWallsStage = "walls";
 inline constexpr const char* kSizingStage = "sizing";
+inline constexpr const char* kLayersStage = "layers";
 inline constexpr const char* kRemeshStage = "remesh";
+inline constexpr const char* kTetraStage = "tetra";
+inline constexpr const char* kOptimiseStage = "optimise";
+inline constexpr const char* kTransferStage = "transfer";
+inline constexpr const char* kQualityStage = "quality";
+inline constexpr const char* kDiffusionStage = "diffusion";
 
 }  // namespace voxtet

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/topology/label_components.h"
+#include "types/stage_names.h"
 
 namespace voxtet::slices {
 namespace {
@@ -16,19 +17,17 @@ constexpr double kVolumeChange = 0.01;
 /// Voxels - pairs + squares + cubes of equal neighbours, for each label (65536 entries).
 std::vector<std::int64_t> euler_numbers(const LabelVolume& volume) {
   std::vector<std::int64_t> euler(65536, 0);
-  for (int k = 0; k < volume.size[2]; ++k)
-    for (int j = 0; j < volume.size[1]; ++j)
-      for (int i = 0; i < volume.size[0]; ++i) {
-        const Label label = volume.at(i, j, k);
-        if (label == kBackground) continue;
-        const auto like = [&](int di, int dj, int dk) {
-          return volume.at_or_background(i + di, j + dj, k + dk) == label;
-        };
-        const bool x = like(1, 0, 0), y = like(0, 1, 0), z = like(0, 0, 1);
-        const bool xy = x && y && like(1, 1, 0), yz = y && z && like(0, 1, 1), zx = z && x && like(1, 0, 1);
-        const bool cube = xy && yz && zx && like(1, 1, 1);
-        euler[label] += 1 - (x + y + z) + (xy + yz + zx) - cube;
-      }
+  volume.visit([&](int i, int j, int k, std::size_t voxel) {
+    const Label label = volume.labels[voxel];
+    if (label == kBackground) return;
+    const auto like = [&](int di, int dj, int dk) {
+      return volume.at_or_background(i + di, j + dj, k + dk) == label;
+    };
+    const bool x = like(1, 0, 0), y = like(0, 1, 0), z = like(0, 0, 1);
+    const bool xy = x && y && like(1, 1, 0), yz = y && z && like(0, 1, 1), zx = z && x && like(1, 0, 1);
+    const bool cube = xy && yz && zx && like(1, 1, 1);
+    euler[label] += 1 - (x + y + z) + (xy + yz + zx) - cube;
+  });
   return euler;
 }
 
@@ -77,12 +76,13 @@ void compare_slices(const LabelVolume& before, const LabelVolume& after, const R
                        tunnels_after = parts_after[label] - euler_after[label];
     if (parts_after[label] > parts[label] || tunnels_after > tunnels) add(worse, numbers);
   }
-  ctx.note("volume", "thick slices interpolated: " + grid_of(before) + " to " + grid_of(after) +
-                         "; label volumes kept within " + shown(100 * largest, "%.2f") + " %");
-  if (!topology.empty()) ctx.note("volume", "components and Euler number after interpolation: " + topology);
-  if (!grown.empty()) ctx.warn("volume", "interpolation changed the volume of " + grown);
+  ctx.note(kVolumeStage, "thick slices interpolated: " + grid_of(before) + " to " + grid_of(after) +
+                             "; label volumes kept within " + shown(100 * largest, "%.2f") + " %");
+  if (!topology.empty())
+    ctx.note(kVolumeStage, "components and Euler number after interpolation: " + topology);
+  if (!grown.empty()) ctx.warn(kVolumeStage, "interpolation changed the volume of " + grown);
   if (!worse.empty())
-    ctx.warn("volume",
+    ctx.warn(kVolumeStage,
              "interpolation split labels or opened tunnels in them, components and Euler number: " + worse);
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "geometry/topology/label_components.h"
+#include "types/stage_names.h"
 #include "volume/balance_offsets.h"
 #include "volume/compare_slices.h"
 #include "volume/slice_gap.h"
@@ -57,8 +58,8 @@ Result<std::vector<SliceGap>> interpolate_gaps(const SliceStack& stack, const st
       if (stack.count > 1) window[3] = slices::slice_distances(stack, 1, far_mm);
       continue;
     }
-    if (ctx.cancelled()) return cancelled_error("volume");
-    ctx.progress("volume", static_cast<double>(lower) / stack.count);
+    if (ctx.cancelled()) return cancelled_error(kVolumeStage);
+    ctx.progress(kVolumeStage, static_cast<double>(lower) / stack.count);
     if (lower + 2 < stack.count) window[3] = slices::slice_distances(stack, lower + 2, far_mm);
     std::array<const SliceDistances*, 4> near{};
     for (std::size_t i = 0; i < 4; ++i) near[i] = window[i] ? &*window[i] : nullptr;
@@ -206,7 +207,7 @@ Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, int pl
   SliceStack best;
   double least = 0;
   for (int round = 0; round < kRounds; ++round) {
-    if (ctx.cancelled()) return cancelled_error("volume");
+    if (ctx.cancelled()) return cancelled_error(kVolumeStage);
     SliceStack fine = settle_planes(stack, *gaps, contacts, planes,
                                     balance_offsets(*gaps, wanted, stack.smallest_pixel_mm()));
     const std::vector<double> found = voxels_by_label(fine, 1);
@@ -232,7 +233,7 @@ Error too_many_voxels(const Eigen::Vector3d& spacing, double voxels) {
       "volume.slice_ratio: voxels of %g x %g x %g mm would become %.2g by interpolation, at most %.2g "
       "are made; a slice_ratio of 0 leaves them as they are",
       spacing.x(), spacing.y(), spacing.z(), voxels, kMaxVoxels);
-  return {ErrorCode::kOutOfMemory, "volume", text, {}};
+  return {ErrorCode::kOutOfMemory, kVolumeStage, text, {}};
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ void count_row(const Label* here, int count, std::size_t u, std::size_t v,
 Joined count_joined(const LabelVolume& volume) {
   Joined joined{};
   const auto [nx, ny, nz] = volume.size;
-  const std::size_t to_y = volume.offset(0, 1, 0), to_z = volume.offset(0, 0, 1);
+  const auto [to_x, to_y, to_z] = volume.strides();
   for (int k = 0; k < nz; ++k)
     for (int j = 0; j < ny; ++j) {
       const Label* here = volume.labels.data() + volume.offset(0, j, k);
@@ -50,8 +50,8 @@ Joined count_joined(const LabelVolume& volume) {
       const bool other_y = j + 1 < ny && !std::equal(here, here + nx, here + to_y);
       const bool other_z = k + 1 < nz && !std::equal(here, here + nx, here + to_z);
       if (other_y && other_z) count_row(here, nx, to_y, to_z, joined[0]);
-      if (other_z) count_row(here, nx - 1, 1, to_z, joined[1]);
-      if (other_y) count_row(here, nx - 1, 1, to_y, joined[2]);
+      if (other_z) count_row(here, nx - 1, to_x, to_z, joined[1]);
+      if (other_y) count_row(here, nx - 1, to_x, to_y, joined[2]);
     }
   return joined;
 }

@@ -1,5 +1,6 @@
 #include "volume/prepare_volume.h"
 
+#include "types/stage_names.h"
 #include "volume/interpolate_slices.h"
 #include "volume/mesh_order.h"
 #include "volume/remove_specks.h"
@@ -11,7 +12,7 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
                                       const VolumeParams& params, RunContext& ctx) {
   if (!(params.slice_ratio >= 0))
     return Error{ErrorCode::kUsage,
-                 "volume",
+                 kVolumeStage,
                  "volume.slice_ratio: found " + std::to_string(params.slice_ratio) + ", expected 0 or more",
                  {}};
   Result<std::shared_ptr<const LabelVolume>> chosen = select_labels(source, labels, merge);

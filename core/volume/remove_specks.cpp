@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/topology/label_components.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -20,15 +21,11 @@ std::array<double, 3> face_areas(const LabelVolume& volume) {
           axes.col(0).cross(axes.col(1)).norm()};
 }
 
-std::vector<bool> on_border(const std::array<int, 3>& size, const std::vector<std::uint32_t>& ids,
-                            std::size_t components) {
+std::vector<bool> on_border(const Grid& grid, const std::vector<std::uint32_t>& ids, std::size_t components) {
   std::vector<bool> border(components, false);
-  std::size_t voxel = 0;
-  for (int k = 0; k < size[2]; ++k)
-    for (int j = 0; j < size[1]; ++j)
-      for (int i = 0; i < size[0]; ++i, ++voxel)
-        if (i == 0 || j == 0 || k == 0 || i + 1 == size[0] || j + 1 == size[1] || k + 1 == size[2])
-          border[ids[voxel]] = true;
+  grid.visit([&](int i, int j, int k, std::size_t voxel) {
+    if (grid.on_border(i, j, k)) border[ids[voxel]] = true;
+  });
   return border;
 }
 
@@ -36,7 +33,7 @@ std::vector<bool> on_border(const std::array<int, 3>& size, const std::vector<st
 std::vector<std::vector<std::size_t>> small_components(const LabelVolume& volume, const SpeckLimits& limits) {
   std::vector<std::uint32_t> sizes;
   const std::vector<std::uint32_t> ids = label_components(volume.size, volume.labels, sizes);
-  const std::vector<bool> border = on_border(volume.size, ids, sizes.size());
+  const std::vector<bool> border = on_border(volume, ids, sizes.size());
   std::vector<std::vector<std::size_t>> voxels(sizes.size());
   for (std::size_t v = 0; v < ids.size(); ++v) {
     const bool hole = volume.labels[v] == kBackground;
@@ -97,13 +94,14 @@ LabelVolume remove_specks(const LabelVolume& volume, const SpeckLimits& limits, 
   for (const Label label : out.labels) left[label] = true;
   for (const auto& [label, sum] : removed) {
     const bool hole = label == kBackground;
-    ctx.note("volume", "removed " + counted(sum.components, hole ? "hole" : "speck") +
-                           (hole ? "" : " of label " + std::to_string(label)) + ": " +
-                           counted(sum.voxels, "voxel") + ", the largest of " + std::to_string(sum.largest));
+    ctx.note(kVolumeStage, "removed " + counted(sum.components, hole ? "hole" : "speck") +
+                               (hole ? "" : " of label " + std::to_string(label)) + ": " +
+                               counted(sum.voxels, "voxel") + ", the largest of " +
+                               std::to_string(sum.largest));
     if (!hole && !left[label])
-      ctx.warn("volume", "label " + std::to_string(label) +
-                             " was removed altogether: no component of it has " +
-                             std::to_string(limits.speck_voxels) + " voxels");
+      ctx.warn(kVolumeStage, "label " + std::to_string(label) +
+                                 " was removed altogether: no component of it has " +
+                                 std::to_string(limits.speck_voxels) + " voxels");
   }
   return out;
 }

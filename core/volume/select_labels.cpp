@@ -1,5 +1,7 @@
 #include "volume/select_labels.h"
 
+#include "types/stage_names.h"
+
 #include <algorithm>
 #include <functional>
 #include <string>
@@ -24,19 +26,20 @@ Status map_groups(const std::vector<LabelGroup>& groups, const std::vector<Label
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const std::string path = "merge[" + std::to_string(g) + "]";
     if (groups[g].empty())
-      return usage_error("volume", path + ": found no label, expected a group of labels to merge");
+      return usage_error(kVolumeStage, path + ": found no label, expected a group of labels to merge");
     const Label smallest = *std::min_element(groups[g].begin(), groups[g].end());
     for (const Label label : groups[g]) {
       const std::string name = "label " + std::to_string(label);
       if (!holds(present, label))
-        return usage_error("volume",
+        return usage_error(kVolumeStage,
                            path + ": the volume holds no " + name + "; it holds " + listed(present));
       if (!holds(kept, label))
-        return usage_error("volume",
+        return usage_error(kVolumeStage,
                            path + ": " + name + " is not among the labels to mesh, " + listed(kept));
       if (group_of[label] != groups.size())
-        return usage_error("volume", path + ": " + name + " is named already in merge[" +
-                                         std::to_string(group_of[label]) + "]; a label belongs to one group");
+        return usage_error(kVolumeStage, path + ": " + name + " is named already in merge[" +
+                                             std::to_string(group_of[label]) +
+                                             "]; a label belongs to one group");
       group_of[label] = g;
       map[label] = smallest;
     }
@@ -66,14 +69,14 @@ Result<std::shared_ptr<const LabelVolume>> select_labels(const std::shared_ptr<c
   std::vector<Label> present;
   for (const auto& [label, count] : count_labels(*volume)) present.push_back(label);
   if (present.empty())
-    return Error{ErrorCode::kBadInput, "volume", "the volume holds no label, only background", {}};
+    return Error{ErrorCode::kBadInput, kVolumeStage, "the volume holds no label, only background", {}};
   std::vector<Label> kept = wanted.empty() ? present : wanted;
   std::sort(kept.begin(), kept.end());
   std::vector<Label> map(65536, kBackground);
   for (const Label label : kept) {
     if (!holds(present, label))
-      return usage_error("volume", "labels: the volume holds no label " + std::to_string(label) +
-                                       "; it holds " + listed(present));
+      return usage_error(kVolumeStage, "labels: the volume holds no label " + std::to_string(label) +
+                                           "; it holds " + listed(present));
     map[label] = label;
   }
   if (Status mapped = map_groups(merge, present, kept, map); !mapped) return mapped.error();

@@ -93,14 +93,12 @@ std::vector<Eigen::Vector3d> wall_blocks(const WallGrid& grid, int voxels) {
   for (std::size_t d = 0; d < 3; ++d)
     size[d] = static_cast<std::size_t>((grid.size[d] + voxels - 1) / voxels);
   std::vector<std::uint8_t> held(size[0] * size[1] * size[2], 0);
-  std::size_t at = 0;
-  for (int k = 0; k < grid.size[2]; ++k)
-    for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i)
-        if (grid.kind[at++] == kWall)
-          held[static_cast<std::size_t>(i / voxels) +
-               size[0] * (static_cast<std::size_t>(j / voxels) +
-                          size[1] * static_cast<std::size_t>(k / voxels))] = 1;
+  grid.visit([&](int i, int j, int k, std::size_t at) {
+    if (grid.kind[at] == kWall)
+      held[static_cast<std::size_t>(i / voxels) +
+           size[0] *
+               (static_cast<std::size_t>(j / voxels) + size[1] * static_cast<std::size_t>(k / voxels))] = 1;
+  });
   std::vector<Eigen::Vector3d> centres;
   for (std::size_t b = 0; b < held.size(); ++b) {
     if (!held[b]) continue;
@@ -152,7 +150,7 @@ std::vector<Label> holes_across(const WallGrid& grid, const Eigen::Vector3d& dir
   const Planes planes = planes_across(direction, corners, grid.spacing_mm().minCoeff());
   std::vector<std::uint8_t> cells(planes.count(), kHole);
   const Eigen::Matrix3d to_index = grid.linear().inverse(), to_mm = planes.frame.inverse();
-  const Eigen::Vector3d origin = grid.index_to_mm.topRightCorner<3, 1>();
+  const Eigen::Vector3d origin = grid.origin();
   std::size_t at = 0;
   for (int k = 0; k < planes.size[2]; ++k)
     for (int j = 0; j < planes.size[1]; ++j)
@@ -172,15 +170,12 @@ std::vector<Label> holes_across(const WallGrid& grid, const Eigen::Vector3d& dir
   // hole.
   std::vector<Label> hole(grid.kind.size(), 0);
   std::vector<std::size_t> undecided, joined;
-  at = 0;
-  for (int k = 0; k < grid.size[2]; ++k)
-    for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i, ++at) {
-        if (grid.kind[at] != kOuter) continue;
-        const std::uint8_t cell = cells[planes.cell_of(grid.to_mm({1.0 * i, 1.0 * j, 1.0 * k}))];
-        if (cell == kHole) hole[at] = 1;
-        if (cell == kSolid) undecided.push_back(at);
-      }
+  grid.visit([&](int i, int j, int k, std::size_t voxel) {
+    if (grid.kind[voxel] != kOuter) return;
+    const std::uint8_t cell = cells[planes.cell_of(grid.to_mm(i, j, k))];
+    if (cell == kHole) hole[voxel] = 1;
+    if (cell == kSolid) undecided.push_back(voxel);
+  });
   for (const std::size_t voxel : undecided)
     for_face_neighbours(grid.size, voxel, [&](std::size_t other, std::size_t) {
       if (hole[other] && (joined.empty() || joined.back() != voxel)) joined.push_back(voxel);
@@ -258,14 +253,10 @@ std::vector<Label> enclosed_voxels(const WallGrid& grid) {
   std::vector<std::uint32_t> sizes;
   const std::vector<std::uint32_t> part = label_components(grid.size, solid, sizes);
   std::vector<std::uint8_t> open(sizes.size(), 0);
-  std::size_t at = 0;
-  for (int k = 0; k < grid.size[2]; ++k)
-    for (int j = 0; j < grid.size[1]; ++j)
-      for (int i = 0; i < grid.size[0]; ++i, ++at)
-        if (i == 0 || j == 0 || k == 0 || i + 1 == grid.size[0] || j + 1 == grid.size[1] ||
-            k + 1 == grid.size[2])
-          open[part[at]] = 1;
-  for (at = 0; at < solid.size(); ++at) solid[at] = solid[at] && !open[part[at]] ? 1 : 0;
+  grid.visit([&](int i, int j, int k, std::size_t at) {
+    if (grid.on_border(i, j, k)) open[part[at]] = 1;
+  });
+  for (std::size_t at = 0; at < solid.size(); ++at) solid[at] = solid[at] && !open[part[at]] ? 1 : 0;
   return solid;
 }
 

@@ -257,9 +257,8 @@ bool is_thin(const WallGrid& grid, const Measured& values, double voxel_mm3) {
 WallField field_of(const WallGrid& grid, Measured values, const std::vector<Label>& labels) {
   WallField field;
   field.wall = labels;
-  field.size = grid.size;
-  field.index_to_mm = grid.index_to_mm;
-  field.mm_to_index = grid.index_to_mm.inverse();
+  static_cast<Grid&>(field) = grid;
+  field.invert();
   field.thickness_mm = std::move(values.thickness_mm);
   field.potential = std::move(values.potential);
   field.inner_shares = std::move(values.shares);

@@ -166,16 +166,14 @@ WallGrid wall_grid(const LabelVolume& anatomy, const std::vector<Label>& wall,
                    const std::vector<Label>& inner) {
   const std::vector<std::uint8_t> kinds = kinds_of_labels(wall, inner);
   std::array<int, 3> low = anatomy.size, high{-1, -1, -1};
-  for (int k = 0; k < anatomy.size[2]; ++k)
-    for (int j = 0; j < anatomy.size[1]; ++j)
-      for (int i = 0; i < anatomy.size[0]; ++i) {
-        if (kinds[anatomy.at(i, j, k)] != kWall) continue;
-        const std::array<int, 3> voxel{i, j, k};
-        for (std::size_t d = 0; d < 3; ++d) {
-          low[d] = std::min(low[d], voxel[d]);
-          high[d] = std::max(high[d], voxel[d]);
-        }
-      }
+  anatomy.visit([&](int i, int j, int k, std::size_t at) {
+    if (kinds[anatomy.labels[at]] != kWall) return;
+    const std::array<int, 3> voxel{i, j, k};
+    for (std::size_t d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], voxel[d]);
+      high[d] = std::max(high[d], voxel[d]);
+    }
+  });
   WallGrid grid;
   Eigen::Vector3d first;
   for (std::size_t d = 0; d < 3; ++d) {
@@ -184,7 +182,7 @@ WallGrid wall_grid(const LabelVolume& anatomy, const std::vector<Label>& wall,
   }
   grid.index_to_mm = anatomy.index_to_mm;
   grid.index_to_mm.topRightCorner<3, 1>() = anatomy.to_mm(first);
-  grid.kind.reserve(grid.offset(0, 0, grid.size[2]));
+  grid.kind.reserve(grid.voxel_count());
   for (int k = low[2] - kPadding; k <= high[2] + kPadding; ++k)
     for (int j = low[1] - kPadding; j <= high[1] + kPadding; ++j)
       for (int i = low[0] - kPadding; i <= high[0] + kPadding; ++i)
@@ -198,12 +196,10 @@ WallGrid refined(const WallGrid& grid, int factor) {
   for (std::size_t d = 0; d < 3; ++d) fine.size[d] = grid.size[d] * factor;
   fine.index_to_mm.topLeftCorner<3, 3>() = grid.linear() / factor;
   fine.index_to_mm.topRightCorner<3, 1>() = grid.to_mm(Eigen::Vector3d::Constant(0.5 / factor - 0.5));
-  fine.kind.resize(fine.offset(0, 0, fine.size[2]));
-  std::size_t at = 0;
-  for (int k = 0; k < fine.size[2]; ++k)
-    for (int j = 0; j < fine.size[1]; ++j)
-      for (int i = 0; i < fine.size[0]; ++i)
-        fine.kind[at++] = grid.kind[grid.offset(i / factor, j / factor, k / factor)];
+  fine.kind.resize(fine.voxel_count());
+  fine.visit([&](int i, int j, int k, std::size_t at) {
+    fine.kind[at] = grid.kind[grid.offset(i / factor, j / factor, k / factor)];
+  });
   return fine;
 }
 

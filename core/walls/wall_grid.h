@@ -2,11 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "types/grid.h"
 #include "types/label_volume.h"
 #include "types/surface_mesh.h"
 
@@ -21,30 +21,12 @@ enum Kind : std::uint8_t {
 };
 inline constexpr std::size_t kMaxInner = 200;
 
-/// Voxels of the wall's surroundings, x fastest, with at least two voxels around the wall on every side.
+/// Voxels of the wall's surroundings, with at least two voxels around the wall on every side.
 /// `distance_mm` holds, for voxels with a face neighbour on the other side of the wall's surface, the
 /// distance from the voxel's centre to that surface, never 0; elsewhere nothing of use.
-struct WallGrid {
-  std::array<int, 3> size{0, 0, 0};
-  Eigen::Matrix4d index_to_mm = Eigen::Matrix4d::Identity();
+struct WallGrid : Grid {
   std::vector<std::uint8_t> kind;
   std::vector<float> distance_mm;
-
-  std::size_t offset(int i, int j, int k) const {
-    return static_cast<std::size_t>(i) +
-           static_cast<std::size_t>(size[0]) *
-               (static_cast<std::size_t>(j) +
-                static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(k));
-  }
-  std::array<std::size_t, 3> strides() const {
-    const auto x = static_cast<std::size_t>(size[0]);
-    return {1, x, x * static_cast<std::size_t>(size[1])};
-  }
-  Eigen::Matrix3d linear() const { return index_to_mm.topLeftCorner<3, 3>(); }
-  Eigen::Vector3d to_mm(const Eigen::Vector3d& index) const {
-    return linear() * index + index_to_mm.topRightCorner<3, 1>();
-  }
-  Eigen::Vector3d spacing_mm() const { return linear().colwise().norm().transpose(); }
 };
 
 /// The kinds of the voxels around the wall: voxels of `wall` labels are kWall, of `inner` labels kInner and

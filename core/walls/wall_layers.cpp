@@ -15,14 +15,11 @@ std::vector<std::uint32_t> walls_of_labels(const LabelVolume& volume, std::span<
   for (std::uint32_t w = 0; w < walls.size(); ++w) {
     const Eigen::Matrix4d to_wall = walls[w].field.mm_to_index * volume.index_to_mm;
     std::vector<std::int64_t> balance(65536, 0);
-    std::size_t at = 0;
-    for (int k = 0; k < volume.size[2]; ++k)
-      for (int j = 0; j < volume.size[1]; ++j)
-        for (int i = 0; i < volume.size[0]; ++i, ++at) {
-          if (volume.labels[at] == kBackground) continue;
-          const Eigen::Vector4d index = to_wall * Eigen::Vector4d(i, j, k, 1);
-          balance[volume.labels[at]] += walls[w].field.holds(index.head<3>()) ? 1 : -1;
-        }
+    volume.visit([&](int i, int j, int k, std::size_t at) {
+      if (volume.labels[at] == kBackground) return;
+      const Eigen::Vector4d index = to_wall * Eigen::Vector4d(i, j, k, 1);
+      balance[volume.labels[at]] += walls[w].field.holds(index.head<3>()) ? 1 : -1;
+    });
     for (std::size_t label = 1; label < balance.size(); ++label)
       if (balance[label] > 0 && wall_of[label] == kNowhere) wall_of[label] = w;
   }

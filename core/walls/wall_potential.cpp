@@ -119,14 +119,11 @@ WallGrid every_other(const WallGrid& grid) {
   for (std::size_t d = 0; d < 3; ++d) coarse.size[d] = (grid.size[d] + 1) / 2;
   coarse.index_to_mm = grid.index_to_mm;
   coarse.index_to_mm.topLeftCorner<3, 3>() *= 2;
-  for (int k = 0; k < coarse.size[2]; ++k)
-    for (int j = 0; j < coarse.size[1]; ++j)
-      for (int i = 0; i < coarse.size[0]; ++i) {
-        const std::uint8_t kind = grid.kind[grid.offset(2 * i, 2 * j, 2 * k)];
-        const bool border = i == 0 || j == 0 || k == 0 || i + 1 == coarse.size[0] ||
-                            j + 1 == coarse.size[1] || k + 1 == coarse.size[2];
-        coarse.kind.push_back(kind == kWall && border ? static_cast<std::uint8_t>(kSide) : kind);
-      }
+  coarse.visit([&](int i, int j, int k, std::size_t) {
+    const std::uint8_t kind = grid.kind[grid.offset(2 * i, 2 * j, 2 * k)];
+    const bool open = kind == kWall && coarse.on_border(i, j, k);
+    coarse.kind.push_back(open ? static_cast<std::uint8_t>(kSide) : kind);
+  });
   coarse.distance_mm.assign(coarse.kind.size(), 1.F);
   return coarse;
 }

@@ -54,7 +54,7 @@ inline WallField slab_wall() {
   field.wall = {1};
   field.size = {25, 25, 11};
   field.index_to_mm.topRightCorner<3, 1>() << -2, -2, -2;
-  field.mm_to_index = field.index_to_mm.inverse();
+  field.invert();
   for (int k = 0; k < 11; ++k)
     for (int n = 0; n < 25 * 25; ++n) {
       field.thickness_mm.push_back(kSlabThickness);

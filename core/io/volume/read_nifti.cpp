@@ -225,13 +225,13 @@ Result<Eigen::Matrix4d> affine_of(const NiftiHeader& h) {
 }
 
 /// What a header says of voxels and space.
-struct Grid {
+struct PlacedVoxels {
   VoxelLayout layout;
   Eigen::Matrix4d index_to_mm;
 };
 
 /// Reads up to the first voxel.
-Result<Grid> read_grid(ByteSource& source) {
+Result<PlacedVoxels> read_header(ByteSource& source) {
   std::array<std::uint8_t, kHeader2> bytes{};
   std::array<std::uint8_t, kHeader1> start{};
   Result<std::size_t> got = source.read(start);
@@ -255,7 +255,7 @@ Result<Grid> read_grid(ByteSource& source) {
                      std::to_string(header_bytes + 4));
   const std::uint64_t to_skip = static_cast<std::uint64_t>(header->vox_offset) - header_bytes;
   if (Status skipped = skip_bytes(source, to_skip, "vox_offset"); !skipped) return skipped.error();
-  return Grid{*layout, *affine};
+  return PlacedVoxels{*layout, *affine};
 }
 
 }  // namespace
@@ -275,21 +275,21 @@ bool looks_like_nifti(std::span<const std::uint8_t> start) {
 }
 
 Result<LabelVolume> read_nifti(ByteSource& source) {
-  const Result<Grid> grid = read_grid(source);
-  if (!grid) return grid.error();
-  Result<std::vector<Label>> labels = read_labels(source, grid->layout);
+  const Result<PlacedVoxels> header = read_header(source);
+  if (!header) return header.error();
+  Result<std::vector<Label>> labels = read_labels(source, header->layout);
   if (!labels) return labels.error();
-  return make_volume(grid->layout, grid->index_to_mm, std::move(*labels));
+  return make_volume(header->layout, header->index_to_mm, std::move(*labels));
 }
 
 Result<ScalarVolume> read_nifti_scalars(ByteSource& source) {
-  const Result<Grid> grid = read_grid(source);
-  if (!grid) return grid.error();
-  Result<std::vector<float>> values = read_scalars(source, grid->layout);
+  const Result<PlacedVoxels> header = read_header(source);
+  if (!header) return header.error();
+  Result<std::vector<float>> values = read_scalars(source, header->layout);
   if (!values) return values.error();
   ScalarVolume volume;
-  for (std::size_t d = 0; d < 3; ++d) volume.size[d] = static_cast<int>(grid->layout.size[d]);
-  volume.index_to_mm = grid->index_to_mm;
+  for (std::size_t d = 0; d < 3; ++d) volume.size[d] = static_cast<int>(header->layout.size[d]);
+  volume.index_to_mm = header->index_to_mm;
   volume.values = std::move(*values);
   return volume;
 }

@@ -11,6 +11,7 @@
 #include "physics/fem/assemble.h"
 #include "physics/fem/hold_points.h"
 #include "physics/fem/solve_pcg.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -20,7 +21,7 @@ constexpr double kMostSteps = 1e6;
 constexpr double kRounding = 1e-9;
 
 Error field_error(const std::string& field, const std::string& found, const std::string& expected) {
-  return usage_error("diffusion",
+  return usage_error(kDiffusionStage,
                      "physics.diffusion." + field + ": found " + found + ", expected " + expected);
 }
 

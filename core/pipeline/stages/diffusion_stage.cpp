@@ -3,6 +3,7 @@
 #include "base/digest.h"
 #include "physics/diffusion/diffusion.h"
 #include "pipeline/stages/stage_results.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -41,7 +42,7 @@ class DiffusionTask : public StageTask {
 
 Result<std::unique_ptr<StageTask>> start_diffusion(const StageInputs& in, const Recipe& recipe) {
   if (!recipe.physics || !recipe.physics->diffusion)
-    return usage_error("diffusion", "physics.diffusion: found none, expected what is to spread");
+    return usage_error(kDiffusionStage, "physics.diffusion: found none, expected what is to spread");
   Result<Diffusion> diffusion =
       Diffusion::start(in.get<TetMesh>(Stage::kOptimise), *recipe.physics->diffusion);
   if (!diffusion) return diffusion.error();

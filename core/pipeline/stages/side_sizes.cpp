@@ -1,5 +1,7 @@
 #include "pipeline/stages/side_sizes.h"
 
+#include "types/stage_names.h"
+
 namespace voxtet {
 namespace {
 
@@ -13,11 +15,11 @@ Status find_side_volumes(const std::vector<Entry>& entries, const Loaded& loaded
     const auto found = loaded.find(entry.name);
     if (found == loaded.end())
       return Error{
-          ErrorCode::kBadInput, "sizing", name + "the file '" + entry.name + "' has not been loaded", {}};
+          ErrorCode::kBadInput, kSizingStage, name + "the file '" + entry.name + "' has not been loaded", {}};
     const std::string& digest = found->second.digest;
     if (!entry.sha256.empty() && entry.sha256 != digest)
       return Error{ErrorCode::kBadInput,
-                   "sizing",
+                   kSizingStage,
                    name + "the case was made with '" + entry.name + "' of digest " +
                        entry.sha256.substr(0, 12) + "..., the file loaded has " + digest.substr(0, 12) +
                        "...: these are different volumes",

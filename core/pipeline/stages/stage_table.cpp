@@ -21,6 +21,7 @@
 #include "tetra/optimise/deepen_walls.h"
 #include "tetra/optimise/optimise_tets.h"
 #include "transfer/transfer_labels.h"
+#include "types/stage_names.h"
 #include "volume/select_labels.h"
 #include "walls/measure_wall.h"
 
@@ -69,14 +70,14 @@ Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   } else if (in.files.volume) {
     result.source = in.files.volume;
     result.digest = in.files.digest;
-    for (const std::string& warning : in.files.warnings) ctx.warn("volume", warning);
+    for (const std::string& warning : in.files.warnings) ctx.warn(kVolumeStage, warning);
   } else if (recipe.source.file) {
     return Error{ErrorCode::kBadInput,
-                 "volume",
+                 kVolumeStage,
                  "source.file: the volume '" + recipe.source.file->name + "' has not been loaded",
                  {}};
   } else {
-    return usage_error("volume", "source: no volume; give a phantom or load a file");
+    return usage_error(kVolumeStage, "source: no volume; give a phantom or load a file");
   }
   Result<PreparedVolume> prepared =
       prepare_volume(result.source, recipe.labels, recipe.merge, recipe.volume, ctx);
@@ -90,7 +91,7 @@ Status run_surface(const StageInputs& in, const Recipe& recipe, StageOutput& out
   const LabelVolume& volume = volume_of(in);
   if (recipe.surface.method == ExtractMethod::kMarchingCubes)
     if (const std::size_t labels = count_labels(volume).size(); labels > 1)
-      return usage_error("surface",
+      return usage_error(kSurfaceStage,
                          "surface.method: found marching_cubes for " + std::to_string(labels) +
                              " labels, expected auto or marching_tets, or all labels merged to one");
   return put(extract_surface(volume, recipe.surface, ctx), out);
@@ -133,7 +134,7 @@ Status run_sizing(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   for (const MaskSize& mask : recipe.sizing.masks)
     if (const auto found = in.files.masks.find(mask.name);
         found != in.files.masks.end() && warned.insert(mask.name).second)
-      for (const std::string& warning : found->second.warnings) ctx.warn("sizing", warning);
+      for (const std::string& warning : found->second.warnings) ctx.warn(kSizingStage, warning);
   return put(
       build_sizing_field_of(in.files, recipe.sizing, volume_of(in), in.get<SurfaceMesh>(Stage::kSmooth),
                             in.get<WallsResult>(Stage::kWalls).walls, ctx),
@@ -148,16 +149,17 @@ Status run_layers(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   result.layers = WallLayers(volume, layered(result.walls->walls, result.exact, recipe));
   if (result.layers.lacks_labels())
     return usage_error(
-        "layers",
+        kLayersStage,
         "sizing.thickness: exact layers are labels of their own, above the volume's highest: found " +
             std::to_string(*std::max_element(volume.labels.begin(), volume.labels.end())) +
             ", expected one that leaves enough of 65535 for them");
   for (std::size_t e = 0; e < result.exact.size(); ++e)
     if (!result.layers.has_wall(e))
       return usage_error(
-          "layers", "sizing.thickness[" + std::to_string(result.exact[e]) +
-                        "].wall: found no meshed label of which most lies in this wall and in none before "
-                        "it, expected one for its exact layers");
+          kLayersStage,
+          "sizing.thickness[" + std::to_string(result.exact[e]) +
+              "].wall: found no meshed label of which most lies in this wall and in none before "
+              "it, expected one for its exact layers");
   out.put(std::move(result));
   return std::monostate{};
 }
@@ -280,7 +282,7 @@ std::string digest(const std::any& value) {
 const std::array<StageSpec, kStageCount>& stage_table() {
   static const std::array<StageSpec, kStageCount> table{{
       {.stage = Stage::kVolume,
-       .name = "volume",
+       .name = kVolumeStage,
        .title = "Volume",
        .inputs = {},
        .reads = {"source.phantom", "labels", "merge", "volume"},
@@ -290,7 +292,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .arrays = arrays<VolumeResult>,
        .digest = digest<VolumeResult>},
       {.stage = Stage::kSurface,
-       .name = "surface",
+       .name = kSurfaceStage,
        .title = "Label surface",
        .inputs = {Stage::kVolume},
        .reads = {"surface"},
@@ -299,7 +301,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .arrays = arrays<SurfaceMesh>,
        .digest = digest<SurfaceMesh>},
       {.stage = Stage::kSmooth,
-       .name = "smooth",
+       .name = kSmoothStage,
        .title = "Smoothed surface",
        .inputs = {Stage::kVolume, Stage::kSurface},
        .reads = {"smooth"},
@@ -308,7 +310,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .arrays = arrays<SurfaceMesh>,
        .digest = digest<SurfaceMesh>},
       {.stage = Stage::kWalls,
-       .name = "walls",
+       .name = kWallsStage,
        .title = "Walls",
        .shown = false,
        .inputs = {Stage::kVolume, Stage::kSmooth},
@@ -317,7 +319,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .counts = counts<WallsResult>,
        .arrays = arrays<WallsResult>},
       {.stage = Stage::kSizing,
-       .name = "sizing",
+       .name = kSizingStage,
        .title = "Sizing field",
        .inputs = {Stage::kVolume, Stage::kSmooth, Stage::kWalls},
        .reads = {"sizing"},
@@ -326,7 +328,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .counts = counts<SizingField>,
        .arrays = arrays<SizingField>},
       {.stage = Stage::kLayers,
-       .name = "layers",
+       .name = kLayersStage,
        .title = "Layers of walls",
        .shown = false,
        .inputs = {Stage::kVolume, Stage::kWalls},
@@ -334,7 +336,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .run = run_layers,
        .counts = counts<LayersResult>},
       {.stage = Stage::kRemesh,
-       .name = "remesh",
+       .name = kRemeshStage,
        .title = "Adapted surface",
        .inputs = {Stage::kVolume, Stage::kSmooth, Stage::kSizing, Stage::kLayers},
        .reads = {"remesh"},
@@ -343,7 +345,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .arrays = arrays<LayeredSurface>,
        .digest = digest<LayeredSurface>},
       {.stage = Stage::kTetra,
-       .name = "tetra",
+       .name = kTetraStage,
        .title = "Filled tetrahedra",
        .shown = false,
        .inputs = {Stage::kSizing, Stage::kLayers, Stage::kRemesh},
@@ -353,7 +355,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .arrays = arrays<LayeredTets>,
        .digest = digest<LayeredTets>},
       {.stage = Stage::kOptimise,
-       .name = "optimise",
+       .name = kOptimiseStage,
        .title = "Tetrahedra",
        .inputs = {Stage::kSmooth, Stage::kSizing, Stage::kLayers, Stage::kRemesh, Stage::kTetra},
        .reads = {"optimise"},
@@ -362,7 +364,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .arrays = arrays<TetMesh>,
        .digest = digest<TetMesh>},
       {.stage = Stage::kTransfer,
-       .name = "transfer",
+       .name = kTransferStage,
        .title = "Label transfer",
        .shown = false,
        .inputs = {Stage::kVolume, Stage::kOptimise},
@@ -372,7 +374,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .arrays = arrays<LabelTransfer>},
       // What was transferred stands in the evidence, though no figure of it.
       {.stage = Stage::kQuality,
-       .name = "quality",
+       .name = kQualityStage,
        .title = "Evidence",
        .inputs = {Stage::kVolume, Stage::kSmooth, Stage::kWalls, Stage::kSizing, Stage::kRemesh,
                   Stage::kOptimise, Stage::kTransfer},
@@ -381,7 +383,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .counts = counts<QualityReport>,
        .arrays = arrays<QualityReport>},
       {.stage = Stage::kDiffusion,
-       .name = "diffusion",
+       .name = kDiffusionStage,
        .title = "Heat diffusion",
        .shown = false,
        .inputs = {Stage::kOptimise},

@@ -20,7 +20,9 @@ float in_walls(const Walls& walls, const Eigen::Vector3d& mm, WallValue value) {
 std::vector<float> wall_values(const Walls& walls, const LabelVolume& volume, WallValue value) {
   std::vector<float> out;
   out.reserve(volume.voxel_count());
-  for_voxels(volume, [&](const Eigen::Vector3d& mm) { out.push_back(in_walls(walls, mm, value)); });
+  volume.visit([&](int i, int j, int k, std::size_t) {
+    out.push_back(in_walls(walls, volume.to_mm(i, j, k), value));
+  });
   return out;
 }
 

@@ -46,8 +46,9 @@ bool Improver::run() {
   editor_.limits.gap_share = kRefinedGapShare;
   editor_.limits.lattice_mm = kLatticeVoxels * params_.voxel_mm;
   fit_cells();
-  for (const double share : {0.8, 0.86, 0.92}) {
-    if (!step(share)) return false;
+  constexpr int kPasses = 3;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    if (!step(static_cast<double>(pass) / (kPasses + 1))) return false;
     if (!coarsen_in_steps() || !relocate_touched()) return false;
     if (!open_angles(editor_.limits.angle_cosine) || !open_folds()) return false;
   }

@@ -42,7 +42,7 @@ class Mender {
 
   /// Whether no cell of the group that would change lies deep in its label.
   bool may_change(const Option& option) const {
-    const double deepest = kDeepestVoxels * field_.smallest_spacing_mm();
+    const double deepest = kDeepestVoxels * field_.grid().smallest_spacing_mm();
     for (const std::uint32_t c : option.group) {
       const Label own = cells_.labels[c];
       if (own == option.label) continue;

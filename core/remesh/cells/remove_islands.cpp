@@ -33,12 +33,12 @@ void add_voxels(const LabelledCells& cells, std::uint32_t cell, const LabelField
   for (int d = 0; d < 3; ++d) {
     const auto k = static_cast<std::size_t>(d);
     first[k] = static_cast<int>(std::ceil(std::max(low[d], 0.0)));
-    last[k] = static_cast<int>(std::floor(std::min(high[d], field.size()[k] - 1.0)));
+    last[k] = static_cast<int>(std::floor(std::min(high[d], field.grid().size[k] - 1.0)));
   }
   for (int k = first[2]; k <= last[2]; ++k)
     for (int j = first[1]; j <= last[1]; ++j)
       for (int i = first[0]; i <= last[0]; ++i) {
-        const std::size_t voxel = field.offset({i, j, k});
+        const std::size_t voxel = field.grid().offset({i, j, k});
         if (field.centre_labels()[voxel] != cells.labels[cell]) continue;
         const Eigen::Vector3d x(i, j, k);
         if (whole * volume6(x, p[1], p[2], p[3]) >= 0 && whole * volume6(p[0], x, p[2], p[3]) >= 0 &&
@@ -115,7 +115,7 @@ std::vector<InterfaceFacet> lids_of(const LabelledCells& cells, const std::vecto
 
 VoxelPieces find_pieces(const LabelField& field) {
   VoxelPieces pieces;
-  pieces.ids = label_components(field.size(), field.centre_labels(), pieces.sizes, field.connectivity());
+  pieces.ids = label_components(field.grid().size, field.centre_labels(), pieces.sizes, field.connectivity());
   return pieces;
 }
 

@@ -63,8 +63,8 @@ struct DelaunayRefiner::Impl {
     const double sine = std::sin(c.facet_angle_deg * (EIGEN_PI / 180));
     // Rounded, because libms differ in the last digit.
     ratio_limit = std::round(1e9 / (4 * sine * sine)) / 1e9;
-    jitter = 1e-5 * field.smallest_spacing_mm();
-    least_astray = kLeastAstrayVoxels * field.smallest_spacing_mm();
+    jitter = 1e-5 * field.grid().smallest_spacing_mm();
+    least_astray = kLeastAstrayVoxels * field.grid().smallest_spacing_mm();
     enclose();
   }
 
@@ -216,7 +216,7 @@ bool DelaunayRefiner::refine(RunContext& ctx, double predicted_vertices) {
     if (!facet) return true;
     if (round % kPollEvery == 0) {
       if (ctx.cancelled()) return false;
-      ctx.progress(kRemeshStage, std::min(0.95, 0.1 + 0.8 * m.next_vertex / (1 + predicted_vertices)));
+      ctx.progress(kRemeshStage, std::min(1.0, m.next_vertex / (1 + predicted_vertices)));
     }
     if (facet->cell->info().serial != facet->serial) continue;
     const Cell other = facet->cell->neighbor(facet->facet);

@@ -178,7 +178,7 @@ std::vector<double> with_layers_mm3(std::vector<double> volumes, const SurfaceMe
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
                                      const TopologyLedger& wanted, const SizingField& sizing,
                                      const DelaunayParams& params, RunContext& ctx) {
-  const double voxel = field.smallest_spacing_mm();
+  const double voxel = field.grid().smallest_spacing_mm();
   const VoxelPieces pieces = find_pieces(field);
   const std::vector<double> volumes = enclosed_volumes_mm3(reference);
   const Seeds seeds = seed_interfaces(field, reference, sizing);

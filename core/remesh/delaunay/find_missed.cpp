@@ -180,8 +180,9 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
       const bool thorough =
           broken && (suspects.empty() || suspects[field_.nearest_voxel(centroid(reference_, sample))]);
       if (!thorough && sample % stride != 0) continue;
-      const bool narrow = thorough && criteria.narrow_share < 1 &&
-                          is_narrow(reference_, sample, field_, kNarrowVoxels * field_.smallest_spacing_mm());
+      const bool narrow =
+          thorough && criteria.narrow_share < 1 &&
+          is_narrow(reference_, sample, field_, kNarrowVoxels * field_.grid().smallest_spacing_mm());
       const double limit = (narrow ? criteria.narrow_share : 1) * criteria.limit_mm;
       if (from == to) {
         add(sample, limit);

@@ -280,7 +280,7 @@ void widen_thin(SurfaceMesh& surface, Shifts& shifts) {
 
 void fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMesh& reference,
                  const std::vector<double>& volumes_mm3) {
-  const double voxel = field.smallest_spacing_mm(), most = kMostShiftVoxels * voxel;
+  const double voxel = field.grid().smallest_spacing_mm(), most = kMostShiftVoxels * voxel;
   const double farthest = kFarthestVoxels * voxel;
   Shifts shifts(surface, far_points(reference, surface, field.layers(), farthest - 2 * most), farthest);
   std::vector<double> offsets;

@@ -31,20 +31,18 @@ struct Crossing {
 
 std::vector<Crossing> find_crossings(const LabelField& field) {
   std::vector<std::uint32_t> sizes;
-  const std::vector<std::uint32_t> ids = label_components(field.size(), field.centre_labels(), sizes);
-  const std::array<int, 3>& size = field.size();
+  const std::vector<std::uint32_t> ids = label_components(field.grid().size, field.centre_labels(), sizes);
+  const std::array<int, 3>& size = field.grid().size;
+  const std::array<std::size_t, 3> strides = field.grid().strides();
   std::vector<Crossing> out;
-  std::size_t v = 0;
-  for (int k = 0; k < size[2]; ++k)
-    for (int j = 0; j < size[1]; ++j)
-      for (int i = 0; i < size[0]; ++i, ++v) {
-        const std::array<bool, 3> inside{i + 1 < size[0], j + 1 < size[1], k + 1 < size[2]};
-        for (std::uint32_t axis = 0; axis < 3; ++axis) {
-          if (!inside[axis] || ids[v] == ids[v + field.step(axis)]) continue;
-          const std::uint64_t a = ids[v], b = ids[v + field.step(axis)];
-          out.push_back({(std::min(a, b) << 32) | std::max(a, b), static_cast<std::uint32_t>(v), axis});
-        }
-      }
+  field.grid().visit([&](int i, int j, int k, std::size_t v) {
+    const std::array<bool, 3> inside{i + 1 < size[0], j + 1 < size[1], k + 1 < size[2]};
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      if (!inside[axis] || ids[v] == ids[v + strides[axis]]) continue;
+      const std::uint64_t a = ids[v], b = ids[v + strides[axis]];
+      out.push_back({(std::min(a, b) << 32) | std::max(a, b), static_cast<std::uint32_t>(v), axis});
+    }
+  });
   std::stable_sort(out.begin(), out.end(),
                    [](const Crossing& x, const Crossing& y) { return x.pair < y.pair; });
   return out;
@@ -123,7 +121,7 @@ class Seeder {
       : field_(field),
         sizing_(sizing),
         spacing_(spacing),
-        least_separation_(kSeparationVoxels * field.smallest_spacing_mm()),
+        least_separation_(kSeparationVoxels * field.grid().smallest_spacing_mm()),
         buckets_(cubes_over(field, spacing * *std::max_element(sizing.h_mm.begin(), sizing.h_mm.end()))) {}
 
   void add_junctions(const std::vector<Eigen::Vector3d>& points) {
@@ -188,7 +186,7 @@ class Seeder {
   }
 
   Eigen::Vector3d index_of(std::size_t voxel) const {
-    const std::size_t row = field_.step(1), slice = field_.step(2);
+    const std::size_t row = field_.grid().strides()[1], slice = field_.grid().strides()[2];
     return {static_cast<double>(voxel % row), static_cast<double>(voxel % slice / row),
             static_cast<double>(voxel / slice)};
   }
@@ -213,11 +211,12 @@ Seeds seed_interfaces(const LabelField& field, const SurfaceMesh& reference, con
 std::vector<Eigen::Vector3d> seed_between(const LabelField& field, const SizingField& sizing, double spacing,
                                           const std::vector<Sides>& between) {
   std::vector<Crossing> crossings = find_crossings(field);
+  const std::array<std::size_t, 3> strides = field.grid().strides();
   std::erase_if(crossings, [&](const Crossing& crossing) {
     const auto label_at = [&](std::size_t voxel) {
       return field.layers().parent(field.centre_labels()[voxel]);
     };
-    Sides sides{label_at(crossing.voxel), label_at(crossing.voxel + field.step(crossing.axis))};
+    Sides sides{label_at(crossing.voxel), label_at(crossing.voxel + strides[crossing.axis])};
     if (sides[0] < sides[1]) std::swap(sides[0], sides[1]);
     return !std::binary_search(between.begin(), between.end(), sides);
   });

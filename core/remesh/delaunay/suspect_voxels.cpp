@@ -184,7 +184,7 @@ SuspectVoxels::SuspectVoxels(const SurfaceMesh& reference, const LabelField& fie
     : reference_(reference),
       field_(field),
       segments_(field.connectivity() == Connectivity::kFaces ? kSegments : kUp) {
-  for (int d = 0; d < 3; ++d) last_[d] = field.size()[static_cast<std::size_t>(d)] - 1;
+  for (int d = 0; d < 3; ++d) last_[d] = field.grid().size[static_cast<std::size_t>(d)] - 1;
 }
 
 template <class Wanted, class Visit>
@@ -207,7 +207,7 @@ void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& 
       for (int j = low[1]; j <= high[1]; ++j)
         for (int i = low[0]; i <= high[0]; ++i) {
           const Vector3i from(i, j, k);
-          const std::uint64_t voxel = field_.offset(from);
+          const std::uint64_t voxel = field_.grid().offset(from);
           if (!wanted(voxel)) continue;
           if (!through) through.emplace(segments, segments_, p);
           if (!through->begin_at(from.cast<double>())) continue;
@@ -265,7 +265,7 @@ bool SuspectVoxels::stays_simple(std::uint64_t voxel, Label label, const LabelAt
   const Vector3i middle = voxel_of(voxel);
   const auto is_of = [&](const std::array<int, 3>& step) {
     const Vector3i next = middle + Vector3i(step[0], step[1], step[2]);
-    return (inside(next) ? label_at(field_.offset(next)) : kBackground) == label;
+    return (inside(next) ? label_at(field_.grid().offset(next)) : kBackground) == label;
   };
   std::uint32_t around = 0;
   if (field_.connectivity() == Connectivity::kFaces) {
@@ -298,12 +298,12 @@ std::vector<std::uint64_t> SuspectVoxels::not_of_reference(std::vector<std::uint
 }
 
 std::uint64_t SuspectVoxels::end_of(std::uint64_t voxel, std::size_t segment) const {
-  return field_.offset(voxel_of(voxel) + to_end(segment));
+  return field_.grid().offset(voxel_of(voxel) + to_end(segment));
 }
 
 Vector3i SuspectVoxels::voxel_of(std::uint64_t offset) const {
-  const auto nx = static_cast<std::uint64_t>(field_.size()[0]),
-             ny = static_cast<std::uint64_t>(field_.size()[1]);
+  const auto nx = static_cast<std::uint64_t>(field_.grid().size[0]),
+             ny = static_cast<std::uint64_t>(field_.grid().size[1]);
   return {static_cast<int>(offset % nx), static_cast<int>(offset / nx % ny),
           static_cast<int>(offset / nx / ny)};
 }
@@ -319,7 +319,7 @@ void SuspectVoxels::mark_around(std::uint64_t voxel, std::vector<bool>& marked) 
     for (int j = -kReach; j <= kReach; ++j)
       for (int i = -kReach; i <= kReach; ++i)
         if (const Vector3i next = middle + Vector3i(i, j, k); inside(next))
-          marked[field_.offset(next)] = true;
+          marked[field_.grid().offset(next)] = true;
 }
 
 }  // namespace voxtet::remesh

@@ -13,7 +13,7 @@ constexpr double kContactLead = 0.3;  ///< of the two labels over the third
 
 class Widener {
  public:
-  Widener(const LabelGrid& grid, LabelDistances& distances) : grid_(grid), distances_(distances) {
+  Widener(const LabelVolume& grid, LabelDistances& distances) : grid_(grid), distances_(distances) {
     const std::size_t sx = static_cast<std::size_t>(grid.size[0]);
     const std::size_t sxy = sx * static_cast<std::size_t>(grid.size[1]);
     for (std::size_t n = 0; n < kUp; ++n) {
@@ -76,14 +76,14 @@ class Widener {
     return like == kRings[n] || !are_joined(like);
   }
 
-  const LabelGrid& grid_;
+  const LabelVolume& grid_;
   LabelDistances& distances_;
   std::array<std::size_t, kUp> up_{};
 };
 
 }  // namespace
 
-void keep_contacts_open(const LabelGrid& grid, LabelDistances& distances) {
+void keep_contacts_open(const LabelVolume& grid, LabelDistances& distances) {
   // What is widened in one place may be too narrow in another one then; seldom, and less each time.
   constexpr int kRounds = 4;
   Widener widener(grid, distances);

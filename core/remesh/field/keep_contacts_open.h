@@ -10,6 +10,6 @@ namespace voxtet::remesh {
 /// around it, a tunnel through it would close, or the contact end. There the third label's distances are
 /// lowered at both voxels until it loses by 0.3 (of the smallest spacing) all along the edge. Neighbours are
 /// those of the Kuhn tetrahedra. Linear time.
-void keep_contacts_open(const LabelGrid& grid, LabelDistances& distances);
+void keep_contacts_open(const LabelVolume& grid, LabelDistances& distances);
 
 }  // namespace voxtet::remesh

@@ -16,7 +16,7 @@ constexpr std::uint32_t kNoPoint = 0xffffffffU;
 
 /// By voxel that is not on the grid's border, whether the 27 around it have one label. A row of three, then
 /// three rows, then three layers.
-std::vector<std::uint8_t> find_uniform(const LabelGrid& grid) {
+std::vector<std::uint8_t> find_uniform(const LabelVolume& grid) {
   const std::vector<Label>& labels = grid.labels;
   const std::size_t sx = static_cast<std::size_t>(grid.size[0]);
   const std::size_t sxy = sx * static_cast<std::size_t>(grid.size[1]);
@@ -32,7 +32,7 @@ std::vector<std::uint8_t> find_uniform(const LabelGrid& grid) {
 }
 
 /// The labels among the 27 voxels around each voxel that has another label near.
-void list_labels(const LabelGrid& grid, LabelDistances& out) {
+void list_labels(const LabelVolume& grid, LabelDistances& out) {
   const std::size_t sx = static_cast<std::size_t>(grid.size[0]), sy = static_cast<std::size_t>(grid.size[1]),
                     sz = static_cast<std::size_t>(grid.size[2]), sxy = sx * sy;
   const std::vector<Label>& labels = grid.labels;
@@ -79,9 +79,13 @@ struct Stars {
 
 class Scatter {
  public:
-  Scatter(const LabelGrid& grid, const SurfaceMesh& surface, const Eigen::Matrix3d& index_to_mm,
-          const Eigen::Vector3d& origin_mm, LabelDistances& out)
-      : grid_(grid), surface_(surface), stars_(surface), to_mm_(index_to_mm), origin_(origin_mm), out_(out) {
+  Scatter(const LabelVolume& grid, const SurfaceMesh& surface, LabelDistances& out)
+      : grid_(grid),
+        surface_(surface),
+        stars_(surface),
+        to_mm_(grid.linear()),
+        origin_(grid.origin()),
+        out_(out) {
     nearest_.assign(out.labels.size(), kNoPoint);
     distance2_.assign(out.labels.size(), std::numeric_limits<double>::max());
     on_one_pair_.assign(surface.points.size(), false);
@@ -173,7 +177,7 @@ class Scatter {
     return std::sqrt(best);
   }
 
-  const LabelGrid& grid_;
+  const LabelVolume& grid_;
   const SurfaceMesh& surface_;
   const Stars stars_;
   const Eigen::Matrix3d to_mm_;
@@ -187,13 +191,12 @@ class Scatter {
 
 }  // namespace
 
-LabelDistances label_distances(const LabelGrid& grid, const SurfaceMesh& surface,
-                               const Eigen::Matrix3d& index_to_mm, const Eigen::Vector3d& origin_mm) {
+LabelDistances label_distances(const LabelVolume& volume, const SurfaceMesh& surface) {
   LabelDistances out;
-  list_labels(grid, out);
-  Scatter scatter(grid, surface, index_to_mm, origin_mm, out);
+  list_labels(volume, out);
+  Scatter scatter(volume, surface, out);
   scatter.find_nearest_points();
-  scatter.measure(index_to_mm.colwise().norm().minCoeff());
+  scatter.measure(volume.smallest_spacing_mm());
   return out;
 }
 

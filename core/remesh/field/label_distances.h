@@ -10,17 +10,6 @@
 
 namespace voxtet::remesh {
 
-/// Labels of a padded volume, x fastest. The outermost layers are background.
-struct LabelGrid {
-  std::array<int, 3> size{};
-  std::vector<Label> labels;
-
-  std::size_t voxel_count() const {
-    return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) *
-           static_cast<std::size_t>(size[2]);
-  }
-};
-
 /// Per voxel centre, the labels among its 26 neighbours with the signed distance to each label's boundary in
 /// units of the smallest spacing: positive for the voxel's own label alone, absolute value within
 /// [kNearest, kFarthest], at thin voxels (thin_voxels.h) at least kNearestThin, so that sheets and wires are
@@ -33,11 +22,9 @@ struct LabelDistances {
   std::vector<float> values;
 };
 
-/// `surface`: boundary complex of the labels of `grid`, within about half a voxel of the voxels' faces;
-/// points in mm. `index_to_mm`, `origin_mm`: of the padded grid. The sign is the voxel's own label, also
-/// where the surface has passed its centre. Exact where the closest point lies at the closest vertex's
-/// triangles. Linear time.
-LabelDistances label_distances(const LabelGrid& grid, const SurfaceMesh& surface,
-                               const Eigen::Matrix3d& index_to_mm, const Eigen::Vector3d& origin_mm);
+/// `volume`: its outermost layers are background. `surface`: boundary complex of its labels, within about
+/// half a voxel of the voxels' faces; points in mm. The sign is the voxel's own label, also where the surface
+/// has passed its centre. Exact where the closest point lies at the closest vertex's triangles. Linear time.
+LabelDistances label_distances(const LabelVolume& volume, const SurfaceMesh& surface);
 
 }  // namespace voxtet::remesh

@@ -14,21 +14,21 @@ constexpr std::int32_t kPairBase = 65536;
 constexpr double kTolerance = 1e-4;  ///< of a crossing, voxels
 constexpr int kMaxRounds = 100;
 
-LabelGrid padded(const LabelVolume& volume) {
+LabelVolume padded(const LabelVolume& volume) {
   constexpr int kPad = LabelField::kPad;
-  LabelGrid grid;
-  for (int d = 0; d < 3; ++d) grid.size[d] = volume.size[d] + 2 * kPad;
-  grid.labels.assign(grid.voxel_count(), kBackground);
+  LabelVolume out;
+  for (std::size_t d = 0; d < 3; ++d) out.size[d] = volume.size[d] + 2 * kPad;
+  out.index_to_mm.topLeftCorner<3, 3>() = volume.linear();
+  out.index_to_mm.topRightCorner<3, 1>() =
+      volume.origin() - volume.linear() * Eigen::Vector3d::Constant(kPad);
+  out.labels.assign(out.voxel_count(), kBackground);
   for (int k = 0; k < volume.size[2]; ++k)
     for (int j = 0; j < volume.size[1]; ++j) {
-      const std::size_t row =
-          kPad + static_cast<std::size_t>(grid.size[0]) *
-                     (static_cast<std::size_t>(j + kPad) +
-                      static_cast<std::size_t>(grid.size[1]) * static_cast<std::size_t>(k + kPad));
       const auto from = volume.labels.begin() + static_cast<std::ptrdiff_t>(volume.offset(0, j, k));
-      std::copy(from, from + volume.size[0], grid.labels.begin() + static_cast<std::ptrdiff_t>(row));
+      const std::size_t row = out.offset(kPad, j + kPad, k + kPad);
+      std::copy(from, from + volume.size[0], out.labels.begin() + static_cast<std::ptrdiff_t>(row));
     }
-  return grid;
+  return out;
 }
 
 template <class Number>
@@ -115,34 +115,34 @@ const WallLayers LabelField::kNoLayers;
 
 LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface, const WallLayers& layers)
     : layers_(layers) {
-  smallest_spacing_mm_ = volume.spacing_mm().minCoeff();
   connectivity_ = connectivity_of(surface);
-  index_to_mm_ = volume.linear();
-  mm_to_index_ = volume.linear().inverse();
-  mm_origin_ = volume.origin() - volume.linear() * Eigen::Vector3d::Constant(kPad);
-  index_origin_ = -(mm_to_index_ * mm_origin_);
-
-  LabelGrid grid = padded(volume);
-  LabelDistances distances = label_distances(grid, surface, index_to_mm_, mm_origin_);
+  LabelVolume grid = padded(volume);
+  grid_.size = grid.size;
+  grid_.index_to_mm = grid.index_to_mm;
+  smallest_spacing_mm_ = grid_.smallest_spacing_mm();
+  const Eigen::Matrix3d inverse = grid.linear().inverse();
+  grid_.mm_to_index.topLeftCorner<3, 3>() = inverse;
+  grid_.mm_to_index.topRightCorner<3, 1>() = -(inverse * grid.origin());
+  LabelDistances distances = label_distances(grid, surface);
   if (connectivity_ == Connectivity::kFaces)
     resolve_face_ambiguity(grid, distances);
   else
     keep_contacts_open(grid, distances);
-  size_ = grid.size;
   centre_labels_ = std::move(grid.labels);
   build_cells(distances);
   if (!layers_.empty())
-    for (std::size_t v = 0, k = 0; k < static_cast<std::size_t>(size_[2]); ++k)
-      for (std::size_t j = 0; j < static_cast<std::size_t>(size_[1]); ++j)
-        for (std::size_t i = 0; i < static_cast<std::size_t>(size_[0]); ++i, ++v)
+    for (std::size_t v = 0, k = 0; k < static_cast<std::size_t>(grid_.size[2]); ++k)
+      for (std::size_t j = 0; j < static_cast<std::size_t>(grid_.size[1]); ++j)
+        for (std::size_t i = 0; i < static_cast<std::size_t>(grid_.size[0]); ++i, ++v)
           centre_labels_[v] = layers_.at(centre_labels_[v], to_mm(Eigen::Vector3d(i, j, k)));
 }
 
 void LabelField::build_cells(const LabelDistances& distances) {
-  const std::size_t sx = static_cast<std::size_t>(size_[0]), sxy = sx * static_cast<std::size_t>(size_[1]);
+  const std::size_t sx = static_cast<std::size_t>(grid_.size[0]),
+                    sxy = sx * static_cast<std::size_t>(grid_.size[1]);
   cells_.assign(centre_labels_.size(), kBackground);
-  for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(size_[2]); ++k)
-    for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(size_[1]); ++j)
+  for (std::size_t k = 0; k + 1 < static_cast<std::size_t>(grid_.size[2]); ++k)
+    for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(grid_.size[1]); ++j)
       for (std::size_t i = 0; i + 1 < sx; ++i) {
         const std::size_t v = i + sx * j + sxy * k;
         const std::array<std::size_t, 8> corners{v,       v + 1,       v + sx,       v + sx + 1,
@@ -183,10 +183,10 @@ std::int32_t LabelField::code_at(const Eigen::Vector3d& index, std::array<double
   std::size_t offset = 0;
   // Compared as doubles first: circumcentres of flat cells do not fit into an int, or are not numbers.
   for (int d = 2; d >= 0; --d) {
-    if (!(index[d] >= 0 && index[d] < size_[d] - 1)) return kBackground;
+    if (!(index[d] >= 0 && index[d] < grid_.size[d] - 1)) return kBackground;
     const int base = static_cast<int>(index[d]);
     t[d] = index[d] - base;
-    offset = offset * static_cast<std::size_t>(size_[d]) + static_cast<std::size_t>(base);
+    offset = offset * static_cast<std::size_t>(grid_.size[d]) + static_cast<std::size_t>(base);
   }
   return cells_[offset];
 }
@@ -200,7 +200,8 @@ Eigen::AlignedBox3d LabelField::box() const {
   Eigen::AlignedBox3d box;
   for (int corner = 0; corner < 8; ++corner) {
     Eigen::Vector3d index;
-    for (int d = 0; d < 3; ++d) index[d] = (corner >> d) & 1 ? size_[static_cast<std::size_t>(d)] - 1 : 0;
+    for (int d = 0; d < 3; ++d)
+      index[d] = (corner >> d) & 1 ? grid_.size[static_cast<std::size_t>(d)] - 1 : 0;
     box.extend(to_mm(index));
   }
   return box;
@@ -211,8 +212,8 @@ std::size_t LabelField::nearest_voxel(const Eigen::Vector3d& mm) const {
   Eigen::Vector3i voxel;
   for (int d = 0; d < 3; ++d)
     voxel[d] = static_cast<int>(
-        std::clamp(std::floor(index[d] + 0.5), 0.0, size_[static_cast<std::size_t>(d)] - 1.0));
-  return offset(voxel);
+        std::clamp(std::floor(index[d] + 0.5), 0.0, grid_.size[static_cast<std::size_t>(d)] - 1.0));
+  return grid_.offset(voxel);
 }
 
 Label LabelField::at_index(const Eigen::Vector3d& index) const {
@@ -284,7 +285,7 @@ Eigen::Vector3d LabelField::gradient(const Eigen::Vector3d& mm, Label a, Label b
   std::array<double, 3> t{};
   std::array<double, 8> difference{};
   if (!corner_differences(mm, a, b, difference, t)) return Eigen::Vector3d::Zero();
-  return mm_to_index_.transpose() * trilinear_gradient(difference, t);
+  return grid_.mm_to_index.topLeftCorner<3, 3>().transpose() * trilinear_gradient(difference, t);
 }
 
 std::optional<double> LabelField::distance(const Eigen::Vector3d& mm, Label a, Label b) const {
@@ -297,7 +298,8 @@ std::optional<double> LabelField::distance(const Eigen::Vector3d& mm, Label a, L
   std::array<double, 3> t{};
   std::array<double, 8> difference{};
   if (!corner_differences(mm, a, b, difference, t)) return std::nullopt;
-  const double slope = (mm_to_index_.transpose() * trilinear_gradient(difference, t)).norm();
+  const double slope =
+      (grid_.mm_to_index.topLeftCorner<3, 3>().transpose() * trilinear_gradient(difference, t)).norm();
   const double value = interpolate(difference.data(), t);
   return slope > 0 ? std::optional<double>(value / slope) : std::nullopt;
 }
@@ -346,7 +348,7 @@ Eigen::Vector3d LabelField::parent_crossing(const Eigen::Vector3d& a, Label labe
   double t0 = 0, t1 = 1;
   for (int d = 0; d < 3; ++d) {
     if (step[d] == 0) continue;
-    const double lo = -origin[d] / step[d], hi = (size_[d] - 1 - origin[d]) / step[d];
+    const double lo = -origin[d] / step[d], hi = (grid_.size[d] - 1 - origin[d]) / step[d];
     t0 = std::max(t0, std::min(lo, hi));
     t1 = std::min(t1, std::max(lo, hi));
   }

@@ -19,6 +19,7 @@
 
 #include "geometry/topology/label_components.h"
 #include "remesh/field/label_distances.h"
+#include "types/grid.h"
 #include "types/label_volume.h"
 #include "types/surface_mesh.h"
 #include "walls/wall_layers.h"
@@ -59,30 +60,18 @@ class LabelField {
   /// rival, negative outside of `a`; a whole voxel where no other label can win.
   double depth(const Eigen::Vector3d& mm, Label a) const;
 
-  const std::array<int, 3>& size() const { return size_; }
+  /// The padded grid.
+  const SearchableGrid& grid() const { return grid_; }
   const WallLayers& layers() const { return layers_; }
-  /// Of a voxel of the padded grid, x fastest.
-  std::size_t offset(const Eigen::Vector3i& voxel) const {
-    return static_cast<std::size_t>(voxel[0]) +
-           static_cast<std::size_t>(size_[0]) *
-               (static_cast<std::size_t>(voxel[1]) +
-                static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(voxel[2]));
-  }
-  /// From a voxel to the next one along an axis.
-  std::size_t step(std::size_t axis) const {
-    const auto nx = static_cast<std::size_t>(size_[0]), ny = static_cast<std::size_t>(size_[1]);
-    return axis == 0 ? 1 : axis == 1 ? nx : nx * ny;
-  }
   /// Offset of the voxel of the padded grid whose centre is nearest to a point (mm).
   std::size_t nearest_voxel(const Eigen::Vector3d& mm) const;
   /// Label at each voxel centre of the padded grid, by offset.
   const std::vector<Label>& centre_labels() const { return centre_labels_; }
-  double smallest_spacing_mm() const { return smallest_spacing_mm_; }
   /// Which voxels of a label are joined.
   Connectivity connectivity() const { return connectivity_; }
 
-  Eigen::Vector3d to_index(const Eigen::Vector3d& mm) const { return mm_to_index_ * mm + index_origin_; }
-  Eigen::Vector3d to_mm(const Eigen::Vector3d& index) const { return index_to_mm_ * index + mm_origin_; }
+  Eigen::Vector3d to_index(const Eigen::Vector3d& mm) const { return grid_.to_index(mm); }
+  Eigen::Vector3d to_mm(const Eigen::Vector3d& index) const { return grid_.to_mm(index); }
   /// Around the centres of all voxels, mm.
   Eigen::AlignedBox3d box() const;
 
@@ -117,7 +106,8 @@ class LabelField {
   template <class Number>
   double interpolate(const Number* corners, const std::array<double, 3>& t) const;
 
-  std::array<int, 3> size_{};
+  SearchableGrid grid_;
+  double smallest_spacing_mm_ = 1;
   std::vector<Label> centre_labels_;
   /// Per cell: a label (0..65535: only that label), 65536 + index into pairs_, or -1 - index into
   /// many_start_.
@@ -126,9 +116,6 @@ class LabelField {
   std::vector<std::uint32_t> many_start_;  ///< ranges into many_labels_; eight values of many_values_ each
   std::vector<Label> many_labels_;
   std::vector<float> many_values_;
-  Eigen::Matrix3d index_to_mm_, mm_to_index_;
-  Eigen::Vector3d mm_origin_, index_origin_;
-  double smallest_spacing_mm_ = 1;
   Connectivity connectivity_ = Connectivity::kFaces;
   const WallLayers& layers_;
 };

@@ -74,7 +74,7 @@ bool slices_join(const ColumnValues& column, const Slices& slices) {
 
 class Separator {
  public:
-  Separator(const LabelGrid& grid, LabelDistances& distances) : grid_(grid), distances_(distances) {}
+  Separator(const LabelVolume& grid, LabelDistances& distances) : grid_(grid), distances_(distances) {}
 
   /// False when there was nothing to separate.
   bool run() {
@@ -153,13 +153,13 @@ class Separator {
     return scaled;
   }
 
-  const LabelGrid& grid_;
+  const LabelVolume& grid_;
   LabelDistances& distances_;
 };
 
 }  // namespace
 
-void resolve_face_ambiguity(const LabelGrid& grid, LabelDistances& distances) {
+void resolve_face_ambiguity(const LabelVolume& grid, LabelDistances& distances) {
   // Lowering the label in one place may join background in another one, and so on; seldom.
   constexpr int kRounds = 4;
   Separator separator(grid, distances);

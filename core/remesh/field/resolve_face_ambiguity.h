@@ -11,6 +11,6 @@ namespace voxtet::remesh {
 /// or close a tunnel. There the distances of what is not to be joined are lowered, and on faces those between
 /// it raised, until it is apart (by slices of the cell, with a hyperbola each: Chernyaev 1995, Marching Cubes
 /// 33). For one label and background; linear time.
-void resolve_face_ambiguity(const LabelGrid& grid, LabelDistances& distances);
+void resolve_face_ambiguity(const LabelVolume& grid, LabelDistances& distances);
 
 }  // namespace voxtet::remesh

@@ -3,7 +3,7 @@
 namespace voxtet::remesh {
 namespace {
 
-bool in_block(const LabelGrid& grid, std::size_t voxel) {
+bool in_block(const LabelVolume& grid, std::size_t voxel) {
   const std::size_t sx = static_cast<std::size_t>(grid.size[0]);
   const std::size_t sxy = sx * static_cast<std::size_t>(grid.size[1]);
   const auto corner = [&](std::size_t c) { return (c & 1) + (c >> 1 & 1) * sx + (c >> 2) * sxy; };
@@ -19,7 +19,7 @@ bool in_block(const LabelGrid& grid, std::size_t voxel) {
 
 }  // namespace
 
-bool is_thin(const LabelGrid& grid, std::size_t voxel) {
+bool is_thin(const LabelVolume& grid, std::size_t voxel) {
   if (in_block(grid, voxel)) return false;
   const std::size_t sx = static_cast<std::size_t>(grid.size[0]);
   const std::size_t sxy = sx * static_cast<std::size_t>(grid.size[1]);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "surface/extract/extract_methods.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -30,7 +31,7 @@ LabelCount count_labels(const std::vector<Label>& labels) {
 }
 
 Error bad_input(const std::string& message) {
-  return {ErrorCode::kBadInput, "surface", message, {}};
+  return {ErrorCode::kBadInput, kSurfaceStage, message, {}};
 }
 
 std::string size_text(const LabelVolume& volume) {
@@ -62,7 +63,7 @@ Result<SurfaceMesh> extract_surface(const LabelVolume& volume, const ExtractPara
     return binary ? extract_marching_cubes(volume, found.smallest, ctx) : extract_marching_tets(volume, ctx);
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kOutOfMemory,
-                 "surface",
+                 kSurfaceStage,
                  "not enough memory for the surface of a " + size_text(volume) + " volume",
                  {}};
   }

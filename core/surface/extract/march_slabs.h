@@ -9,6 +9,7 @@
 #include "surface/extract/lattice_walk.h"
 #include "types/result.h"
 #include "types/run_context.h"
+#include "types/stage_names.h"
 #include "types/surface_mesh.h"
 
 namespace voxtet {
@@ -62,7 +63,7 @@ Result<SurfaceMesh> march_slabs(const LabelVolume& volume, bool binary, const Ru
       if (s == 0) {  // on the caller's own thread
         if (ctx.cancelled()) cancelled = true;
         if (cancelled) return;
-        ctx.progress("surface", static_cast<double>(z) / end);
+        ctx.progress(kSurfaceStage, static_cast<double>(z) / end);
       }
       labels.load(z + 1);
       walk_mixed_cells(volume, labels, z, visitor);
@@ -75,9 +76,9 @@ Result<SurfaceMesh> march_slabs(const LabelVolume& volume, bool binary, const Ru
   parallel_for(ctx.threads, slabs.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t s = first; s < last; ++s) march(static_cast<int>(s));
   });
-  if (cancelled) return cancelled_error("surface");
+  if (cancelled) return cancelled_error(kSurfaceStage);
   SurfaceMesh out = join_slabs(std::move(slabs));
-  ctx.progress("surface", 1.0);
+  ctx.progress(kSurfaceStage, 1.0);
   return out;
 }
 

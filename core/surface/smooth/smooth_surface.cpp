@@ -16,6 +16,7 @@
 #include "surface/smooth/surface_graph.h"
 #include "surface/smooth/volume_correction.h"
 #include "surface/smooth/voxel_regions.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -28,7 +29,7 @@ constexpr double kThickVoxels = 4;
 constexpr double kTurnShare = 0.4;  ///< of the progress, a turn of all steps
 
 Error failure(ErrorCode code, const std::string& message) {
-  return {code, "smooth", message, {}};
+  return {code, kSmoothStage, message, {}};
 }
 
 Status check_input(const SurfaceMesh& surface, const LabelVolume& volume, const SmoothParams& params) {
@@ -122,12 +123,12 @@ SurfaceGraph graph_of_thick(const CorrectionProblem& problem, SurfaceGraph graph
 }
 
 /// Smoothing, and the guard after every few steps, so that a surface held at a voxel centre stays smooth
-/// around it. `before`: progress so far. False when cancelled.
+/// around it. False when cancelled.
 bool smooth_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
-                    const SmoothParams& params, double before, const RunContext& ctx, Points& x) {
+                    const SmoothParams& params, const RunContext& ctx, Points& x) {
   BilaplacianSmoother smoother(graph, problem.start, problem.limits, params.step);
   for (int done = 0; done < params.iterations; done += kStepsBetweenGuards) {
-    ctx.progress("smooth", before + kTurnShare * done / params.iterations);
+    ctx.progress(kSmoothStage, static_cast<double>(done) / params.iterations);
     const Points safe = x;
     if (!smoother.run(std::min(kStepsBetweenGuards, params.iterations - done), ctx, x)) return false;
     guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
@@ -166,19 +167,20 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   const double orientation = to_mm.determinant() < 0 ? -1 : 1;
   const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
   Points x = start;
-  if (!smooth_guarded(problem, regions, graph, params, 0, ctx, x)) return cancelled_error("smooth");
+  if (!smooth_guarded(problem, regions, graph, params, ctx.part(0, kTurnShare), x))
+    return cancelled_error(kSmoothStage);
   // Surfaces of several labels have edges half as long, over which steps reach half as far.
-  if (label == kBackground &&
-      !smooth_guarded(problem, regions, graph_of_thick(problem, graph), params, kTurnShare, ctx, x))
-    return cancelled_error("smooth");
+  if (label == kBackground && !smooth_guarded(problem, regions, graph_of_thick(problem, graph), params,
+                                              ctx.part(kTurnShare, 2 * kTurnShare), x))
+    return cancelled_error(kSmoothStage);
   if (params.keep_volume) correct_guarded(problem, regions, graph, ctx, x);
 
   SurfaceMesh out{std::move(x), surface.triangles, surface.sides};
   for (std::size_t v = 0; v < out.points.size(); ++v)
     out.points[v] =
         out.points[v] == start[v] ? surface.points[v] : Eigen::Vector3d(to_mm * out.points[v] + origin);
-  if (undo_intersections(out, surface.points, ctx).cancelled) return cancelled_error("smooth");
-  ctx.progress("smooth", 1.0);
+  if (undo_intersections(out, surface.points, ctx).cancelled) return cancelled_error(kSmoothStage);
+  ctx.progress(kSmoothStage, 1.0);
   return out;
 }
 

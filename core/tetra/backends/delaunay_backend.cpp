@@ -11,6 +11,7 @@
 #include "tetra/backends/delaunay_cells.h"
 #include "tetra/backends/recover_surface.h"
 #include "tetra/mesh/meshing_error.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -42,7 +43,7 @@ Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing
       });
   std::size_t added = 0;
   for (const std::uint32_t v : order) {
-    if (added++ % kPointsPerQuestion == 0 && ctx.cancelled()) return cancelled_error("tetra");
+    if (added++ % kPointsPerQuestion == 0 && ctx.cancelled()) return cancelled_error(kTetraStage);
     if (!cells.add(surface.points[v], v)) return meshing_error("two points of the surface coincide");
   }
   const std::size_t triangles = surface.triangles.size();
@@ -51,12 +52,12 @@ Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing
   if (!recovered) return recovered.error();
   if (const Status kept = check_volumes(volumes, enclosed_volumes_mm3(surface)); !kept) return kept.error();
   if (recovered->flipped + recovered->split > 0)
-    ctx.note("tetra", "to make the surface of " + std::to_string(triangles) + " triangles Delaunay, " +
-                          std::to_string(recovered->flipped) + " edges were flipped and " +
-                          std::to_string(recovered->split) + " halved");
+    ctx.note(kTetraStage, "to make the surface of " + std::to_string(triangles) + " triangles Delaunay, " +
+                              std::to_string(recovered->flipped) + " edges were flipped and " +
+                              std::to_string(recovered->split) + " halved");
   if (!cells.label(surface)) return meshing_error("a cell lies on two sides of the surface");
   switch (cells.refine(sizing, options.radius_edge, options.max_points, layers, ctx)) {
-    case DelaunayCells::Refined::kCancelled: return cancelled_error("tetra");
+    case DelaunayCells::Refined::kCancelled: return cancelled_error(kTetraStage);
     case DelaunayCells::Refined::kTooMany: return meshing_error("refinement did not come to an end");
     case DelaunayCells::Refined::kDone: break;
   }

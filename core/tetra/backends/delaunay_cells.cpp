@@ -11,6 +11,7 @@
 #include "geometry/intersect/delaunay_triangulation.h"
 #include "tetra/mesh/tet_complex.h"
 #include "tetra/mesh/triangle_index.h"
+#include "types/stage_names.h"
 
 namespace voxtet::tetra {
 namespace {
@@ -222,7 +223,7 @@ DelaunayCells::Refined DelaunayCells::refine(const SizingField& sizing, double r
     if (k % kTriesPerQuestion == 0) {
       if (ctx.cancelled()) return Refined::kCancelled;
       const auto points = static_cast<double>(m.vertices.size());
-      ctx.progress("tetra", 0.1 + 0.8 * (points - first_points) / (points + first_points));
+      ctx.progress(kTetraStage, (points - first_points) / (points + first_points));
     }
     if (m.vertices.size() >= max_points) return Refined::kTooMany;
     const std::optional<Impl::BadCell> bad = m.bad.pop();

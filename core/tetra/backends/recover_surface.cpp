@@ -11,6 +11,7 @@
 #include "geometry/elements/surface_measures.h"
 #include "tetra/mesh/edge_groups.h"
 #include "tetra/mesh/meshing_error.h"
+#include "types/stage_names.h"
 
 namespace voxtet::tetra {
 namespace {
@@ -138,7 +139,7 @@ Result<Recovery> recover_surface(SurfaceMesh& surface, DelaunayCells& cells, con
   Recovery done;
   const std::size_t most = kAlwaysAllowed + surface.points.size() / kPointsForOne;
   for (int round = 0; round < kMostRounds && done.split <= most; ++round) {
-    if (ctx.cancelled()) return cancelled_error("tetra");
+    if (ctx.cancelled()) return cancelled_error(kTetraStage);
     if (!Round(surface, cells, done).run()) return done;
   }
   return meshing_error("the surface is too far from a Delaunay one");

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tetra/mesh/meshing_error.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -43,8 +44,7 @@ int poll(void* data, long points) {
   if (job.ctx->cancelled()) return kCancelledCode;
   // How many points will be needed is not known: the share of new ones grows towards its end.
   const double added = static_cast<double>(points - job.first_points);
-  if (added > 0)
-    job.ctx->progress("tetra", 0.1 + 0.8 * added / static_cast<double>(points + job.first_points));
+  if (added > 0) job.ctx->progress(kTetraStage, added / static_cast<double>(points + job.first_points));
   return 0;
 }
 
@@ -111,11 +111,13 @@ tetgenbehavior behaviour(const TetgenOptions& options) {
 
 Error error_of(int thrown) {
   switch (thrown) {
-    case kCancelledCode: return cancelled_error("tetra");
+    case kCancelledCode: return cancelled_error(kTetraStage);
     case kRunawayCode: return meshing_error(kRunaway);
     case 1:
-      return {
-          ErrorCode::kOutOfMemory, "tetra", "memory ran out while filling the surface with tetrahedra", {}};
+      return {ErrorCode::kOutOfMemory,
+              kTetraStage,
+              "memory ran out while filling the surface with tetrahedra",
+              {}};
     case 3: return meshing_error("TetGen met a self-intersection of the surface");
     case 4: return meshing_error("TetGen met a feature smaller than its tolerance");
     case 5: return meshing_error("TetGen met two triangles that nearly coincide");
@@ -165,7 +167,7 @@ Result<FilledParts> run_tetgen(const SurfaceMesh& surface, const std::vector<Eig
   } catch (const std::bad_alloc&) {
     return error_of(1);
   } catch (const std::exception& e) {
-    return Error{ErrorCode::kInternal, "tetra", std::string("TetGen threw: ") + e.what(), {}};
+    return Error{ErrorCode::kInternal, kTetraStage, std::string("TetGen threw: ") + e.what(), {}};
   }
 }
 

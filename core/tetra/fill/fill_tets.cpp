@@ -20,6 +20,7 @@
 #include "tetra/fill/label_tets.h"
 #include "tetra/fill/order_tets.h"
 #include "tetra/mesh/edge_groups.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -76,8 +77,10 @@ Status check_sizing(const SizingField& sizing) {
   const bool valid = !empty && std::all_of(sizing.h_mm.begin(), sizing.h_mm.end(),
                                            [](float h) { return std::isfinite(h) && h > 0; });
   if (valid) return std::monostate{};
-  return Error{
-      ErrorCode::kInternal, "tetra", "the sizing field is empty or holds a size that is not positive", {}};
+  return Error{ErrorCode::kInternal,
+               kTetraStage,
+               "the sizing field is empty or holds a size that is not positive",
+               {}};
 }
 
 std::string fixed(double value, int digits) {
@@ -93,11 +96,12 @@ std::string angle_at(const SharpAngle& sharp) {
 
 void tell_sharp_angles(const SurfaceMesh& surface, const EdgeGroups& edges, const RunContext& ctx) {
   const SharpAngle corner = find_sharpest_corner(surface), edge = find_sharpest_edge(surface, edges);
-  ctx.note("tetra", "the surface's smallest angles: in a triangle " + fixed(corner.angle_deg, 2) +
-                        " degrees, between two " + fixed(edge.angle_deg, 2) + " degrees");
-  if (corner.angle_deg < kSharpCornerDeg) ctx.warn("tetra", "a triangle has an angle of " + angle_at(corner));
+  ctx.note(kTetraStage, "the surface's smallest angles: in a triangle " + fixed(corner.angle_deg, 2) +
+                            " degrees, between two " + fixed(edge.angle_deg, 2) + " degrees");
+  if (corner.angle_deg < kSharpCornerDeg)
+    ctx.warn(kTetraStage, "a triangle has an angle of " + angle_at(corner));
   if (edge.angle_deg < kSharpEdgeDeg)
-    ctx.warn("tetra",
+    ctx.warn(kTetraStage,
              "two triangles meet at " + angle_at(edge) + ": tetrahedra there cannot be better shaped");
 }
 
@@ -153,35 +157,30 @@ Result<TetMesh> fill_by_first(const SurfaceMesh& surface, const EdgeGroups& edge
   const std::vector<Eigen::Vector3d> holes = find_hole_seeds(surface, edges);
   const double most = std::min(kRunawayFactor * forecast_points(surface, sizing), 2e9);
   const std::vector<Strategy> strategies = strategies_for(params, static_cast<std::size_t>(most));
-  RunContext rising = ctx;
-  double reached = 0;
-  rising.on_progress = [&](const std::string& stage, double fraction) {
-    reached = std::max(reached, fraction);
-    ctx.progress(stage, reached);
-  };
+  const RunContext filling = ctx.part(0.1, 0.9);
   std::optional<Error> first_failure;
   bool runaway = false;
   for (std::size_t r = 0; r < strategies.size(); ++r) {
     const Strategy& strategy = strategies[r];
     // Where points were without end, another rounding of the same sizes does not help.
     if (runaway && !strategy.laxer) continue;
-    if (ctx.cancelled()) return cancelled_error("tetra");
-    Result<TetMesh> mesh = fill_by(strategy, surface, holes, sizing, layers, rising);
+    if (ctx.cancelled()) return cancelled_error(kTetraStage);
+    Result<TetMesh> mesh = fill_by(strategy, surface, holes, sizing, layers, filling);
     if (mesh) {
       const std::string filled = std::string("filled ") + strategy.name;
-      ctx.note("tetra", filled + " (strategy " + std::to_string(r + 1) + " of " +
-                            std::to_string(strategies.size()) + ")");
+      ctx.note(kTetraStage, filled + " (strategy " + std::to_string(r + 1) + " of " +
+                                std::to_string(strategies.size()) + ")");
       if (!layers.empty() && strategy.backend == TetBackend::kTetgen)
-        ctx.warn("tetra",
+        ctx.warn(kTetraStage,
                  "TetGen, which filled the surface, adds points inside of layers: some have more than one "
                  "element");
       // TetGen in the first strategy of its own is no worse than the Delaunay refinement that it follows.
       if (r > 0 && strategies[r - 1].backend == strategy.backend)
-        ctx.warn("tetra", filled + ", after: " + first_failure->message);
+        ctx.warn(kTetraStage, filled + ", after: " + first_failure->message);
       return mesh;
     }
     if (mesh.error().code != ErrorCode::kMeshing) return mesh;
-    ctx.note("tetra", std::string("not filled ") + strategy.name + ": " + mesh.error().message);
+    ctx.note(kTetraStage, std::string("not filled ") + strategy.name + ": " + mesh.error().message);
     runaway = runaway || is_runaway(mesh.error());
     if (!first_failure) first_failure = mesh.error();
   }
@@ -207,13 +206,14 @@ Result<TetMesh> check_and_fill(const SurfaceMesh& surface, const SizingField& si
 
 Result<TetMesh> fill_tets(const SurfaceMesh& surface, const SizingField& sizing, const FillParams& params,
                           RunContext& ctx, const WallLayers& layers) {
-  ctx.progress("tetra", 0);
+  ctx.progress(kTetraStage, 0);
   try {
     Result<TetMesh> mesh = check_and_fill(surface, sizing, params, layers, ctx);
-    if (mesh) ctx.progress("tetra", 1);
+    if (mesh) ctx.progress(kTetraStage, 1);
     return mesh;
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::kOutOfMemory, "tetra", "memory ran out around the filling of the surface", {}};
+    return Error{
+        ErrorCode::kOutOfMemory, kTetraStage, "memory ran out around the filling of the surface", {}};
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "types/result.h"
+#include "types/stage_names.h"
 #include "types/surface_mesh.h"
 
 namespace voxtet {
@@ -16,7 +17,7 @@ namespace voxtet {
 inline constexpr std::size_t kMaxPlaces = 1000;
 
 inline Error meshing_error(std::string message, ErrorPlace where = {}) {
-  return {ErrorCode::kMeshing, "tetra", std::move(message), std::move(where)};
+  return {ErrorCode::kMeshing, kTetraStage, std::move(message), std::move(where)};
 }
 
 /// Triangles of a surface at which something is wrong: how many, and where the first ones are.

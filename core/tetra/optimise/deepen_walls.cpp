@@ -11,6 +11,7 @@
 #include "tetra/mesh/tet_complex.h"
 #include "tetra/operations/size_guard.h"
 #include "tetra/operations/vertex_insertion.h"
+#include "types/stage_names.h"
 #include "walls/wall_mesh.h"
 
 namespace voxtet {
@@ -155,7 +156,7 @@ Result<TetMesh> deepen_walls(TetMesh mesh, std::span<const LayeredWall> walls, c
       before += paths.edges.size();
       Deepener deepener(std::move(mesh), std::move(paths), wall.layers, guard);
       for (int round = 0; round < kDeepeningRounds; ++round) {
-        if (ctx.cancelled()) return cancelled_error("optimise");
+        if (ctx.cancelled()) return cancelled_error(kOptimiseStage);
         const std::size_t split = deepener.split_some();
         if (split == 0) break;
         count += split;
@@ -164,12 +165,12 @@ Result<TetMesh> deepen_walls(TetMesh mesh, std::span<const LayeredWall> walls, c
       mesh = deepener.release();
     }
     if (before > 0)
-      ctx.note("optimise", "edges of paths through walls that are too short: " + std::to_string(before) +
-                               ", then " + std::to_string(after) +
-                               "; vertices put on them: " + std::to_string(count));
+      ctx.note(kOptimiseStage, "edges of paths through walls that are too short: " + std::to_string(before) +
+                                   ", then " + std::to_string(after) +
+                                   "; vertices put on them: " + std::to_string(count));
     return mesh;
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::kOutOfMemory, "optimise", "memory ran out while walls were deepened", {}};
+    return Error{ErrorCode::kOutOfMemory, kOptimiseStage, "memory ran out while walls were deepened", {}};
   }
 }
 

@@ -18,6 +18,7 @@
 #include "tetra/operations/vertex_insertion.h"
 #include "tetra/operations/vertex_smoothing.h"
 #include "tetra/optimise/compound_improvement.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -70,7 +71,7 @@ class Optimiser {
         if (!insert(last_goal, false)) return false;
         slide(last_goal);
       }
-      ctx_.progress("optimise", static_cast<double>(round + 1) / params_.rounds);
+      ctx_.progress(kOptimiseStage, static_cast<double>(round + 1) / params_.rounds);
       if (round > 0 && counts_ == before) break;
     }
     if (!layers_.empty()) {
@@ -241,7 +242,7 @@ class Optimiser {
 
   void tell(std::size_t bad_before, std::size_t bad_after) const {
     const std::string goal = std::to_string(static_cast<int>(params_.min_dihedral_deg));
-    ctx_.note("optimise",
+    ctx_.note(kOptimiseStage,
               "tets below " + goal + " degrees: " + std::to_string(bad_before) + ", then " +
                   std::to_string(bad_after) + "; edges removed: " + std::to_string(counts_.edges) +
                   ", faces removed: " + std::to_string(counts_.faces) + ", vertices moved: " +
@@ -249,8 +250,8 @@ class Optimiser {
                   ", inserted: " + std::to_string(counts_.inserted) + ", slid on the surface: " +
                   std::to_string(counts_.slid) + ", flipped there: " + std::to_string(counts_.flipped));
     if (counts_.inserted == most_inserted_)
-      ctx_.warn("optimise", "vertices were inserted up to the limit of " + std::to_string(most_inserted_) +
-                                ": the surface leaves too little room");
+      ctx_.warn(kOptimiseStage, "vertices were inserted up to the limit of " +
+                                    std::to_string(most_inserted_) + ": the surface leaves too little room");
   }
 
   TetComplex complex_;
@@ -276,10 +277,11 @@ Result<TetMesh> optimise_tets(TetMesh mesh, const SurfaceMesh& reference, const 
   if (params.rounds < 1 || mesh.tets.empty()) return mesh;
   try {
     Optimiser optimiser(std::move(mesh), reference, sizing, params, layers, ctx);
-    if (!optimiser.run()) return cancelled_error("optimise");
+    if (!optimiser.run()) return cancelled_error(kOptimiseStage);
     return optimiser.release();
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::kOutOfMemory, "optimise", "memory ran out while tetrahedra were optimised", {}};
+    return Error{
+        ErrorCode::kOutOfMemory, kOptimiseStage, "memory ran out while tetrahedra were optimised", {}};
   }
 }
 

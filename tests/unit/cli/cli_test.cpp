@@ -17,6 +17,7 @@
 #include "geometry/topology/adjacency.h"
 #include "io/bytes/files.h"
 #include "io/mesh/read_mesh.h"
+#include "pipeline/report.h"
 #include "pipeline/version/engine_version.h"
 #include "recipe/link.h"
 #include "support/check_tets.h"
@@ -234,6 +235,15 @@ TEST_F(CliTest, VerifiesThePromisedDigest) {
     EXPECT_EQ(run({"verify", at("other.json")}), kExitBadInput) << poor;
   }
   EXPECT_EQ(run({"verify", link_fragment(*parse_recipe(promise))}), kExitOk);
+}
+
+// The types of the web are made from it: scripts/update_contract writes both.
+TEST(SchemaJson, IsTheOneThatTheContractOfTheWebIsMadeFrom) {
+  const Result<Bytes> committed = read_file(VOXTET_SOURCE_DIR "/web/src/engine/schema.json");
+  ASSERT_TRUE(committed.ok());
+  json schema = schema_json();
+  schema.erase("version");
+  EXPECT_EQ(json::parse(committed->begin(), committed->end()), schema) << "run scripts/update_contract";
 }
 
 // Under node the output of the process cannot be caught: GoogleTest swaps file descriptors for it.

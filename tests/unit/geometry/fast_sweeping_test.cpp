@@ -14,7 +14,7 @@ namespace {
 
 using Size = std::array<int, 3>;
 
-struct Grid {
+struct SweptGrid {
   Size size{};
   Eigen::Matrix3d linear = Eigen::Matrix3d::Identity();
 
@@ -32,19 +32,19 @@ struct Grid {
   }
 };
 
-Grid orthogonal_grid(const Size& size, const Eigen::Vector3d& spacing) {
+SweptGrid orthogonal_grid(const Size& size, const Eigen::Vector3d& spacing) {
   return {size, rotation_from_degrees({25, -40, 65}) * spacing.asDiagonal()};
 }
 
-Grid sheared_grid(const Size& size) {
-  Grid grid{size, Eigen::Matrix3d::Identity()};
+SweptGrid sheared_grid(const Size& size) {
+  SweptGrid grid{size, Eigen::Matrix3d::Identity()};
   grid.linear.col(1) = Eigen::Vector3d(0.35, 1.1, 0);
   grid.linear.col(2) = Eigen::Vector3d(-0.2, 0.3, 1.3);
   return grid;
 }
 
 /// The largest |h(a) - h(b)| / (g |a - b|) over the 26 neighbours of all points.
-double steepest(const Grid& grid, double gradation, const std::vector<float>& h) {
+double steepest(const SweptGrid& grid, double gradation, const std::vector<float>& h) {
   double most = 0;
   grid.for_each([&](int i, int j, int k, std::size_t at) {
     for (int dk = -1; dk <= 1; ++dk)
@@ -61,7 +61,7 @@ double steepest(const Grid& grid, double gradation, const std::vector<float>& h)
   return most;
 }
 
-std::vector<float> random_sizes(const Grid& grid, unsigned seed) {
+std::vector<float> random_sizes(const SweptGrid& grid, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<float> h(grid.count());
   for (float& value : h)
@@ -69,17 +69,17 @@ std::vector<float> random_sizes(const Grid& grid, unsigned seed) {
   return h;
 }
 
-std::vector<float> limited(const Grid& grid, double gradation, std::vector<float> h) {
+std::vector<float> limited(const SweptGrid& grid, double gradation, std::vector<float> h) {
   EXPECT_TRUE(limit_gradation(grid.size, grid.linear, gradation, h, RunContext{}));
   return h;
 }
 
 TEST(LimitGradation, BoundsTheSlopeBetweenAllNeighboursAndNeverRises) {
-  const std::vector<Grid> grids{orthogonal_grid({30, 25, 20}, {1, 1, 1}),
-                                orthogonal_grid({17, 31, 9}, {0.7, 1.1, 3.3}), sheared_grid({20, 20, 20}),
-                                orthogonal_grid({1, 12, 1}, {1, 2, 3}),
-                                orthogonal_grid({1, 1, 1}, {1, 2, 3})};
-  for (const Grid& grid : grids)
+  const std::vector<SweptGrid> grids{orthogonal_grid({30, 25, 20}, {1, 1, 1}),
+                                     orthogonal_grid({17, 31, 9}, {0.7, 1.1, 3.3}),
+                                     sheared_grid({20, 20, 20}), orthogonal_grid({1, 12, 1}, {1, 2, 3}),
+                                     orthogonal_grid({1, 1, 1}, {1, 2, 3})};
+  for (const SweptGrid& grid : grids)
     for (const double gradation : {0.1, 0.3, 1.0})
       for (const unsigned seed : {1u, 2u}) {
         const std::vector<float> before = random_sizes(grid, seed);
@@ -90,7 +90,7 @@ TEST(LimitGradation, BoundsTheSlopeBetweenAllNeighboursAndNeverRises) {
 }
 
 TEST(LimitGradation, IsIdempotent) {
-  for (const Grid& grid : {orthogonal_grid({30, 25, 20}, {0.7, 1.1, 2.3}), sheared_grid({20, 20, 20})}) {
+  for (const SweptGrid& grid : {orthogonal_grid({30, 25, 20}, {0.7, 1.1, 2.3}), sheared_grid({20, 20, 20})}) {
     const std::vector<float> once = limited(grid, 0.3, random_sizes(grid, 3));
     const std::vector<float> twice = limited(grid, 0.3, once);
     for (std::size_t at = 0; at < once.size(); ++at) ASSERT_NEAR(twice[at], once[at], 1e-6 * once[at]);
@@ -102,7 +102,7 @@ struct ConeError {
   double least = 1, most = -1, most_far = -1;
 };
 
-ConeError cone_error(const Grid& grid) {
+ConeError cone_error(const SweptGrid& grid) {
   const double gradation = 0.3;
   const Eigen::Vector3d source(grid.size[0] / 2, grid.size[1] / 2, grid.size[2] / 2);
   std::vector<float> h(grid.count(), 1000.F);
@@ -137,7 +137,7 @@ TEST(LimitGradation, GivesTheAnalyticConeAroundOneFinePointToTheSchemesError) {
 }
 
 TEST(LimitGradation, IsExactForPlanesAlongTheAxes) {
-  const Grid grid = orthogonal_grid({12, 10, 40}, {1, 1, 1.7});
+  const SweptGrid grid = orthogonal_grid({12, 10, 40}, {1, 1, 1.7});
   std::vector<float> h(grid.count(), 50.F);
   grid.for_each([&](int, int, int k, std::size_t at) {
     if (k == 0) h[at] = 1;
@@ -147,14 +147,14 @@ TEST(LimitGradation, IsExactForPlanesAlongTheAxes) {
 }
 
 TEST(LimitGradation, LeavesInfinityWhereNothingIsAskedFor) {
-  const Grid grid = orthogonal_grid({6, 5, 4}, {1, 1, 1});
+  const SweptGrid grid = orthogonal_grid({6, 5, 4}, {1, 1, 1});
   for (const float h :
        limited(grid, 0.3, std::vector<float>(grid.count(), std::numeric_limits<float>::infinity())))
     EXPECT_EQ(h, std::numeric_limits<float>::infinity());
 }
 
 TEST(LimitGradation, FollowsRoundFrontsInGridsOfOneLayerToo) {
-  const Grid grid = orthogonal_grid({33, 33, 1}, {1, 1, 1});
+  const SweptGrid grid = orthogonal_grid({33, 33, 1}, {1, 1, 1});
   std::vector<float> h(grid.count(), std::numeric_limits<float>::infinity());
   h[16 + 33 * 16] = 1;
   const std::vector<float> field = limited(grid, 0.3, h);
@@ -165,7 +165,7 @@ TEST(LimitGradation, FollowsRoundFrontsInGridsOfOneLayerToo) {
 }
 
 TEST(LimitGradation, StopsWhenCancelled) {
-  const Grid grid = orthogonal_grid({6, 5, 4}, {1, 1, 1});
+  const SweptGrid grid = orthogonal_grid({6, 5, 4}, {1, 1, 1});
   std::vector<float> h(grid.count(), 1.F);
   RunContext ctx;
   ctx.on_cancelled = [] { return true; };

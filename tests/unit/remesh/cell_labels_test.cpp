@@ -37,8 +37,8 @@ std::size_t all_defects(const LabelledCells& cells) {
 LabelledCells refined(const LabelVolume& volume, const LabelField& field, double edge_mm) {
   const SizingField sizing = test::uniform_sizing(edge_mm);
   const Seeds seeds = seed_interfaces(field, test::label_surface(volume), sizing);
-  DelaunayRefiner refiner(field, sizing, {30, 0.5 * field.smallest_spacing_mm(), 1 / 1.3});
-  refiner.insert(seeds.points, 0.25 * field.smallest_spacing_mm());
+  DelaunayRefiner refiner(field, sizing, {30, 0.5 * field.grid().smallest_spacing_mm(), 1 / 1.3});
+  refiner.insert(seeds.points, 0.25 * field.grid().smallest_spacing_mm());
   RunContext ctx;
   EXPECT_TRUE(refiner.refine(ctx, seeds.predicted_vertices));
   return refiner.cells();

@@ -19,8 +19,13 @@ using Eigen::Vector3d;
 
 constexpr int kSize = 14, kRim = 4;
 
-LabelGrid make_grid(const std::function<Label(const Vector3d&)>& label_at) {
-  LabelGrid grid{{kSize, kSize, kSize}, {}};
+LabelVolume make_grid(const std::function<Label(const Vector3d&)>& label_at,
+                      const Matrix3d& linear = Matrix3d::Identity(),
+                      const Vector3d& origin = Vector3d::Zero()) {
+  LabelVolume grid;
+  grid.size = {kSize, kSize, kSize};
+  grid.index_to_mm.topLeftCorner<3, 3>() = linear;
+  grid.index_to_mm.topRightCorner<3, 1>() = origin;
   for (int k = 0; k < kSize; ++k)
     for (int j = 0; j < kSize; ++j)
       for (int i = 0; i < kSize; ++i) {
@@ -76,10 +81,11 @@ struct Plane {
 template <class Check>
 int check_voxels(const Plane& plane, Check&& check) {
   const Vector3d origin(12, -300, 4.5), n = plane.normal.normalized();
-  const LabelGrid grid = make_grid([&](const Vector3d& x) { return n.dot(x) > plane.offset ? 2 : 1; });
+  const LabelVolume grid =
+      make_grid([&](const Vector3d& x) { return n.dot(x) > plane.offset ? 2 : 1; }, plane.linear, origin);
   SurfaceMesh surface = plane_patch(n, plane.offset, 0.7);
   to_frame(surface, plane.linear, origin);
-  const LabelDistances distances = label_distances(grid, surface, plane.linear, origin);
+  const LabelDistances distances = label_distances(grid, surface);
   const double unit = plane.linear.colwise().norm().minCoeff();
   const double stretch = (plane.linear.inverse().transpose() * n).norm();
   int checked = 0;
@@ -137,22 +143,22 @@ TEST(LabelDistances, AreNeverNearerThanATwentiethAndNeverFartherThanTwo) {
 }
 
 TEST(LabelDistances, KeepTheVoxelsLabelWhereTheSurfaceHasPassedItsCentre) {
-  const LabelGrid grid = make_grid([](const Vector3d& x) { return x[0] > 6.5 ? 2 : 1; });
-  const LabelDistances distances =
-      label_distances(grid, plane_patch({1, 0, 0}, 5.8, 0.7), Matrix3d::Identity(), Vector3d::Zero());
+  const LabelVolume grid = make_grid([](const Vector3d& x) { return x[0] > 6.5 ? 2 : 1; });
+  const LabelDistances distances = label_distances(grid, plane_patch({1, 0, 0}, 5.8, 0.7));
   EXPECT_NEAR(entries(distances, voxel(6, 7, 7)).at(1), 0.2, 0.02);
   EXPECT_NEAR(entries(distances, voxel(6, 7, 7)).at(2), -0.2, 0.02);
 }
 
 TEST(LabelDistances, KnowEveryLabelOfAJunction) {
-  const LabelGrid grid = make_grid([](const Vector3d& x) {
-    return static_cast<Label>(x[0] < 6.5 ? 1 : x[1] < 6.5 ? 2 : 40000);
-  });
+  // Cell 0 of the surface reaches from 0 to 1: its centre is the first voxel's.
+  const LabelVolume grid = make_grid(
+      [](const Vector3d& x) {
+        return static_cast<Label>(x[0] < 6.5 ? 1 : x[1] < 6.5 ? 2 : 40000);
+      },
+      Matrix3d::Identity(), Vector3d::Constant(0.5));
   const SurfaceMesh surface =
       test::cells(grid.size, 1, [&](int i, int j, int k) { return grid.labels[voxel(i, j, k)]; });
-  // Cell 0 of the surface reaches from 0 to 1: its centre is the first voxel's.
-  const LabelDistances distances =
-      label_distances(grid, surface, Matrix3d::Identity(), Vector3d::Constant(0.5));
+  const LabelDistances distances = label_distances(grid, surface);
   const auto expect = [&](int i, int j, float one, float two, float three) {
     const std::map<Label, float> found = entries(distances, voxel(i, j, 7));
     ASSERT_EQ(found.size(), 3U) << i << ' ' << j;
@@ -168,9 +174,8 @@ TEST(LabelDistances, KnowEveryLabelOfAJunction) {
 }
 
 TEST(LabelDistances, AreLeftOutAmongEqualVoxels) {
-  const LabelGrid grid = make_grid([](const Vector3d& x) { return x[0] > 6.5 ? 2 : 1; });
-  const LabelDistances distances =
-      label_distances(grid, plane_patch({1, 0, 0}, 6.5, 0.7), Matrix3d::Identity(), Vector3d::Zero());
+  const LabelVolume grid = make_grid([](const Vector3d& x) { return x[0] > 6.5 ? 2 : 1; });
+  const LabelDistances distances = label_distances(grid, plane_patch({1, 0, 0}, 6.5, 0.7));
   ASSERT_EQ(distances.offsets.size(), grid.voxel_count() + 1);
   EXPECT_TRUE(entries(distances, voxel(4, 7, 7)).empty());
   EXPECT_TRUE(entries(distances, voxel(0, 0, 0)).empty());
@@ -179,7 +184,8 @@ TEST(LabelDistances, AreLeftOutAmongEqualVoxels) {
 
 TEST(ThinVoxels, AreThoseOfSheetsAndWiresNotOfBumpsAndBodies) {
   // A body with a bump, a wire that leaves it, and a sheet apart.
-  LabelGrid grid{{20, 12, 12}, {}};
+  LabelVolume grid;
+  grid.size = {20, 12, 12};
   grid.labels.assign(grid.voxel_count(), kBackground);
   const auto at = [](std::size_t i, std::size_t j, std::size_t k) { return i + 20 * (j + 12 * k); };
   for (std::size_t k = 3; k < 8; ++k)

@@ -39,14 +39,14 @@ TEST(LabelField, HasTheLabelsOfTheVolumeAtVoxelCentresAndBackgroundAround) {
   const LabelField field = field_of(volume);
   const int pad = LabelField::kPad;
   std::size_t wrong = 0;
-  for (int k = 0; k < field.size()[2]; ++k)
-    for (int j = 0; j < field.size()[1]; ++j)
-      for (int i = 0; i < field.size()[0]; ++i) {
-        const auto v = static_cast<std::size_t>(i + field.size()[0] * (j + field.size()[1] * k));
+  for (int k = 0; k < field.grid().size[2]; ++k)
+    for (int j = 0; j < field.grid().size[1]; ++j)
+      for (int i = 0; i < field.grid().size[0]; ++i) {
+        const auto v = static_cast<std::size_t>(i + field.grid().size[0] * (j + field.grid().size[1] * k));
         const Label label = volume.at_or_background(i - pad, j - pad, k - pad);
         wrong += field.centre_labels()[v] != label || field.at_index(Vector3d(i, j, k)) != label;
       }
-  EXPECT_EQ(field.size()[0], 14 + 2 * pad);
+  EXPECT_EQ(field.grid().size[0], 14 + 2 * pad);
   EXPECT_EQ(wrong, 0U);
 }
 
@@ -62,7 +62,7 @@ TEST(LabelField, JoinsOneLabelBetweenVoxelCentresAsItsSurfaceDoes) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const LabelVolume volume = test::random_volume(4, 1, seed);
     const LabelField field = field_of(volume);
-    const std::array<int, 3>& size = field.size();
+    const std::array<int, 3>& size = field.grid().size;
     const LabelVolume fine =
         test::make_volume(kFiner * (size[0] - 1) + 1, kFiner * (size[1] - 1) + 1, kFiner * (size[2] - 1) + 1,
                           [&](int i, int j, int k) { return field.at_index(Vector3d(i, j, k) / kFiner); });
@@ -158,7 +158,7 @@ TEST(LabelField, MeasuresInMillimetresOfObliqueFrames) {
     EXPECT_NEAR(*field.distance(p, 2, 1), 3 * off, 0.03);
     EXPECT_NEAR(field.depth(p, 2), 3 * off, 0.03);
   }
-  EXPECT_EQ(field.smallest_spacing_mm(), 1.5);
+  EXPECT_EQ(field.grid().smallest_spacing_mm(), 1.5);
 }
 
 TEST(LabelField, FindsCrossingsWhereTheLabelChanges) {
@@ -171,7 +171,7 @@ TEST(LabelField, FindsCrossingsWhereTheLabelChanges) {
   for (int trial = 0; trial < 8000; ++trial) {
     const auto pick = [&] {
       Vector3d index;
-      for (int d = 0; d < 3; ++d) index[d] = random.below(100 * (field.size()[d] + 20)) / 100.0 - 10;
+      for (int d = 0; d < 3; ++d) index[d] = random.below(100 * (field.grid().size[d] + 20)) / 100.0 - 10;
       return field.to_mm(index);
     };
     const Vector3d a = pick(), b = pick();

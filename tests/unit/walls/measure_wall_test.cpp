@@ -83,9 +83,9 @@ TEST(MeasureWall, IsTheSameOnEveryPlatform) {
   RunContext ctx;
   const LabelVolume volume = heart(false);
   const WallField field = measure(volume, {{1, 2}, {}}, ctx).value();
-  EXPECT_EQ(digest_of(ScalarVolume{field.size, field.index_to_mm, field.thickness_mm}),
+  EXPECT_EQ(digest_of(ScalarVolume{field, field.thickness_mm}),
             "a7adc043fc69471164cb3bf1947f02a25d726863da7826f3bc5e407025917b2d");
-  EXPECT_EQ(digest_of(ScalarVolume{field.size, field.index_to_mm, field.potential}),
+  EXPECT_EQ(digest_of(ScalarVolume{field, field.potential}),
             "1012f52b61033fc8f28a56629e48d4d55583616a3f2b3ca015ed3f55452f9a85");
 }
 

@@ -12,7 +12,7 @@ WallField flat_wall(bool two) {
   field.wall = {3};
   field.size = {17, 5, 5};
   field.index_to_mm.topRightCorner<3, 1>().setConstant(-2);
-  field.mm_to_index = field.index_to_mm.inverse();
+  field.invert();
   field.inner_shares.resize(two ? 2 : 1);
   for (int at = 0; at < 17 * 5 * 5; ++at) {
     const float x = static_cast<float>(at % 17 - 2);

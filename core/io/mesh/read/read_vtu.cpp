@@ -131,7 +131,10 @@ class PieceReader {
       if (array.section != "CellData" || array.name == "label") continue;
       auto data = std::find_if(cell_data_.begin(), cell_data_.end(),
                                [&](const Field& known) { return known.name == array.name; });
-      if (data == cell_data_.end()) data = cell_data_.insert(data, {.name = std::string(array.name)});
+      if (data == cell_data_.end()) {
+        data = cell_data_.emplace(data);
+        data->name = array.name;
+      }
       std::vector<float>& values = data->values;
       if (values.size() != first_tet || !(array.components.empty() || array.components == "1")) continue;
       const Result<std::vector<double>> all = arrays_.reals(array, cell_count_);
