@@ -11,6 +11,7 @@
 
 #include "geometry/elements/tet_measures.h"
 #include "geometry/grid/rasterise.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {

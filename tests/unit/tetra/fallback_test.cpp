@@ -47,7 +47,7 @@ void expect_filled(const SurfaceMesh& surface, double edge, const std::string& w
   const Filled out = fill_noted(surface, edge);
   ASSERT_TRUE(out.mesh.ok()) << name << ": " << out.mesh.error().message;
   check_tets(*out.mesh, surface);
-  EXPECT_NE(out.last_note().find("filled " + way + " (way"), std::string::npos)
+  EXPECT_NE(out.last_note().find("filled " + way + " (strategy"), std::string::npos)
       << name << ": " << out.last_note();
   const bool warned = std::any_of(out.warnings.begin(), out.warnings.end(), [](const std::string& text) {
     return text.find("filled ") == 0 && text.find(", after: ") != std::string::npos;
