@@ -139,7 +139,7 @@ TEST(Fallback, NamesTheTrianglesWhereNothingHelps) {
   const Filled out = fill_noted(surface, 4);
   ASSERT_FALSE(out.mesh.ok());
   EXPECT_EQ(out.mesh.error().code, ErrorCode::kMeshing);
-  EXPECT_NE(out.mesh.error().message.find("none of 5 ways"), std::string::npos) << out.mesh.error().message;
+  EXPECT_NE(out.mesh.error().message.find("none of 5 strategies"), std::string::npos) << out.mesh.error().message;
   const ErrorPlace& where = out.mesh.error().where;
   ASSERT_FALSE(where.elements.empty());
   ASSERT_EQ(where.elements.size(), where.points.size());
@@ -147,7 +147,7 @@ TEST(Fallback, NamesTheTrianglesWhereNothingHelps) {
   for (const Eigen::Vector3d& p : surface.points) far = std::max(far, std::abs(p.x()));
   for (const std::uint32_t t : where.elements) ASSERT_LT(t, surface.triangles.size());
   for (const Eigen::Vector3d& p : where.points) EXPECT_NEAR(p.x(), far / 3, 4) << "not where the two touch";
-  EXPECT_EQ(out.notes.size(), 6U) << "the angles, and why each way failed";
+  EXPECT_EQ(out.notes.size(), 6U) << "the angles, and why each strategy failed";
 }
 
 TEST(Fallback, GivesTheSameBytesOnEveryPlatform) {
