@@ -19,6 +19,8 @@ namespace {
 constexpr double kMostSteps = 1e6;
 /// Room for the rounding of a ratio of two times that should be a whole number.
 constexpr double kRounding = 1e-9;
+/// Entries of a matrix that are multiplied in some milliseconds.
+constexpr Eigen::Index kShortPart = 2'000'000;
 
 Error field_error(const std::string& field, const std::string& found, const std::string& expected) {
   return usage_error(kDiffusionStage,
@@ -97,17 +99,33 @@ bool Diffusion::frame_due() const {
   return frames_by(step_) > frames_by(step_ - 1);
 }
 
-Status Diffusion::step() {
+Status Diffusion::start_solve() {
   // (M + dt K) (u_new - u) = -dt K u, where u_new - u is 0 at held points.
   Eigen::VectorXd load;
   fem::multiply(step_stiffness_, temperature_, load);
   for (Eigen::Index i = 0; i < load.size(); ++i) load[i] = held_[static_cast<std::size_t>(i)] ? 0 : -load[i];
-  auto solved = fem::solve_pcg(system_, load, change_, {});
-  if (!solved) return solved.error();
-  change_ = std::move(solved->x);
-  for (Eigen::Index i = 0; i < load.size(); ++i) temperature_[i] += change_[i];
-  ++step_;
+  auto started = fem::PcgSolve::start(system_, load, change_, {});
+  if (!started) return started.error();
+  solve_ = *std::move(started);
   return std::monostate{};
+}
+
+Result<bool> Diffusion::advance(int iterations) {
+  if (!solve_)
+    if (Status started = start_solve(); !started) return started.error();
+  const Result<bool> solved = solve_->iterate(system_, iterations);
+  if (solved && !*solved) return false;
+  if (solved) {
+    change_ = solve_->x();
+    for (Eigen::Index i = 0; i < change_.size(); ++i) temperature_[i] += change_[i];
+    ++step_;
+  }
+  solve_.reset();
+  return solved;
+}
+
+int Diffusion::short_part() const {
+  return static_cast<int>(std::max<Eigen::Index>(1, kShortPart / system_.nonZeros()));
 }
 
 Field Diffusion::temperature() const {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "physics/fem/fixed_order.h"
+#include "physics/fem/solve_pcg.h"
 #include "types/field.h"
 #include "types/result.h"
 #include "types/tet_mesh.h"
@@ -24,7 +26,7 @@ struct DiffusionParams {
 /// Equations", 1994, chapter 11): second order in the edge length h, first in the step. Steps shorter than
 /// about h^2 / D let u fall some hundredths below 0 for a while near `from`: the price of the consistent mass
 /// (Thomee, "Galerkin Finite Element Methods for Parabolic Problems", 2006, chapter 15). A computation that
-/// its caller advances step by step, and may leave at any time.
+/// its caller advances in short parts, and may leave at any time.
 class Diffusion {
  public:
   /// Time 0. Returns kUsage, naming the field (physics.diffusion.from), for a parameter out of its range, a
@@ -39,15 +41,21 @@ class Diffusion {
   /// `frame_ms`, and at the end.
   bool frame_due() const;
 
-  /// Advances by one step; may only be called when not done(). Returns errors of solve_pcg(), after which the
-  /// state is that of the step before.
-  Status step();
+  /// Works on the next step with at most so many iterations of its solver; true when the step is complete,
+  /// and with it time_ms() and temperature() are the new ones. However it is cut, its bytes are the same. May
+  /// only be called when not done(). Returns errors of PcgSolve, after which the state is that of the step
+  /// before.
+  Result<bool> advance(int iterations);
+
+  /// Iterations that take some milliseconds: the fewer, the larger the mesh; at least one.
+  int short_part() const;
 
   /// u at the points, without unit.
   Field temperature() const;
 
  private:
   Diffusion() = default;
+  Status start_solve();
 
   int step_ = 0, steps_ = 0;
   double step_ms_ = 0, frame_ms_ = 0;
@@ -55,6 +63,7 @@ class Diffusion {
   fem::SparseMatrix step_stiffness_;      ///< step times D times stiffness, mm^3
   fem::SparseMatrix system_;              ///< mass + step_stiffness_ with points held, mm^3
   Eigen::VectorXd temperature_, change_;  ///< now, and by the last step
+  std::optional<fem::PcgSolve> solve_;    ///< of the change by the step under way
 };
 
 }  // namespace voxtet

@@ -38,42 +38,51 @@ void add(Eigen::VectorXd& y, double factor, const Eigen::VectorXd& x) {
 
 }  // namespace
 
-Result<PcgSolution> solve_pcg(const SparseMatrix& a, const Eigen::VectorXd& b, const Eigen::VectorXd& x0,
-                              const PcgParams& params) {
+Result<PcgSolve> PcgSolve::start(const SparseMatrix& a, const Eigen::VectorXd& b, Eigen::VectorXd x0,
+                                 const PcgParams& params) {
   if (a.rows() != a.cols() || b.size() != a.rows() || x0.size() != a.rows()) return sizes_differ(a, b, x0);
-  const Eigen::VectorXd diagonal = a.diagonal();
-  for (Eigen::Index i = 0; i < diagonal.size(); ++i)
-    if (!(diagonal[i] > 0)) return not_positive("diagonal entry", diagonal[i]);
-  const double b_norm = std::sqrt(dot(b, b));
-  if (b_norm == 0) return PcgSolution{Eigen::VectorXd::Zero(b.size()), 0};
+  PcgSolve solve;
+  solve.params_ = params;
+  solve.diagonal_ = a.diagonal();
+  for (const double entry : solve.diagonal_)
+    if (!(entry > 0)) return not_positive("diagonal entry", entry);
+  solve.b_norm_ = std::sqrt(dot(b, b));
+  solve.x_ = std::move(x0);
+  if (solve.b_norm_ == 0)
+    solve.x_.setZero();  // the solution, which no number of iterations would reach exactly
+  multiply(a, solve.x_, solve.product_);
+  solve.residual_ = b;
+  add(solve.residual_, -1, solve.product_);
+  solve.direction_ = Eigen::VectorXd::Zero(b.size());
+  return solve;
+}
 
-  PcgSolution solution{x0, 0};
-  Eigen::VectorXd product;
-  multiply(a, x0, product);
-  Eigen::VectorXd residual = b;
-  add(residual, -1, product);
-  Eigen::VectorXd direction = Eigen::VectorXd::Zero(b.size());
-  double previous = 0;  // r . P^-1 r of the iteration before
-  while (true) {
-    const double relative_residual = std::sqrt(dot(residual, residual)) / b_norm;
-    if (relative_residual <= params.relative_tolerance) return solution;
-    if (solution.iterations == params.max_iterations) return not_converged(relative_residual, params);
-
-    double current = 0;
-    for (Eigen::Index i = 0; i < b.size(); ++i) current += residual[i] * (residual[i] / diagonal[i]);
-    const double keep = previous > 0 ? current / previous : 0;
-    for (Eigen::Index i = 0; i < b.size(); ++i)
-      direction[i] = residual[i] / diagonal[i] + keep * direction[i];
-    previous = current;
-
-    multiply(a, direction, product);
-    const double curvature = dot(direction, product);
-    if (!(curvature > 0)) return not_positive("p . A p of a search direction p", curvature);
-    const double step = current / curvature;
-    add(solution.x, step, direction);
-    add(residual, -step, product);
-    ++solution.iterations;
+Result<bool> PcgSolve::iterate(const SparseMatrix& a, int iterations) {
+  for (int done = 0;; ++done) {
+    const double relative_residual = b_norm_ == 0 ? 0 : std::sqrt(dot(residual_, residual_)) / b_norm_;
+    if (relative_residual <= params_.relative_tolerance) return true;
+    if (iterations_ == params_.max_iterations) return not_converged(relative_residual, params_);
+    if (done == iterations) return false;
+    if (Status iterated = iterate_once(a); !iterated) return iterated.error();
   }
+}
+
+Status PcgSolve::iterate_once(const SparseMatrix& a) {
+  double current = 0;
+  for (Eigen::Index i = 0; i < x_.size(); ++i) current += residual_[i] * (residual_[i] / diagonal_[i]);
+  const double keep = previous_ > 0 ? current / previous_ : 0;
+  for (Eigen::Index i = 0; i < x_.size(); ++i)
+    direction_[i] = residual_[i] / diagonal_[i] + keep * direction_[i];
+  previous_ = current;
+
+  multiply(a, direction_, product_);
+  const double curvature = dot(direction_, product_);
+  if (!(curvature > 0)) return not_positive("p . A p of a search direction p", curvature);
+  const double step = current / curvature;
+  add(x_, step, direction_);
+  add(residual_, -step, product_);
+  ++iterations_;
+  return std::monostate{};
 }
 
 }  // namespace voxtet::fem

@@ -15,15 +15,31 @@ struct PcgParams {
   int max_iterations = 1000;
 };
 
-struct PcgSolution {
-  Eigen::VectorXd x;
-  int iterations = 0;
-};
+/// A solve of A x = b under way, for a symmetric positive definite A: a value that its caller may leave
+/// between two iterations and take up later. However it is cut, x has the same bytes. The vectors have a
+/// value for each row of A, x the unit of b over that of A. A is not kept: every call is given the same one.
+class PcgSolve {
+ public:
+  /// Begins at `x0`. Returns kInternal for sizes that differ, and for a diagonal that is not positive.
+  static Result<PcgSolve> start(const SparseMatrix& a, const Eigen::VectorXd& b, Eigen::VectorXd x0,
+                                const PcgParams& params);
 
-/// Solves A x = b for a symmetric positive definite A, from `x0`; the vectors have a value for each row of A,
-/// x the unit of b over that of A. Returns kInternal for sizes that differ, a matrix found not to be positive
-/// definite, and when the tolerance is not met within `max_iterations`.
-Result<PcgSolution> solve_pcg(const SparseMatrix& a, const Eigen::VectorXd& b, const Eigen::VectorXd& x0,
-                              const PcgParams& params);
+  /// At most so many iterations; true when x meets the tolerance. Returns kInternal for a matrix found not to
+  /// be positive definite, and when the tolerance is not met within `max_iterations` of all calls.
+  Result<bool> iterate(const SparseMatrix& a, int iterations);
+
+  int iterations() const { return iterations_; }
+  const Eigen::VectorXd& x() const { return x_; }
+
+ private:
+  PcgSolve() = default;
+  Status iterate_once(const SparseMatrix& a);
+
+  PcgParams params_;
+  double b_norm_ = 0;
+  double previous_ = 0;  ///< r . P^-1 r of the iteration before
+  int iterations_ = 0;
+  Eigen::VectorXd x_, diagonal_, residual_, direction_, product_;
+};
 
 }  // namespace voxtet::fem

@@ -14,8 +14,9 @@ class DiffusionTask : public StageTask {
 
   Result<bool> step(RunContext& ctx) override {
     if (result_.times_ms.empty()) emit(ctx);
-    if (Status stepped = diffusion_.step(); !stepped) return stepped.error();
-    if (diffusion_.frame_due()) emit(ctx);
+    const Result<bool> stepped = diffusion_.advance(diffusion_.short_part());
+    if (!stepped) return stepped.error();
+    if (*stepped && diffusion_.frame_due()) emit(ctx);
     return diffusion_.done();
   }
   double fraction() const override { return diffusion_.fraction(); }

@@ -34,9 +34,13 @@ Diffusion started(const TetMesh& mesh, const DiffusionParams& params) {
   return *std::move(diffusion);
 }
 
-void advance(Diffusion& diffusion) {
-  const Status status = diffusion.step();
-  ASSERT_TRUE(status.ok()) << status.error().message;
+/// By one step, in parts of so many iterations; how many parts it took.
+int advance(Diffusion& diffusion, int iterations = std::numeric_limits<int>::max()) {
+  for (int parts = 1;; ++parts) {
+    const Result<bool> advanced = diffusion.advance(iterations);
+    EXPECT_TRUE(advanced.ok()) << (advanced.ok() ? "" : advanced.error().message);
+    if (!advanced.ok() || *advanced) return parts;
+  }
 }
 
 Eigen::VectorXd values_of(const Field& field) {
@@ -178,6 +182,30 @@ TEST(Diffusion, SameBytesOnEveryPlatform) {
   Sha256 sha;
   sha.update_values(field.values.data(), field.values.size());
   EXPECT_EQ(sha.hex(), "d724e645190c6d494fc547c2695d421b40db50709c0201da654319073c5c649b");
+}
+
+TEST(Diffusion, SameBytesHoweverItsStepsAreCut) {
+  const DiffusionParams params{7, 1.5, 5, 0.7, 5};
+  for (const int iterations : {1, 3}) {
+    Diffusion whole = started(test::kuhn_cube(6), params), cut = whole;
+    while (!whole.done()) {
+      EXPECT_EQ(advance(whole), 1);
+      EXPECT_GT(advance(cut, iterations), 2) << "parts of " << iterations << " iterations";
+      EXPECT_EQ(cut.temperature().values, whole.temperature().values) << "at " << whole.time_ms() << " ms";
+      EXPECT_EQ(cut.time_ms(), whole.time_ms());
+    }
+    EXPECT_TRUE(cut.done());
+  }
+}
+
+TEST(Diffusion, AStepUnderWayChangesNothingBeforeItIsComplete) {
+  Diffusion diffusion = started(test::kuhn_cube(4), {7, 1, 10, 1, 5});
+  const Field before = diffusion.temperature();
+  const Result<bool> advanced = diffusion.advance(2);
+  ASSERT_TRUE(advanced.ok());
+  EXPECT_FALSE(*advanced);
+  EXPECT_EQ(diffusion.time_ms(), 0);
+  EXPECT_EQ(diffusion.temperature().values, before.values);
 }
 
 TEST(Diffusion, NamesTheFieldThatIsOutOfRange) {

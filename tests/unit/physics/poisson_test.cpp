@@ -57,12 +57,14 @@ double error_at(int n) {
   for (Eigen::Index i = 0; i < count; ++i)
     if (held[static_cast<std::size_t>(i)]) load[i] = 0;
   fem::hold_points(stiffness, held);
-  const auto solved = fem::solve_pcg(stiffness, load, Eigen::VectorXd::Zero(count), {});
+  const fem::PcgParams params;
+  fem::PcgSolve solve = fem::PcgSolve::start(stiffness, load, Eigen::VectorXd::Zero(count), params).value();
+  const Result<bool> solved = solve.iterate(stiffness, params.max_iterations);
   if (!solved) {
     ADD_FAILURE() << solved.error().message;
     return 0;
   }
-  const Eigen::VectorXd error = solved->x - exact;
+  const Eigen::VectorXd error = solve.x() - exact;
   Eigen::VectorXd weighted;
   fem::multiply(mass, error, weighted);
   return std::sqrt(fem::dot(error, weighted) / solution.size.prod());

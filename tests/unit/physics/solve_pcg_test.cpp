@@ -28,42 +28,73 @@ struct System {
   Eigen::VectorXd zero() const { return Eigen::VectorXd::Zero(b.size()); }
 };
 
+Result<fem::PcgSolve> solve(const fem::SparseMatrix& a, const Eigen::VectorXd& b, const Eigen::VectorXd& x0,
+                            const fem::PcgParams& params) {
+  Result<fem::PcgSolve> solve = fem::PcgSolve::start(a, b, x0, params);
+  if (!solve) return solve;
+  const Result<bool> done = solve->iterate(a, params.max_iterations);
+  if (!done) return done.error();
+  EXPECT_TRUE(*done);
+  return solve;
+}
+
 TEST(SolvePcg, AgreesWithADirectSolver) {
   const System system;
-  const auto solved = fem::solve_pcg(system.matrix, system.b, system.zero(), {1e-12, 1000});
+  const auto solved = solve(system.matrix, system.b, system.zero(), {1e-12, 1000});
   ASSERT_TRUE(solved.ok()) << solved.error().message;
   const Eigen::SparseMatrix<double> columns = system.matrix;
   const Eigen::VectorXd direct = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(columns).solve(system.b);
-  EXPECT_LT((solved->x - direct).norm(), 1e-9 * direct.norm());
-  EXPECT_GT(solved->iterations, 5);
-  EXPECT_LT(solved->iterations, 100);
+  EXPECT_LT((solved->x() - direct).norm(), 1e-9 * direct.norm());
+  EXPECT_GT(solved->iterations(), 5);
+  EXPECT_LT(solved->iterations(), 100);
 }
 
 TEST(SolvePcg, TheSolutionNeedsNoIteration) {
   const System system;
-  const auto solved = fem::solve_pcg(system.matrix, system.b, system.zero(), {1e-12, 1000});
+  const auto solved = solve(system.matrix, system.b, system.zero(), {1e-12, 1000});
   ASSERT_TRUE(solved.ok());
-  const auto again = fem::solve_pcg(system.matrix, system.b, solved->x, {1e-10, 1000});
+  const auto again = solve(system.matrix, system.b, solved->x(), {1e-10, 1000});
   ASSERT_TRUE(again.ok());
-  EXPECT_EQ(again->iterations, 0);
-  EXPECT_EQ(again->x, solved->x);
-  const auto nothing = fem::solve_pcg(system.matrix, system.zero(), system.b, {});
+  EXPECT_EQ(again->iterations(), 0);
+  EXPECT_EQ(again->x(), solved->x());
+  const auto nothing = solve(system.matrix, system.zero(), system.b, {});
   ASSERT_TRUE(nothing.ok());
-  EXPECT_EQ(nothing->x, system.zero());
+  EXPECT_EQ(nothing->x(), system.zero());
 }
 
 TEST(SolvePcg, SameBytesOnEveryPlatform) {
   const System system;
-  const auto solved = fem::solve_pcg(system.matrix, system.b, system.zero(), {1e-8, 1000});
+  const auto solved = solve(system.matrix, system.b, system.zero(), {1e-8, 1000});
   ASSERT_TRUE(solved.ok());
   Sha256 sha;
-  sha.update_values(solved->x.data(), static_cast<std::size_t>(solved->x.size()));
+  sha.update_values(solved->x().data(), static_cast<std::size_t>(solved->x().size()));
   EXPECT_EQ(sha.hex(), "c23816a007cab6a673888d1c7bff7592091e97b0f75fc7e050c028105446a4da");
+}
+
+TEST(SolvePcg, SameBytesHoweverItIsCut) {
+  const System system;
+  const auto whole = solve(system.matrix, system.b, system.zero(), {});
+  ASSERT_TRUE(whole.ok());
+  for (const int iterations : {1, 2, 7}) {
+    fem::PcgSolve cut = fem::PcgSolve::start(system.matrix, system.b, system.zero(), {}).value();
+    int parts = 0;
+    for (bool done = false; !done; ++parts) {
+      // A value: what is copied goes on like the first.
+      fem::PcgSolve copy = cut;
+      const Result<bool> iterated = copy.iterate(system.matrix, iterations);
+      ASSERT_TRUE(iterated.ok());
+      done = *iterated;
+      cut = copy;
+    }
+    EXPECT_EQ(cut.iterations(), whole->iterations());
+    EXPECT_EQ(parts, (whole->iterations() + iterations - 1) / iterations) << iterations;
+    EXPECT_EQ(cut.x(), whole->x()) << iterations;
+  }
 }
 
 TEST(SolvePcg, TellsWhenItDoesNotConverge) {
   const System system;
-  const auto solved = fem::solve_pcg(system.matrix, system.b, system.zero(), {1e-10, 3});
+  const auto solved = solve(system.matrix, system.b, system.zero(), {1e-10, 3});
   ASSERT_FALSE(solved.ok());
   EXPECT_EQ(solved.error().code, ErrorCode::kInternal);
   EXPECT_NE(solved.error().message.find("after 3 iterations"), std::string::npos) << solved.error().message;
@@ -75,16 +106,16 @@ TEST(SolvePcg, RefusesWhatIsNotPositiveDefinite) {
   matrix.insert(0, 1) = matrix.insert(1, 0) = 2;
   matrix.insert(1, 1) = 1;
   matrix.makeCompressed();
-  const auto indefinite = fem::solve_pcg(matrix, Eigen::Vector2d(1, -1), Eigen::Vector2d::Zero(), {});
+  const auto indefinite = solve(matrix, Eigen::Vector2d(1, -1), Eigen::Vector2d::Zero(), {});
   ASSERT_FALSE(indefinite.ok());
   EXPECT_NE(indefinite.error().message.find("found -2"), std::string::npos) << indefinite.error().message;
   matrix.coeffRef(1, 1) = 0;
-  EXPECT_FALSE(fem::solve_pcg(matrix, Eigen::Vector2d(1, -1), Eigen::Vector2d::Zero(), {}).ok());
+  EXPECT_FALSE(solve(matrix, Eigen::Vector2d(1, -1), Eigen::Vector2d::Zero(), {}).ok());
 }
 
 TEST(SolvePcg, RefusesSizesThatDiffer) {
   const System system;
-  const auto solved = fem::solve_pcg(system.matrix, Eigen::Vector2d(1, 1), system.zero(), {});
+  const auto solved = solve(system.matrix, Eigen::Vector2d(1, 1), system.zero(), {});
   ASSERT_FALSE(solved.ok());
   EXPECT_NE(solved.error().message.find("2 values of b"), std::string::npos) << solved.error().message;
 }

@@ -2,13 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/digest.h"
+#include "physics/diffusion/diffusion.h"
 #include "pipeline/report.h"
 #include "pipeline/result_store.h"
 #include "pipeline/session.h"
+#include "pipeline/stages/diffusion_stage.h"
+#include "support/labelled_mesh.h"
 
 namespace voxtet {
 namespace {
@@ -122,6 +126,30 @@ TEST(Session, GivesTheSameFramesInOnePartAndInMany) {
     return session.diffusion()->frames_digest;
   };
   EXPECT_EQ(digest(0), digest(std::numeric_limits<double>::infinity()));
+}
+
+TEST(DiffusionStage, ReturnsInsideOfAStepWhereTheMeshIsLarge) {
+  const auto mesh = std::make_shared<const TetMesh>(test::kuhn_cube(24));
+  const LoadedFiles files;
+  StageInputs inputs(files);
+  inputs.add(Stage::kOptimise, std::any(mesh));
+  Recipe recipe = diffusing_ball();
+  recipe.physics->diffusion = DiffusionParams{7, 10, 3, 1, 1};
+  const std::unique_ptr<StageTask> task = start_diffusion(inputs, recipe).value();
+  std::vector<Snapshot> frames;
+  RunContext ctx;
+  ctx.on_snapshot = [&](const Snapshot& frame) { frames.push_back(frame); };
+  int parts = 1;
+  for (; !task->step(ctx).value(); ++parts) EXPECT_LE(frames.size(), 4U);
+  EXPECT_GT(parts, 4 * 3) << "parts of three time steps";
+
+  Diffusion whole = Diffusion::start(*mesh, *recipe.physics->diffusion).value();
+  ASSERT_EQ(frames.size(), 4U);
+  for (const Snapshot& frame : frames) {
+    EXPECT_EQ(frame.time_ms, whole.time_ms());
+    EXPECT_EQ(frame.fields[0].values, whole.temperature().values) << "at " << frame.time_ms << " ms";
+    if (!whole.done()) ASSERT_TRUE(whole.advance(std::numeric_limits<int>::max()).value());
+  }
 }
 
 TEST(Session, ANewRecipeEndsARunThatIsUnderWay) {
