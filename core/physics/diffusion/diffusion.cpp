@@ -19,8 +19,8 @@ namespace {
 constexpr double kMostSteps = 1e6;
 /// Room for the rounding of a ratio of two times that should be a whole number.
 constexpr double kRounding = 1e-9;
-/// Entries of a matrix that are multiplied in some milliseconds.
-constexpr Eigen::Index kShortPart = 2'000'000;
+/// Points that an iteration goes through in some milliseconds.
+constexpr std::size_t kShortPart = 150'000;
 
 Error field_error(const std::string& field, const std::string& found, const std::string& expected) {
   return usage_error(kDiffusionStage,
@@ -64,32 +64,22 @@ std::vector<bool> points_of(const TetMesh& mesh, Label label) {
 
 }  // namespace
 
-Result<Diffusion> Diffusion::start(const TetMesh& mesh, const DiffusionParams& params) {
-  if (auto error = check(mesh, params)) return *std::move(error);
+Result<Diffusion> Diffusion::start(std::shared_ptr<const TetMesh> mesh, const DiffusionParams& params) {
+  if (auto error = check(*mesh, params)) return *std::move(error);
   Diffusion diffusion;
   diffusion.steps_ =
       std::max(1, static_cast<int>(std::ceil(params.end_ms / params.step_ms * (1 - kRounding))));
   diffusion.step_ms_ = params.end_ms / diffusion.steps_;
   diffusion.frame_ms_ = params.frame_ms;
+  diffusion.step_diffusivity_ = diffusion.step_ms_ * params.diffusivity_mm2_per_ms;
 
-  const std::vector<double> coefficient(mesh.tets.size(), diffusion.step_ms_ * params.diffusivity_mm2_per_ms);
-  auto stiffness = fem::assemble_stiffness(mesh, coefficient);
-  if (!stiffness) return stiffness.error();
-  auto system = fem::assemble_mass(mesh);
-  if (!system) return system.error();
-  // Both have the same pattern.
-  for (Eigen::Index at = 0; at < system->nonZeros(); ++at)
-    system->valuePtr()[at] += stiffness->valuePtr()[at];
-  diffusion.held_ = points_of(mesh, params.from);
-  fem::hold_points(*system, diffusion.held_);
-  diffusion.step_stiffness_ = *std::move(stiffness);
-  diffusion.system_ = *std::move(system);
-
-  const auto count = static_cast<Eigen::Index>(mesh.points.size());
+  diffusion.held_ = points_of(*mesh, params.from);
+  const auto count = static_cast<Eigen::Index>(mesh->points.size());
   diffusion.temperature_ = Eigen::VectorXd::Zero(count);
   diffusion.change_ = Eigen::VectorXd::Zero(count);
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    if (diffusion.held_[i]) diffusion.temperature_[static_cast<Eigen::Index>(i)] = 1;
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (diffusion.held_[static_cast<std::size_t>(i)]) diffusion.temperature_[i] = 1;
+  diffusion.mesh_ = std::move(mesh);
   return diffusion;
 }
 
@@ -97,6 +87,25 @@ bool Diffusion::frame_due() const {
   if (step_ == 0 || done()) return true;
   const auto frames_by = [&](int step) { return std::floor(step_ms_ * step / frame_ms_ + kRounding); };
   return frames_by(step_) > frames_by(step_ - 1);
+}
+
+/// One of three parts of about the same length: the matrices' pattern, the mass, the stiffness.
+Status Diffusion::prepare() {
+  if (step_stiffness_.rows() == 0) {
+    step_stiffness_ = fem::empty_matrix(*mesh_);
+    return std::monostate{};
+  }
+  if (system_.rows() == 0) {
+    system_ = step_stiffness_;
+    return fem::add_mass(*mesh_, system_);
+  }
+  const std::vector<double> coefficient(mesh_->tets.size(), step_diffusivity_);
+  if (Status added = fem::add_stiffness(*mesh_, coefficient, step_stiffness_); !added) return added;
+  for (Eigen::Index at = 0; at < system_.nonZeros(); ++at)
+    system_.valuePtr()[at] += step_stiffness_.valuePtr()[at];
+  fem::hold_points(system_, held_);
+  mesh_.reset();
+  return std::monostate{};
 }
 
 Status Diffusion::start_solve() {
@@ -111,6 +120,10 @@ Status Diffusion::start_solve() {
 }
 
 Result<bool> Diffusion::advance(int iterations) {
+  if (mesh_) {
+    if (Status prepared = prepare(); !prepared) return prepared.error();
+    return false;
+  }
   if (!solve_)
     if (Status started = start_solve(); !started) return started.error();
   const Result<bool> solved = solve_->iterate(system_, iterations);
@@ -125,7 +138,7 @@ Result<bool> Diffusion::advance(int iterations) {
 }
 
 int Diffusion::short_part() const {
-  return static_cast<int>(std::max<Eigen::Index>(1, kShortPart / system_.nonZeros()));
+  return static_cast<int>(std::max<std::size_t>(1, kShortPart / held_.size()));
 }
 
 Field Diffusion::temperature() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -30,9 +31,9 @@ struct DiffusionParams {
 class Diffusion {
  public:
   /// Time 0. Returns kUsage, naming the field (physics.diffusion.from), for a parameter out of its range, a
-  /// label that no tetrahedron has, and more than a million steps; errors of assemble_stiffness(). The mesh
-  /// is not needed afterwards.
-  static Result<Diffusion> start(const TetMesh& mesh, const DiffusionParams& params);
+  /// label that no tetrahedron has, and more than a million steps. The mesh is held until its matrices are
+  /// made.
+  static Result<Diffusion> start(std::shared_ptr<const TetMesh> mesh, const DiffusionParams& params);
 
   bool done() const { return step_ == steps_; }
   double fraction() const { return static_cast<double>(step_) / steps_; }  ///< 0 to 1
@@ -41,10 +42,10 @@ class Diffusion {
   /// `frame_ms`, and at the end.
   bool frame_due() const;
 
-  /// Works on the next step with at most so many iterations of its solver; true when the step is complete,
-  /// and with it time_ms() and temperature() are the new ones. However it is cut, its bytes are the same. May
-  /// only be called when not done(). Returns errors of PcgSolve, after which the state is that of the step
-  /// before.
+  /// Works on the next step with at most so many iterations of its solver, in the first calls on its
+  /// matrices; true when the step is complete, and with it time_ms() and temperature() are the new ones.
+  /// However it is cut, its bytes are the same. May only be called when not done(). Returns errors of
+  /// PcgSolve, after which the state is that of the step before, and of add_stiffness().
   Result<bool> advance(int iterations);
 
   /// Iterations that take some milliseconds: the fewer, the larger the mesh; at least one.
@@ -55,8 +56,11 @@ class Diffusion {
 
  private:
   Diffusion() = default;
+  Status prepare();
   Status start_solve();
 
+  std::shared_ptr<const TetMesh> mesh_;  ///< null when the matrices are made
+  double step_diffusivity_ = 0;          ///< step times D, mm^2
   int step_ = 0, steps_ = 0;
   double step_ms_ = 0, frame_ms_ = 0;
   std::vector<bool> held_;                ///< by point

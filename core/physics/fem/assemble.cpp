@@ -53,27 +53,6 @@ PointTets tets_of_points(const TetMesh& mesh) {
   return of;
 }
 
-/// Zeros where two points have a tetrahedron in common.
-SparseMatrix pattern_of(const TetMesh& mesh) {
-  const PointTets of = tets_of_points(mesh);
-  const auto size = static_cast<Eigen::Index>(mesh.points.size());
-  std::vector<int> columns, row_begin{0};
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    const auto first = static_cast<std::ptrdiff_t>(columns.size());
-    for (std::size_t at = of.begin[i]; at < of.begin[i + 1]; ++at)
-      for (const std::uint32_t point : mesh.tets[of.tets[at]]) columns.push_back(static_cast<int>(point));
-    std::sort(columns.begin() + first, columns.end());
-    columns.erase(std::unique(columns.begin() + first, columns.end()), columns.end());
-    row_begin.push_back(static_cast<int>(columns.size()));
-  }
-  SparseMatrix matrix(size, size);
-  matrix.resizeNonZeros(static_cast<Eigen::Index>(columns.size()));
-  std::copy(row_begin.begin(), row_begin.end(), matrix.outerIndexPtr());
-  std::copy(columns.begin(), columns.end(), matrix.innerIndexPtr());
-  std::fill_n(matrix.valuePtr(), columns.size(), 0.0);
-  return matrix;
-}
-
 std::optional<Error> check_mesh(const TetMesh& mesh) {
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const double volume = element_of(mesh, t).volume;
@@ -99,9 +78,8 @@ std::optional<Error> check_count(const TetMesh& mesh, std::size_t coefficients) 
 
 /// Adds the matrices that `element_matrix(t)` gives, in the order of the tetrahedra.
 template <class ElementMatrixOf>
-Result<SparseMatrix> assemble(const TetMesh& mesh, ElementMatrixOf&& element_matrix) {
+Status add_elements(const TetMesh& mesh, SparseMatrix& matrix, ElementMatrixOf&& element_matrix) {
   if (const auto error = check_mesh(mesh)) return *error;
-  SparseMatrix matrix = pattern_of(mesh);
   const int* const row_begin = matrix.outerIndexPtr();
   const int* const column = matrix.innerIndexPtr();
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
@@ -115,7 +93,7 @@ Result<SparseMatrix> assemble(const TetMesh& mesh, ElementMatrixOf&& element_mat
       }
     }
   }
-  return matrix;
+  return std::monostate{};
 }
 
 /// The element's stiffness from c grad phi_i, the flux of each of its functions.
@@ -128,9 +106,9 @@ ElementMatrix element_stiffness(const Element& element, const std::array<Eigen::
 }
 
 template <class Coefficient>
-Result<SparseMatrix> stiffness(const TetMesh& mesh, std::span<const Coefficient> coefficient) {
+Status add_stiffness_of(const TetMesh& mesh, std::span<const Coefficient> coefficient, SparseMatrix& matrix) {
   if (const auto error = check_count(mesh, coefficient.size())) return *error;
-  return assemble(mesh, [&](std::size_t t) {
+  return add_elements(mesh, matrix, [&](std::size_t t) {
     const Element element = element_of(mesh, t);
     std::array<Eigen::Vector3d, 4> flux;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -145,8 +123,43 @@ Result<SparseMatrix> stiffness(const TetMesh& mesh, std::span<const Coefficient>
 
 }  // namespace
 
+SparseMatrix empty_matrix(const TetMesh& mesh) {
+  const PointTets of = tets_of_points(mesh);
+  const auto size = static_cast<Eigen::Index>(mesh.points.size());
+  std::vector<int> columns, row_begin{0};
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const auto first = static_cast<std::ptrdiff_t>(columns.size());
+    for (std::size_t at = of.begin[i]; at < of.begin[i + 1]; ++at)
+      for (const std::uint32_t point : mesh.tets[of.tets[at]]) columns.push_back(static_cast<int>(point));
+    std::sort(columns.begin() + first, columns.end());
+    columns.erase(std::unique(columns.begin() + first, columns.end()), columns.end());
+    row_begin.push_back(static_cast<int>(columns.size()));
+  }
+  SparseMatrix matrix(size, size);
+  matrix.resizeNonZeros(static_cast<Eigen::Index>(columns.size()));
+  std::copy(row_begin.begin(), row_begin.end(), matrix.outerIndexPtr());
+  std::copy(columns.begin(), columns.end(), matrix.innerIndexPtr());
+  std::fill_n(matrix.valuePtr(), columns.size(), 0.0);
+  return matrix;
+}
+
+namespace {
+
+template <class Coefficient>
+Result<SparseMatrix> stiffness(const TetMesh& mesh, std::span<const Coefficient> coefficient) {
+  SparseMatrix matrix = empty_matrix(mesh);
+  if (Status added = add_stiffness_of(mesh, coefficient, matrix); !added) return added.error();
+  return matrix;
+}
+
+}  // namespace
+
 Result<SparseMatrix> assemble_stiffness(const TetMesh& mesh, std::span<const double> coefficient) {
   return stiffness(mesh, coefficient);
+}
+
+Status add_stiffness(const TetMesh& mesh, std::span<const double> coefficient, SparseMatrix& matrix) {
+  return add_stiffness_of(mesh, coefficient, matrix);
 }
 
 Result<SparseMatrix> assemble_stiffness(const TetMesh& mesh, std::span<const Eigen::Matrix3d> coefficient) {
@@ -154,7 +167,13 @@ Result<SparseMatrix> assemble_stiffness(const TetMesh& mesh, std::span<const Eig
 }
 
 Result<SparseMatrix> assemble_mass(const TetMesh& mesh) {
-  return assemble(mesh, [&](std::size_t t) {
+  SparseMatrix matrix = empty_matrix(mesh);
+  if (Status added = add_mass(mesh, matrix); !added) return added.error();
+  return matrix;
+}
+
+Status add_mass(const TetMesh& mesh, SparseMatrix& matrix) {
+  return add_elements(mesh, matrix, [&](std::size_t t) {
     const double twentieth = element_of(mesh, t).volume / 20;
     ElementMatrix local{};
     for (std::size_t i = 0; i < 4; ++i)

@@ -17,8 +17,14 @@ namespace voxtet::fem {
 // All functions return kInternal for a coefficient too many or too few, and kBadInput, with its place, for a
 // tetrahedron without a positive volume.
 
+/// Zeros where two points have a tetrahedron in common: what matrices are added to.
+SparseMatrix empty_matrix(const TetMesh& mesh);
+
 /// K_ij = integral of c grad phi_i . grad phi_j, in mm times the unit of c: one number for each tetrahedron.
 Result<SparseMatrix> assemble_stiffness(const TetMesh& mesh, std::span<const double> coefficient);
+
+/// Adds it to a matrix that empty_matrix() gave.
+Status add_stiffness(const TetMesh& mesh, std::span<const double> coefficient, SparseMatrix& matrix);
 
 /// K_ij = integral of grad phi_i . (C grad phi_j), in mm times the unit of C: one symmetric tensor for each
 /// tetrahedron, of which the lower triangle is read.
@@ -26,6 +32,8 @@ Result<SparseMatrix> assemble_stiffness(const TetMesh& mesh, std::span<const Eig
 
 /// M_ij = integral of phi_i phi_j, the consistent mass, in mm^3.
 Result<SparseMatrix> assemble_mass(const TetMesh& mesh);
+/// Adds it to a matrix that empty_matrix() gave.
+Status add_mass(const TetMesh& mesh, SparseMatrix& matrix);
 
 /// The row sums of the consistent mass: a quarter of the volume around each point, in mm^3.
 Result<Eigen::VectorXd> assemble_lumped_mass(const TetMesh& mesh);

@@ -45,7 +45,7 @@ Result<std::unique_ptr<StageTask>> start_diffusion(const StageInputs& in, const 
   if (!recipe.physics || !recipe.physics->diffusion)
     return usage_error(kDiffusionStage, "physics.diffusion: found none, expected what is to spread");
   Result<Diffusion> diffusion =
-      Diffusion::start(in.get<TetMesh>(Stage::kOptimise), *recipe.physics->diffusion);
+      Diffusion::start(in.share<TetMesh>(Stage::kOptimise), *recipe.physics->diffusion);
   if (!diffusion) return diffusion.error();
   return std::unique_ptr<StageTask>(std::make_unique<DiffusionTask>(std::move(diffusion).value()));
 }

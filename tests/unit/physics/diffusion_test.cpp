@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "base/digest.h"
 #include "physics/fem/assemble.h"
@@ -29,7 +30,7 @@ TetMesh two_layers(int nx, int layers) {
 }
 
 Diffusion started(const TetMesh& mesh, const DiffusionParams& params) {
-  auto diffusion = Diffusion::start(mesh, params);
+  auto diffusion = Diffusion::start(std::make_shared<const TetMesh>(mesh), params);
   EXPECT_TRUE(diffusion.ok()) << (diffusion.ok() ? "" : diffusion.error().message);
   return *std::move(diffusion);
 }
@@ -189,7 +190,8 @@ TEST(Diffusion, SameBytesHoweverItsStepsAreCut) {
   for (const int iterations : {1, 3}) {
     Diffusion whole = started(test::kuhn_cube(6), params), cut = whole;
     while (!whole.done()) {
-      EXPECT_EQ(advance(whole), 1);
+      const int parts = whole.time_ms() == 0 ? 4 : 1;
+      EXPECT_EQ(advance(whole), parts) << "three parts for the matrices, and one for each step";
       EXPECT_GT(advance(cut, iterations), 2) << "parts of " << iterations << " iterations";
       EXPECT_EQ(cut.temperature().values, whole.temperature().values) << "at " << whole.time_ms() << " ms";
       EXPECT_EQ(cut.time_ms(), whole.time_ms());
@@ -201,9 +203,11 @@ TEST(Diffusion, SameBytesHoweverItsStepsAreCut) {
 TEST(Diffusion, AStepUnderWayChangesNothingBeforeItIsComplete) {
   Diffusion diffusion = started(test::kuhn_cube(4), {7, 1, 10, 1, 5});
   const Field before = diffusion.temperature();
-  const Result<bool> advanced = diffusion.advance(2);
-  ASSERT_TRUE(advanced.ok());
-  EXPECT_FALSE(*advanced);
+  for (int part = 0; part < 4; ++part) {
+    const Result<bool> advanced = diffusion.advance(2);
+    ASSERT_TRUE(advanced.ok());
+    EXPECT_FALSE(*advanced);
+  }
   EXPECT_EQ(diffusion.time_ms(), 0);
   EXPECT_EQ(diffusion.temperature().values, before.values);
 }
@@ -212,7 +216,7 @@ TEST(Diffusion, NamesTheFieldThatIsOutOfRange) {
   const TetMesh mesh = test::kuhn_cube(2);
   const double infinity = std::numeric_limits<double>::infinity();
   const auto message = [&](const DiffusionParams& params) {
-    const auto diffusion = Diffusion::start(mesh, params);
+    const auto diffusion = Diffusion::start(std::make_shared<const TetMesh>(mesh), params);
     if (diffusion.ok()) return std::string("none");
     EXPECT_EQ(diffusion.error().code, ErrorCode::kUsage);
     return diffusion.error().message;

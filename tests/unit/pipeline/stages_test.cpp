@@ -143,12 +143,14 @@ TEST(DiffusionStage, ReturnsInsideOfAStepWhereTheMeshIsLarge) {
   for (; !task->step(ctx).value(); ++parts) EXPECT_LE(frames.size(), 4U);
   EXPECT_GT(parts, 4 * 3) << "parts of three time steps";
 
-  Diffusion whole = Diffusion::start(*mesh, *recipe.physics->diffusion).value();
+  Diffusion whole = Diffusion::start(mesh, *recipe.physics->diffusion).value();
   ASSERT_EQ(frames.size(), 4U);
   for (const Snapshot& frame : frames) {
     EXPECT_EQ(frame.time_ms, whole.time_ms());
     EXPECT_EQ(frame.fields[0].values, whole.temperature().values) << "at " << frame.time_ms << " ms";
-    if (!whole.done()) ASSERT_TRUE(whole.advance(std::numeric_limits<int>::max()).value());
+    if (whole.done()) break;
+    while (!whole.advance(std::numeric_limits<int>::max()).value()) {
+    }
   }
 }
 
