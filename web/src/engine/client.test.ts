@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it } from 'vitest';
 import { EngineClient } from './client';
-import { EngineError, stageNames, type Recipe, type StageArrays } from './contract';
+import { EngineError, stageNames, type Frame, type Recipe, type StageArrays } from './contract';
 import { mockFile, Workers } from './testing/workers';
 
 const phantom = { source: { phantom: {} } } as unknown as Recipe;
@@ -248,6 +248,67 @@ describe('EngineClient', () => {
     client.forgetVolumes(second.digest);
     expect(client.volumeFile(first.digest)).toBeUndefined();
     expect(client.volumeFile(second.digest)?.name).toBe('b.nii');
+  });
+
+  describe('simulates on a mesh', () => {
+    const recipe = JSON.stringify({ ...phantom, physics: { diffusion: { from: 1 } } });
+
+    /** Frames as they come, until `enough` of them call something. */
+    async function meshed(enough = Infinity, then: (client: EngineClient) => void = () => undefined) {
+      const client = start();
+      await client.run(JSON.stringify(phantom), phantom.source, 'quality');
+      const stages: string[] = [];
+      const frames: Frame[] = [];
+      const simulation = client.simulate(recipe, phantom.source, 'diffusion', {
+        onProgress: (stage) => stages.push(stage),
+        onFrame: (frame) => void (frames.push(frame) === enough && then(client)),
+      });
+      return { client, stages, frames, simulation };
+    }
+
+    it('and hands over every frame in order, with room for a texture', async () => {
+      const { frames, stages, simulation } = await meshed();
+      expect((await simulation).name).toBe('diffusion');
+      expect(frames.map(({ timeMs }) => timeMs)).toEqual(Array.from({ length: 20 }, (_, i) => 5 * (i + 1)));
+      expect(frames[3].values.temperature[0]).toBeCloseTo(0.2, 6);
+      expect(frames[3].values.temperature.length).toBe(frames[3].fields[0].count);
+      expect(new Set(stages)).toEqual(new Set(['diffusion']));
+    });
+
+    it('and is cancelled by word: its worker lives on, and an export runs no stage again', async () => {
+      let cancelled: Promise<number> | undefined;
+      const run = await meshed(3, (client) => (cancelled = client.cancel()));
+      expect((await failureOf(run.simulation)).code).toBe('cancelled');
+      expect(await cancelled).toBeLessThan(1000);
+      expect(run.frames.length).toBeLessThan(20);
+      const again: string[] = [];
+      await run.client.exportMesh(JSON.stringify(phantom), phantom.source, 'vtu', 'ras', 'heart', false, {
+        onProgress: (stage) => again.push(stage),
+      });
+      expect(again).toEqual([]);
+      expect(workers.released.length).toBe(workers.spawned);
+      expect(workers.spawned).toBe(2);
+    });
+
+    it('and goes on after it was held', async () => {
+      const run = await meshed(3, (client) => client.pauseSimulation(true));
+      await new Promise((later) => setTimeout(later, 100));
+      const held = run.frames.length;
+      expect(held).toBeLessThan(20);
+      await new Promise((later) => setTimeout(later, 60));
+      expect(run.frames.length).toBe(held);
+      run.client.pauseSimulation(false);
+      await run.simulation;
+      expect(run.frames.length).toBe(20);
+    });
+
+    it('and is cancelled while it is held', async () => {
+      const run = await meshed(3, (client) => client.pauseSimulation(true));
+      await new Promise((later) => setTimeout(later, 60));
+      await run.client.cancel();
+      expect((await failureOf(run.simulation)).code).toBe('cancelled');
+      expect(workers.spawned).toBe(2);
+    });
   });
 
   it('exports the files of a format', async () => {

@@ -6,11 +6,14 @@ import {
   type ExportedFile,
   type ExportFormat,
   type FileSource,
+  type Frame,
   type Recipe,
   type Reply,
   type Report,
   type SideKind,
   type SideSummary,
+  type SimulationName,
+  type SimulationSummary,
   type Space,
   type StageArrays,
   type StageName,
@@ -19,6 +22,7 @@ import {
   type VolumeSummary,
 } from './contract';
 import {
+  endSimulation,
   failure,
   startGeneration,
   unlessEnded,
@@ -35,6 +39,11 @@ export interface RunHandlers {
   onStage?(summary: StageSummary, arrays: Partial<StageArrays[StageName]> | null): void;
 }
 
+export interface SimulationHandlers {
+  onProgress(stage: string, fraction: number): void;
+  onFrame(frame: Frame): void;
+}
+
 export interface RecipeReply {
   recipe: Recipe;
   minimal: Record<string, unknown>;
@@ -46,8 +55,9 @@ const cancelled = () => failure('cancelled', 'The run was cancelled.');
 
 /**
  * The engine behind typed promises. Jobs run one at a time in a disposable worker: cancelling, or starting a job
- * that supersedes another, ends the worker and goes on in a spare one, made from the compiled module. The bytes of opened
- * files stay here, so a new worker gets them again and nothing that the user did is lost.
+ * that supersedes another, ends the worker and goes on in a spare one, made from the compiled module; a simulation ends
+ * by itself, and its worker keeps the mesh. The bytes of opened files stay here, so a new worker gets them again and
+ * nothing that the user did is lost.
  */
 export class EngineClient {
   private readonly setup: EngineSetup;
@@ -216,6 +226,32 @@ export class EngineClient {
     });
   }
 
+  /** Computes on the mesh of this recipe; stages that the worker no longer holds run before. */
+  simulate(
+    recipeJson: string,
+    source: Recipe['source'],
+    stage: SimulationName,
+    handlers: SimulationHandlers,
+  ): Promise<SimulationSummary> {
+    return this.job(async (generation) => {
+      await this.prepare(generation, recipeJson, source);
+      const progress = Comlink.proxy((name: string, fraction: number) => handlers.onProgress(name, fraction));
+      const frames = Comlink.proxy(async (frame: Frame) => handlers.onFrame(frame));
+      const simulation = this.answer(generation, stage, generation.api.simulate(stage, progress, frames));
+      generation.simulation = simulation;
+      try {
+        return await simulation;
+      } finally {
+        generation.simulation = null;
+      }
+    });
+  }
+
+  /** Holds the simulation under way, or lets it go on. */
+  pauseSimulation(paused: boolean): void {
+    if (this.generation.simulation) void this.generation.api.pauseSimulation(paused);
+  }
+
   /** Files of the mesh of this recipe; stages that the worker no longer holds run again. */
   exportMesh(
     recipeJson: string,
@@ -236,11 +272,13 @@ export class EngineClient {
     });
   }
 
-  /** Ends whatever runs. Resolves when the next engine answers, with the milliseconds that took. */
+  /** Ends whatever runs. Resolves when the engine answers again, with the milliseconds that took. */
   async cancel(): Promise<number> {
     const begin = performance.now();
-    this.replace(cancelled());
-    await this.generation.started;
+    if (!(await endSimulation(this.generation))) {
+      this.replace(cancelled());
+      await this.generation.started;
+    }
     return performance.now() - begin;
   }
 

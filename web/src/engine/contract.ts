@@ -7,6 +7,9 @@ export * from './recipe_types';
 export { stageNames };
 export type StageName = (typeof stageNames)[number];
 
+/** Stages that are worked on in short steps and give frames. They run when they are asked for. */
+export type SimulationName = 'diffusion';
+
 export type ErrorCode =
   | 'usage'
   | 'bad_input'
@@ -66,6 +69,8 @@ export interface StageSummary {
   notes: string[];
   counts: Record<string, unknown>;
 }
+
+export type SimulationSummary = Omit<StageSummary, 'name'> & { name: SimulationName };
 
 export interface Histogram {
   lo: number;
@@ -285,6 +290,13 @@ export interface FieldInfo {
   range: [number, number] | null;
 }
 
+/** One frame of a result that lives in time: its fields, and their values by name. */
+export interface Frame {
+  timeMs: number;
+  fields: FieldInfo[];
+  values: Record<string, Float32Array>;
+}
+
 export interface StageArrays {
   volume: { labels: Uint16Array };
   surface: SurfaceArrays;
@@ -308,6 +320,15 @@ export interface EngineApi {
     stage: StageName,
     onProgress: (stage: StageName, fraction: number) => void,
   ): Promise<Reply<StageSummary>>;
+  /** The same for a simulation, which hands over its frames, and between two parts hears the two that follow. */
+  simulate(
+    stage: SimulationName,
+    onProgress: (stage: string, fraction: number) => void,
+    onFrame: (frame: Frame) => Promise<void>,
+  ): Promise<Reply<SimulationSummary>>;
+  pauseSimulation(paused: boolean): void;
+  /** It answers `cancelled`; what was complete before it stays. */
+  endSimulation(): void;
   /** After the stages up to sizing. With `elements` above 0 also the sizes that give so many tetrahedra. */
   forecast(elements: number): Reply<Forecast & { fitting?: FittingSizes }>;
   arrays(stage: StageName): Reply<Partial<StageArrays[StageName]>>;

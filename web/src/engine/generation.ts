@@ -34,6 +34,8 @@ export interface Generation {
   volume: string | null;
   /** What it holds of each kind beside it, by name. */
   sides: Map<string, Side>;
+  /** The simulation under way. */
+  simulation: Promise<unknown> | null;
 }
 
 export function failure(code: ErrorCode, message: string, stage = 'engine'): EngineError {
@@ -46,6 +48,20 @@ export function unlessEnded<T>(generation: Generation, call: Promise<T>): Promis
     if (!generation.alive) return void generation.ended.catch(failed);
     generation.waiting.add(failed);
     void call.then(done, failed).then(() => generation.waiting.delete(failed));
+  });
+}
+
+/** From asking a simulation to end until it is given up with its worker. */
+const patienceMs = 1000;
+
+/** Whether a simulation was under way and has ended by itself: its worker still holds the mesh. */
+export function endSimulation({ simulation, api }: Generation): Promise<boolean> {
+  if (!simulation) return Promise.resolve(false);
+  void api.endSimulation();
+  return new Promise((done) => {
+    setTimeout(done, patienceMs, false);
+    const ended = () => done(true);
+    void simulation.then(ended, ended);
   });
 }
 
@@ -74,6 +90,7 @@ export function startGeneration(
     alive: true,
     volume: null,
     sides: new Map(),
+    simulation: null,
     end(error) {
       generation.alive = false;
       reject(error);

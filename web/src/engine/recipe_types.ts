@@ -18,3 +18,4 @@ export type RegionShape = SizeRegion['shape'];
 export type ThicknessSize = Recipe['sizing']['thickness'][number];
 export type MaskSize = Recipe['sizing']['masks'][number];
 export type CurvatureSize = Recipe['sizing']['curvature'][number];
+export type DiffusionParams = NonNullable<NonNullable<Recipe['physics']>['diffusion']>;

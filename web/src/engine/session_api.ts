@@ -4,17 +4,17 @@ import { tetFaces } from '../geometry/tet_faces';
 import { tetNeighbours } from '../geometry/tet_neighbours';
 import type {
   EngineApi,
-  ErrorInfo,
   FieldInfo,
   ExportedFile,
   Reply,
   StageArrays,
   StageName,
-  StageSummary,
   SurfaceArrays,
   TetArrays,
 } from './contract';
 import { stageNames } from './contract';
+import { guarded } from './failures';
+import { PartedRuns } from './parts';
 
 type View = Float32Array | Uint32Array | Uint16Array;
 /** A view's copy, or what the worker made of some. */
@@ -33,6 +33,8 @@ export interface Session {
   forecast(elements: number): string;
   describe(stage: string): string;
   array(stage: string, name: string): View | undefined;
+  takeSnapshot(): string;
+  snapshotArray(name: string): View | undefined;
   exportMesh(format: string, space: string, name: string, measures: boolean): string;
   exportBytes(index: number): Uint8Array;
   report(): string;
@@ -75,56 +77,8 @@ function isShownStage(name: string): name is StageName {
   return (stageNames as readonly string[]).includes(name);
 }
 
-/** Messages closer together than this tell a person nothing. */
-const progressIntervalMs = 40;
-
-function describeFailure(failure: unknown, stage: string): ErrorInfo {
-  const text = failure instanceof Error ? `${failure.name}: ${failure.message}` : String(failure);
-  const memory =
-    /out of memory|\bOOM\b|bad_alloc|enlarge memory|allocation failed|Invalid typed array length/i;
-  const exhausted = memory.test(text);
-  return {
-    code: exhausted ? 'out_of_memory' : 'internal',
-    stage,
-    message: exhausted
-      ? 'The engine ran out of memory. Larger edge lengths or fewer labels need less.'
-      : `The engine stopped unexpectedly (${text}).`,
-    fatal: true,
-  };
-}
-
-function guarded<T>(stage: string, body: () => Reply<T>): Reply<T> {
-  try {
-    return body();
-  } catch (failure) {
-    return { ok: false, error: describeFailure(failure, stage) };
-  }
-}
-
 function copied(view: View): View {
   return view.slice() as View;
-}
-
-interface RunProgress {
-  done: boolean;
-  stage: string;
-  fraction: number;
-  summary?: StageSummary;
-}
-
-/** What the engine may work on before it hears what else is wanted; stages that cannot be cut take longer. */
-const budgetMs = 50;
-
-/** Lets the messages that have come in be heard. */
-function nextMessage(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
 }
 
 function fieldsOf(session: Session, stages: readonly string[]): StageArrays['quality'] {
@@ -145,6 +99,7 @@ function fieldsOf(session: Session, stages: readonly string[]): StageArrays['qua
 
 /** One session as plain values: texts parsed, views copied once, failures turned into typed errors. */
 export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
+  const runs = new PartedRuns(session);
   return {
     loadVolume: (file) =>
       guarded('volume', () => JSON.parse(session.loadVolume(file.name, file.bytes, file.siblings))),
@@ -157,27 +112,15 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
         return JSON.parse(session.setRecipe(json)) as ReturnType<EngineApi['setRecipe']>;
       }),
 
-    run: async (stage, onProgress) => {
-      let current: string = stage;
-      let lastTime = 0;
-      const tell = (engineStage: string, engineFraction: number) => {
+    run: (stage, onProgress) =>
+      runs.run(stage, (engineStage, engineFraction) => {
         const [name, fraction] = asShown(engineStage, engineFraction);
-        if (!isShownStage(name)) return;
-        const now = performance.now();
-        if (name === current && fraction < 1 && now - lastTime < progressIntervalMs) return;
-        current = name;
-        lastTime = now;
-        onProgress(name, fraction);
-      };
-      const begun = guarded(stage, () => JSON.parse(session.begin(stage)) as Reply<null>);
-      if (!begun.ok) return begun;
-      for (;;) {
-        const reply = guarded(stage, () => JSON.parse(session.advance(budgetMs, tell)) as Reply<RunProgress>);
-        if (!reply.ok) return reply;
-        if (reply.value.summary) return { ok: true, value: reply.value.summary };
-        await nextMessage();
-      }
-    },
+        if (isShownStage(name)) onProgress(name, fraction);
+      }),
+
+    simulate: (stage, onProgress, onFrame) => runs.run(stage, onProgress, onFrame),
+    pauseSimulation: (paused) => runs.pause(paused),
+    endSimulation: () => runs.end(),
 
     forecast: (elements) => guarded('forecast', () => JSON.parse(session.forecast(elements))),
 

@@ -1,5 +1,5 @@
 import * as Comlink from 'comlink';
-import type { EngineApi, EngineInfo } from './contract';
+import type { EngineApi, EngineInfo, Frame } from './contract';
 import { createSessionApi, transferables, type EngineModule } from './session_api';
 
 type CreateEngine = (options: {
@@ -46,19 +46,31 @@ function handOver<T extends object>(reply: T): T {
   return Comlink.transfer(reply, transferables(reply as never));
 }
 
+/** Callbacks are ports of their own, which both sides would keep open after the run. */
+function releasing<T>(run: Promise<T>, ...callbacks: unknown[]): Promise<T> {
+  return run.finally(() => {
+    for (const callback of callbacks) (callback as Comlink.ProxyMethods)[Comlink.releaseProxy]();
+  });
+}
+
 const api: EngineApi = {
   start,
   loadVolume: (file) => current().loadVolume(file),
   loadSideVolume: (kind, file) => current().loadSideVolume(kind, file),
   setRecipe: (json) => current().setRecipe(json),
-  run: async (stage, onProgress) => {
-    try {
-      return await current().run(stage, onProgress);
-    } finally {
-      // The callback is a port of its own, which both sides would keep open.
-      (onProgress as unknown as Comlink.ProxyMethods)[Comlink.releaseProxy]();
-    }
+  run: (stage, onProgress) => releasing(current().run(stage, onProgress), onProgress),
+  simulate(stage, onProgress, onFrame) {
+    const hand = (frame: Frame) =>
+      onFrame(
+        Comlink.transfer(
+          frame,
+          Object.values(frame.values).map(({ buffer }) => buffer),
+        ),
+      );
+    return releasing(current().simulate(stage, onProgress, hand), onProgress, onFrame);
   },
+  pauseSimulation: (paused) => current().pauseSimulation(paused),
+  endSimulation: () => current().endSimulation(),
   forecast: (elements) => current().forecast(elements),
   arrays: (stage) => handOver(current().arrays(stage)),
   exportMesh: (format, space, name, measures) =>

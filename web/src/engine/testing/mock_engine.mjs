@@ -2,6 +2,8 @@
 import { optionalDefaults, recipeDefaults, stageSpecs } from '../generated';
 import { oppositeFace, tetNeighbours } from '../../geometry/tet_neighbours';
 
+/** A simulation gives so many frames, one in each part. */
+const frameCount = 20;
 const cubeTets = [
   [0, 1, 3, 5],
   [0, 3, 2, 6],
@@ -22,7 +24,7 @@ function hash(text) {
 function merged(base, change, path) {
   const out = { ...base };
   for (const [key, value] of Object.entries(change)) {
-    if (!(key in base) && !path.startsWith('source') && key !== 'expected')
+    if (!(key in base) && !path.startsWith('source') && !['expected', 'physics'].includes(key))
       throw new Error(`${path}${key}: unknown field`);
     const inner = base[key];
     out[key] =
@@ -171,10 +173,11 @@ class Session {
   setRecipe(text) {
     try {
       const minimal = JSON.parse(text);
+      const before = JSON.stringify({ ...this.recipe, physics: undefined });
       this.recipe = merged(defaults, minimal, '');
       const { phantom } = this.recipe.source;
       if (phantom) this.recipe.source = { phantom: { ...phantomDefaults, ...phantom } };
-      this.done.clear();
+      if (JSON.stringify({ ...this.recipe, physics: undefined }) !== before) this.done.clear();
       return JSON.stringify({ ok: true, value: { recipe: this.recipe, minimal } });
     } catch (error) {
       return JSON.stringify({
@@ -185,13 +188,35 @@ class Session {
   }
   begin(stage) {
     this.last = stage;
+    this.frame = 0;
+    this.waiting = [];
     return JSON.stringify({ ok: true, value: null });
   }
   end() {
     this.last = null;
   }
   advance(_budgetMs, onProgress) {
-    const stage = this.last;
+    if (this.last !== 'diffusion') return this.advanceTo(this.last, onProgress);
+    if (!this.done.has('quality')) this.advanceTo('quality', onProgress);
+    const [stage, fraction] = ['diffusion', ++this.frame / frameCount];
+    const info = { name: 'temperature', title: 'Temperature', unit: '1', on: 'points', scale: 'sequential' };
+    const field = { ...info, components: 1, count: this.mesh.points.length / 3, range: [0, fraction] };
+    this.waiting.push({ time_ms: 5 * this.frame, fields: [field] });
+    onProgress(stage, fraction);
+    const done = fraction === 1;
+    const summary = done
+      ? { name: stage, key: hash(stage), cached: false, notes: [], counts: {} }
+      : undefined;
+    return JSON.stringify({ ok: true, value: { done, stage, fraction, summary } });
+  }
+  takeSnapshot() {
+    this.taken = this.waiting.shift() ?? null;
+    return JSON.stringify({ ok: true, value: this.taken });
+  }
+  snapshotArray() {
+    return new Float32Array(this.mesh.points.length / 3).fill(this.taken.time_ms / 100);
+  }
+  advanceTo(stage, onProgress) {
     if (!this.recipe.source.phantom && !this.file) {
       return JSON.stringify({
         ok: false,

@@ -55,6 +55,9 @@ export class Workers {
         if (this.late) setTimeout(() => onProgress(stage, 1), 10);
         return stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress);
       },
+      simulate: (stage, onProgress, onFrame) => session.simulate(stage, onProgress, onFrame),
+      pauseSimulation: (paused) => session.pauseSimulation(paused),
+      endSimulation: () => session.endSimulation(),
       forecast: (elements) =>
         this.hang === 'forecast' ? (new Promise(() => undefined) as never) : session.forecast(elements),
       arrays: (stage) => {
