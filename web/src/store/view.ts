@@ -82,6 +82,8 @@ export const sliceOverlay = signal<SliceOverlay>('labels');
 export const explode = signal(0);
 export const hiddenLabels = signal<ReadonlySet<number>>(new Set());
 export const ownColours = signal<Readonly<Record<number, string>>>({});
+/** The time cursor of what is played, ms. */
+export const time = signal(0);
 export const theme = signal<ThemeChoice>('system');
 export const dark = signal(false);
 /** Whether there is a view that obeys commands: without WebGL 2 there is none. */

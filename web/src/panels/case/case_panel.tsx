@@ -1,6 +1,7 @@
 import type { Recipe } from '../../engine/contract';
 import { forecast } from '../../store/run/forecast';
 import { awaitedFile, volume } from '../../store/case/input';
+import { developer } from '../../store/developer';
 import { editRecipe, recipe } from '../../store/case/recipe';
 import { activity } from '../../store/run/stages';
 import { CurvatureList } from './curvature_list';
@@ -11,6 +12,7 @@ import { TransferFields } from './transfer_fields';
 import { MergeAllField } from './merge_all_field';
 import { PaintSection } from './paint_section';
 import { RegionList } from './region_list';
+import { SimulationSection } from './simulation_section';
 import { SizeFiles } from './size_files';
 import { SourceSection } from './source_section';
 import { StageSection } from './stage_section';
@@ -90,6 +92,7 @@ export function CasePanel() {
           <LabelSection current={current} />
           <SizingSection current={current} />
           <StageSection current={current} />
+          {developer && <SimulationSection current={current} />}
         </>
       )}
       {!chosen && (

@@ -7,6 +7,9 @@ const paths = {
     'M8.5 11.5a3.5 3.5 0 0 0 5 0l3-3a3.5 3.5 0 0 0-5-5l-1 1M11.5 8.5a3.5 3.5 0 0 0-5 0l-3 3a3.5 3.5 0 0 0 5 5l1-1',
   download: 'M10 3v9.5M6 9l4 4 4-4M3.5 16.5h13',
   play: 'M6 3.8v12.4L16 10z',
+  pause: 'M5 4h3.5v12H5zM11.5 4H15v12h-3.5z',
+  step_back: 'M15 4v12L7 10zM4.5 4H7v12H4.5z',
+  step_on: 'M5 4v12l8-6zM13 4h2.5v12H13z',
   stop: 'M5 5h10v10H5z',
   plus: 'M10 4v12M4 10h12',
   trash: 'M3.5 5.5h13M8 5.5v-2h4v2M5.5 5.5l.8 11h7.4l.8-11',
@@ -29,8 +32,10 @@ const paths = {
 
 export type IconName = keyof typeof paths;
 
+const filledIcons: ReadonlySet<IconName> = new Set(['play', 'pause', 'stop', 'step_back', 'step_on']);
+
 export function Icon({ name, size = 16 }: { name: IconName; size?: number }) {
-  const filled = name === 'play' || name === 'stop';
+  const filled = filledIcons.has(name);
   return (
     <svg
       class={filled ? 'icon filled' : 'icon'}

@@ -1,3 +1,5 @@
+import { developer } from '../../store/developer';
+
 const keys: [string, string][] = [
   ['Ctrl Enter', 'Run'],
   ['Esc', 'Cancel a run; else show all elements again'],
@@ -9,6 +11,11 @@ const keys: [string, string][] = [
   ['F', 'Fit to view'],
   ['P', 'Save a picture'],
   ['?', 'This list'],
+];
+
+const inTime: [string, string][] = [
+  ['K', 'Play, pause'],
+  [', and .', 'The frame before, the next frame'],
 ];
 
 const inViews: [string, string][] = [
@@ -39,6 +46,7 @@ export function KeyList() {
   return (
     <>
       <List title="Everywhere" rows={keys} />
+      {developer && <List title="While something is played" rows={inTime} />}
       <List title="In a view that has the focus" rows={inViews} />
     </>
   );

@@ -5,6 +5,7 @@ import { cancelRun, runAll } from '../../store/run/run_stages';
 import { pinned } from '../../store/run/compare';
 import { downloadPicture } from '../../store/case/exchange';
 import { volume } from '../../store/case/input';
+import { stepFrame, togglePlaying } from '../../store/run/player';
 import { shownKeys } from '../../store/run/results';
 import { activity } from '../../store/run/stages';
 import { dialogShown } from '../controls/dialog_shown';
@@ -20,6 +21,9 @@ const viewKeys: Record<string, () => void> = {
   f: () => (command.value = { kind: 'fit' }),
   p: () => void downloadPicture(),
   '?': () => (dialogShown.value = 'keys'),
+  k: togglePlaying,
+  ',': () => stepFrame(-1),
+  '.': () => stepFrame(1),
   '[': () => stepStage(-1),
   ']': () => stepStage(1),
 };

@@ -3,6 +3,7 @@ import { volume } from '../../store/case/input';
 import { activity } from '../../store/run/stages';
 import { layout, legend, sliceLegend } from '../../store/view';
 import { EmptyState } from '../case/empty_state';
+import { PlayerBar } from './player_bar';
 import { LegendCard, PickedCard } from './view_cards';
 import { ShowAll, SliceChoice, ViewToolbar } from './view_tools';
 
@@ -52,6 +53,7 @@ export function ViewPanel() {
           </>
         )}
       </div>
+      {opened && <PlayerBar />}
     </main>
   );
 }

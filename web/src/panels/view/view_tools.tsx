@@ -3,6 +3,7 @@ import { pinned } from '../../store/run/compare';
 import { downloadPicture } from '../../store/case/exchange';
 import { nameOf } from '../../store/case/input';
 import { recipe } from '../../store/case/recipe';
+import { playedFields } from '../../store/run/frames';
 import { shownResult } from '../../store/run/results';
 import { report } from '../../store/run/report';
 import {
@@ -33,14 +34,16 @@ const cutAxes: [string, string, Vec3][] = [
   ['S', 'Cut from head to feet', [0, 0, 1]],
 ];
 
-/** Every field that the evidence has, in the engine's words. */
+/** Every field that the evidence has, and those that are played, in the engine's words. */
 function fieldOptions(): [ColourBy, string][] {
   const fields = shownResult('quality')?.fields ?? [];
-  return fields.map(({ name, title, unit, on }): [ColourBy, string] => {
+  const played = playedFields.value.map(({ info: { name, title } }): [ColourBy, string] => [name, title]);
+  const measured = fields.map(({ name, title, unit, on }): [ColourBy, string] => {
     const label = fractionLabel(name);
     if (label !== null) return [name, `Share of ${nameOf(label)}`];
     return [name, on === 'points' ? `${title}, ${unit}` : title];
   });
+  return [...measured, ...played];
 }
 
 function ColourChoice() {

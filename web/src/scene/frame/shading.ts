@@ -5,7 +5,7 @@ uniform vec4 clipPlane;
 uniform float edgeStrength;
 uniform vec3 edgeColour;
 uniform float opacity;
-flat in vec3 vColour;
+in vec3 vColour;
 flat in uint vElement;
 in vec3 vView;
 in vec3 vWorld;

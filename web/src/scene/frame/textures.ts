@@ -35,6 +35,12 @@ export function arrayTexture(array: ArrayLike<number>, channels: 1 | 4): DataTex
   return texture;
 }
 
+/** Puts another array of the same length and kind into such a texture. */
+export function refill(texture: DataTexture, array: ArrayLike<number>): void {
+  texture.image.data = inRows(array as Texels, 1) as never;
+  texture.needsUpdate = true;
+}
+
 export function pointTexture(points: Float32Array): DataTexture {
   const wide = new Float32Array((points.length / 3) * 4);
   for (let i = 0, j = 0; i < points.length; i += 3, j += 4) {

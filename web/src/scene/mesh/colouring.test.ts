@@ -1,7 +1,8 @@
 import { afterEach, describe, expect, it } from 'vitest';
 import type { FieldInfo, StageArrays } from '../../engine/contract';
 import { colourBy } from '../../store/view';
-import { tetPaint } from './colouring';
+import { forgetFrames, keepFrame } from '../../store/run/frames';
+import { playedPaint, roundEnds, tetPaint } from './colouring';
 
 function field(name: string, values: Float32Array, told: Partial<FieldInfo> = {}): StageArrays['quality'] {
   const info = { name, title: name, unit: '1', on: 'tets', scale: 'sequential', components: 1 } as const;
@@ -54,5 +55,28 @@ describe('colours of tetrahedra', () => {
     const paint = tetPaint(field('distance_mm', distances, { on: 'points', unit: 'mm' }));
     expect(paint.kind === 'points' && [...paint.values]).toEqual([-1, 0, 1, 2]);
     expect(paint.kind === 'points' && paint.legend).toMatchObject({ unit: 'mm', lo: 0, hi: 2 });
+  });
+});
+
+describe('colours of what is played', () => {
+  afterEach(() => {
+    colourBy.value = 'label';
+    forgetFrames();
+  });
+
+  it('go on between points, on one scale in round numbers', () => {
+    const { fields } = field('temperature', parts, { on: 'points', range: [-0.005, 1] });
+    keepFrame({ timeMs: 0, fields, values: { temperature: parts } });
+    expect(playedPaint()).toBeNull();
+    colourBy.value = 'temperature';
+    expect(playedPaint()).toMatchObject({ kind: 'nodal', values: parts, legend: { lo: 0, hi: 1 } });
+  });
+
+  it.each([
+    [-87.3, 41.2, -85, 40],
+    [0, 137.2, 0, 135],
+    [3, 3, 3, 4],
+  ])('from %f to %f have ends at %f and %f', (least, most, lo, hi) => {
+    expect(roundEnds([least, most])).toEqual({ lo, hi });
   });
 });

@@ -11,6 +11,7 @@ import {
 } from '../../geometry/faces';
 import { valuesAt } from '../../geometry/grid_values';
 import { nameOf } from '../../store/case/input';
+import { frameShown, playedFields } from '../../store/run/frames';
 import { shownKeys } from '../../store/run/results';
 import { sizingFields } from '../../store/run/sizing_fields';
 import { colourBy, colourOf, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
@@ -22,7 +23,9 @@ export type TetPaint =
   /** A value a tet, below 0 where it has none. */
   | { kind: 'parts'; values: Float32Array; legend: Legend }
   /** A value a point, below 0 where it has none; faces are coloured by the largest of their corners. */
-  | { kind: 'points'; values: Float32Array; legend: Legend };
+  | { kind: 'points'; values: Float32Array; legend: Legend }
+  /** A value a point, with colours that go on between points. */
+  | { kind: 'nodal'; values: Float32Array; legend: Legend };
 
 type Scale = Omit<Legend, 'lo' | 'hi'>;
 
@@ -73,6 +76,24 @@ export function tetPaint(measures: StageArrays['quality'] | undefined): TetPaint
   if (label === null) return scaled(values, scaleOf(field));
   const legend: Legend = { title: `Share of ${nameOf(label)}`, unit: '', map: 'viridis', lo: 0, hi: 1 };
   return { kind: 'scale', values, legend };
+}
+
+/** Ends of a scale in round numbers, moved by no more than a fortieth of its length. */
+export function roundEnds([least, most]: readonly [number, number]): { lo: number; hi: number } {
+  if (!(most > least)) return { lo: least, hi: least + 1 };
+  const unit = (most - least) / 20;
+  const power = 10 ** Math.floor(Math.log10(unit));
+  const step = unit >= 5 * power ? 5 * power : power;
+  return { lo: step * Math.round(least / step), hi: step * Math.round(most / step) };
+}
+
+/** The field that is played, on the scale of all its frames; nothing where it is not what is coloured by. */
+export function playedPaint(): TetPaint | null {
+  const field = playedFields.value.find(({ info }) => info.name === colourBy.value);
+  const values = frameShown.peek()?.values[colourBy.value];
+  if (!field || !values) return null;
+  const legend: Legend = { ...scaleOf(field.info), ...roundEnds(field.range) };
+  return { kind: field.info.on === 'points' ? 'nodal' : 'scale', values, legend };
 }
 
 function labelPainter(): Painter {

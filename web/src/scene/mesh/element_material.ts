@@ -11,7 +11,7 @@ in vec3 normal;
 uniform mat3 normalMatrix;
 out vec3 vNormal;
 #endif
-flat out vec3 vColour;
+out vec3 vColour;
 flat out uint vElement;
 out vec3 vView;
 out vec3 vWorld;

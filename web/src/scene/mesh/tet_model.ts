@@ -20,7 +20,14 @@ import type { TetPaint } from './colouring';
 import { nextTask } from '../frame/tasks';
 import { shadingFragment } from '../frame/shading';
 import { facesVertex, sectionVertex } from './tet_shaders';
-import { arrayTexture, labelTexture, paletteTexture, pointTexture, scaleTexture } from '../frame/textures';
+import {
+  arrayTexture,
+  labelTexture,
+  paletteTexture,
+  pointTexture,
+  refill,
+  scaleTexture,
+} from '../frame/textures';
 
 export type TetDrawing = Mesh<BufferGeometry, RawShaderMaterial>;
 
@@ -31,7 +38,7 @@ export interface Plane {
   flat: boolean;
 }
 
-const paintCodes = { label: 0, scale: 1, given: 2, points: 4, parts: 5 } as const;
+const paintCodes = { label: 0, scale: 1, given: 2, points: 4, parts: 5, nodal: 6 } as const;
 const plainCode = 3;
 
 /**
@@ -128,6 +135,11 @@ export class TetModel {
       this.shared.range.value.set(paint.legend.lo, paint.legend.hi);
     }
     for (const one of [this.solid, this.cap]) one.material.uniforms.paint.value = paintCodes[paint.kind];
+  }
+
+  /** Other values of the same elements, as the paint that is set has them. */
+  setValues(values: Float32Array): void {
+    refill(this.shared.values.value, values);
   }
 
   setPlane(plane: Plane | null): void {

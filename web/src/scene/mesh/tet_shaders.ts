@@ -16,7 +16,7 @@ uniform float explode;
 uniform int singled;
 uniform vec3 singledColour;
 uniform vec3 plain;
-flat out vec3 vColour;
+out vec3 vColour;
 flat out uint vElement;
 out vec3 vView;
 out vec3 vWorld;
@@ -29,13 +29,16 @@ bool chosen(int tet) { return (texelFetch(mask, at(tet), 0).r & need) == need; }
 
 /** Of the face that is drawn, where points have values; below 0 there is none. */
 float faceValue = -1.0;
+/** Of the vertex that is drawn, where values go on from point to point. */
+float vertexValue = 0.0;
+float atPoint(uint i) { return texelFetch(values, at(int(i)), 0).r; }
 
 vec3 colourOf(int tet, int label) {
   if (tet == singled) return singledColour;
   if (paint == 0) return texelFetch(palette, ofLabel(label), 0).rgb;
   if (paint == 3) return plain;
-  float value = paint == 4 ? faceValue : texelFetch(values, at(tet), 0).r;
-  if (paint >= 4 && value < 0.0) return plain;
+  float value = paint == 4 ? faceValue : paint == 6 ? vertexValue : texelFetch(values, at(tet), 0).r;
+  if ((paint == 4 || paint == 5) && value < 0.0) return plain;
   if (paint == 2) return texelFetch(palette, ofLabel(int(value)), 0).rgb;
   float x = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
   return texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb;
@@ -86,8 +89,9 @@ void main() {
   ivec3 turn = opposite[half_ & 3];
   vCorner = vec3(corner == 0, corner == 1, corner == 2);
   if (paint == 4 && face < counts.y) {
-    for (int k = 0; k < 3; k++) faceValue = max(faceValue, texelFetch(values, at(int(corners[turn[k]])), 0).r);
+    for (int k = 0; k < 3; k++) faceValue = max(faceValue, atPoint(corners[turn[k]]));
   }
+  if (paint == 6) vertexValue = atPoint(corners[turn[corner]]);
   place(mine ? own : other, point(corners[turn[corner]]));
 }`;
 
@@ -133,5 +137,7 @@ void main() {
     to = up == 1 ? below[vertex] : above[vertex];
     vCorner = vec3(vertex == 0, vertex == 1, vertex == 2);
   }
-  place(tet, mix(p[from], p[to], d[from] / (d[from] - d[to])));
+  float part = d[from] / (d[from] - d[to]);
+  if (paint == 6) vertexValue = mix(atPoint(corners[from]), atPoint(corners[to]), part);
+  place(tet, mix(p[from], p[to], part));
 }`;

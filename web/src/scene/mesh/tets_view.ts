@@ -2,10 +2,20 @@ import { effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
 import type { StageArrays, TetArrays } from '../../engine/contract';
 import { tetMask } from '../../geometry/tet_faces';
-import { brush, colourOf, explode, focusTet, hiddenLabels, legend, type Brush } from '../../store/view';
+import {
+  brush,
+  colourBy,
+  colourOf,
+  explode,
+  focusTet,
+  hiddenLabels,
+  legend,
+  type Brush,
+} from '../../store/view';
+import { frameShown } from '../../store/run/frames';
 import type { BodyView } from './body_view';
 import type { Canvas } from '../frame/canvas';
-import { tetPaint } from './colouring';
+import { playedPaint, tetPaint } from './colouring';
 import type { Plane, TetModel } from './tet_model';
 
 export interface TetSource {
@@ -77,12 +87,19 @@ export function followTets(
     effect(() => {
       const shown = source();
       if (!shown || !body.model) return;
-      const paint = tetPaint(shown.measures);
+      const paint = (leads && playedPaint()) || tetPaint(shown.measures);
       const scaled = 'legend' in paint;
       if (leads) legend.value = scaled ? paint.legend : null;
       // Two runs are compared on one scale: that of the run that leads.
       else if (scaled && legend.value) paint.legend = legend.value;
       body.model.setPaint(paint, colourOf.value);
+      canvas.invalidate();
+    }),
+    // From frame to frame only values change.
+    effect(() => {
+      const values = frameShown.value?.values[colourBy.value];
+      if (!leads || !values || !body.model || !source()) return;
+      body.model.setValues(values);
       canvas.invalidate();
     }),
     effect(() => {

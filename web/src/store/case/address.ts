@@ -8,7 +8,7 @@ import { encodeFragment, isCaseFragment } from '../../link/codec';
 import { engine } from '../run/engine';
 import { caseId, hasSource, recipe } from './recipe';
 import { expectation } from '../run/report';
-import { sameRecipe } from '../run/stage_inputs';
+import { sameMesh } from '../run/stage_inputs';
 
 /** Edits within this time are written as one. */
 const delayMs = 300;
@@ -30,7 +30,7 @@ async function currentLink(): Promise<string | null> {
   if (!current) return null;
   const { minimal } = await engine.checkRecipe(current);
   const promise = expectation.value;
-  const expected = promise && sameRecipe(promise.recipe, current) ? promise.expected : undefined;
+  const expected = promise && sameMesh(promise.recipe, current) ? promise.expected : undefined;
   return encodeFragment({ ...minimal, expected });
 }
 

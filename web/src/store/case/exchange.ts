@@ -184,6 +184,7 @@ export async function shareCase(): Promise<SharedCase> {
   delete minimal.expected;
   if (found) minimal.expected = { engine: found.engine, digest: found.digest, tets: found.tets };
   const url = new URL(location.href);
+  url.search = '';
   url.hash = await encodeFragment(minimal);
   return { url: url.href, minimal, promises: found !== null };
 }

@@ -1,5 +1,5 @@
 /** Parts of a recipe whose content the engine alone knows: kept whole. */
-const whole = new Set(['source', 'expected']);
+const whole = new Set(['source', 'expected', 'physics']);
 
 const kindOf = (value: unknown): string => (Array.isArray(value) ? 'list' : typeof value);
 

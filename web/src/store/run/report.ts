@@ -3,7 +3,8 @@ import { computed, signal } from '@preact/signals';
 import type { Expected, Recipe, Report } from '../../engine/contract';
 import { verdictOf } from '../../link/verdict';
 import { recipe } from '../case/recipe';
-import { sameRecipe } from './stage_inputs';
+import { forgetFrames } from './frames';
+import { sameMesh } from './stage_inputs';
 
 export interface Expectation {
   expected: Expected;
@@ -19,13 +20,13 @@ export const expectation = signal<Expectation | null>(null);
 
 /** Whether the mesh that is shown is the one that the recipe asks for. */
 export const upToDate = computed(
-  () => meshedRecipe.value !== null && sameRecipe(meshedRecipe.value, recipe.value),
+  () => meshedRecipe.value !== null && sameMesh(meshedRecipe.value, recipe.value),
 );
 
 export const verdict = computed(() => {
   const promise = expectation.value;
   if (!promise || !report.value || !meshedRecipe.value) return null;
-  if (!sameRecipe(promise.recipe, meshedRecipe.value)) return null;
+  if (!sameMesh(promise.recipe, meshedRecipe.value)) return null;
   return verdictOf(promise.expected, report.value);
 });
 
@@ -34,4 +35,5 @@ export function forgetReport(): void {
   report.value = null;
   meshedRecipe.value = null;
   meshedMinimal.value = null;
+  forgetFrames();
 }

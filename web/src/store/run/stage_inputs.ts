@@ -21,3 +21,8 @@ export function stageInput(recipe: Recipe, stage: StageName): string {
 export function sameRecipe(one: Recipe | null, other: Recipe | null): boolean {
   return one === other || (one !== null && other !== null && canonicalJson(one) === canonicalJson(other));
 }
+
+/** Whether two recipes ask for the same mesh, whatever is simulated on it. */
+export function sameMesh(one: Recipe, other: Recipe | null): boolean {
+  return sameRecipe({ ...one, physics: undefined }, other && { ...other, physics: undefined });
+}

@@ -1,0 +1,117 @@
+import { frameShown, frameTimes, simulation, simulationEndMs } from '../../store/run/frames';
+import { playing, seek, stepFrame, togglePlaying } from '../../store/run/player';
+import { pauseSimulation, resumeSimulation } from '../../store/run/simulate';
+import { time } from '../../store/view';
+import { short } from '../controls/format';
+import { Icon, type IconName } from '../controls/icons';
+
+/** Tenths of a millisecond, or finer where the whole span is short: the number keeps its width while it runs. */
+function timeText(ms: number, spanMs: number): string {
+  const digits = Math.max(0, Math.min(6, 3 - Math.floor(Math.log10(spanMs))));
+  return ms.toFixed(digits);
+}
+
+function PlayerButton(props: { icon: IconName; name: string; key_: string; go(): void; disabled?: boolean }) {
+  const { icon, name, key_, go, disabled } = props;
+  return (
+    <button
+      type="button"
+      class="icon-button"
+      aria-label={name}
+      title={`${name} (${key_})`}
+      disabled={disabled}
+      onClick={go}
+    >
+      <Icon name={icon} size={15} />
+    </button>
+  );
+}
+
+const stateWords = { paused: 'held', done: '', cancelled: 'cancelled', failed: 'did not succeed', none: '' };
+
+/** How far the simulation is, and the button that holds it. */
+function Progress() {
+  const state = simulation.value;
+  const newest = frameTimes.value.at(-1) ?? 0;
+  const part = Math.floor((100 * newest) / simulationEndMs.value);
+  const computing = state === 'running' || state === 'paused';
+  const words = state === 'running' ? 'computing' : stateWords[state];
+  return (
+    <>
+      {words && (
+        <span class="player-state">
+          {words}, {part} %
+        </span>
+      )}
+      {computing && (
+        <button
+          type="button"
+          class="button small"
+          title={state === 'running' ? 'The computation waits' : 'The computation goes on'}
+          onClick={state === 'running' ? pauseSimulation : resumeSimulation}
+        >
+          {state === 'running' ? 'Hold' : 'Go on'}
+        </button>
+      )}
+    </>
+  );
+}
+
+/** Plays what lives in time; there is none without frames. */
+export function PlayerBar() {
+  const state = simulation.value;
+  if (state === 'none') return null;
+  const times = frameTimes.value;
+  const newest = times.at(-1) ?? 0;
+  const computing = state === 'running' || state === 'paused';
+  const end = computing ? simulationEndMs.value : newest;
+  const shown = frameShown.value?.timeMs ?? 0;
+  const text = timeText(shown, end || 1);
+  const onKeyDown = (event: KeyboardEvent) => {
+    const way = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1 }[event.key];
+    if (!way) return;
+    event.preventDefault();
+    stepFrame(way as 1 | -1);
+  };
+  return (
+    <div class="player" role="group" aria-label="Player" data-state={state} data-frames={times.length}>
+      <PlayerButton
+        icon="step_back"
+        name="Frame before"
+        key_=","
+        disabled={shown <= (times[0] ?? 0)}
+        go={() => stepFrame(-1)}
+      />
+      <PlayerButton
+        icon={playing.value ? 'pause' : 'play'}
+        name={playing.value ? 'Pause' : 'Play'}
+        key_="K"
+        disabled={!computing && times.length < 2}
+        go={togglePlaying}
+      />
+      <PlayerButton
+        icon="step_on"
+        name="Next frame"
+        key_="."
+        disabled={shown >= newest}
+        go={() => stepFrame(1)}
+      />
+      <input
+        type="range"
+        min={times[0] ?? 0}
+        max={end}
+        step="any"
+        value={time.value}
+        aria-label="Time"
+        aria-valuetext={`${short(shown)} ms`}
+        style={{ '--computed': `${(100 * newest) / (end || 1)}%` }}
+        onKeyDown={onKeyDown}
+        onInput={(event) => seek(Number(event.currentTarget.value))}
+      />
+      <output class="player-time">
+        {text} <span class="unit">/ {short(end)} ms</span>
+      </output>
+      <Progress />
+    </div>
+  );
+}

@@ -1,0 +1,59 @@
+/** The frames of the simulation on the mesh that is shown. They stand outside the signals, which hold their times only. */
+import { computed, signal } from '@preact/signals';
+import type { FieldInfo, Frame } from '../../engine/contract';
+import { time } from '../view';
+import { FrameRing } from './frame_ring';
+
+const maxBytes = 256 * 2 ** 20;
+
+export type SimulationState = 'none' | 'running' | 'paused' | 'done' | 'cancelled' | 'failed';
+
+/** How the simulation stands that the frames are of, and the time that it is to reach, ms. */
+export const simulation = signal<SimulationState>('none');
+export const simulationEndMs = signal(0);
+
+let ring = new FrameRing(maxBytes);
+
+/** Times of the frames at hand, ms, ascending. */
+export const frameTimes = signal<readonly number[]>([]);
+
+/** What the frames show; the range is that of all frames so far, so that a colour means the same in each. */
+export interface PlayedField {
+  info: FieldInfo;
+  range: [number, number];
+}
+
+export const playedFields = signal<readonly PlayedField[]>([]);
+
+export function forgetFrames(): void {
+  ring = new FrameRing(maxBytes);
+  frameTimes.value = [];
+  playedFields.value = [];
+  simulation.value = 'none';
+  time.value = 0;
+}
+
+export function keepFrame(frame: Frame): void {
+  ring.push(frame);
+  const known = playedFields.peek();
+  const grown = frame.fields.map((info) => {
+    const before = known.find((one) => one.info.name === info.name);
+    return before && within(info.range, before.range) ? before : grownBy(before, info);
+  });
+  if (grown.some((field, i) => field !== known[i])) playedFields.value = grown;
+  frameTimes.value = ring.times;
+}
+
+type Range = [number, number];
+
+const within = (inner: Range | null, [lo, hi]: Range): boolean =>
+  !inner || (inner[0] >= lo && inner[1] <= hi);
+
+function grownBy(before: PlayedField | undefined, info: FieldInfo): PlayedField {
+  const [lo, hi] = info.range ?? [0, 1];
+  if (!before) return { info, range: [lo, hi] };
+  return { info, range: [Math.min(lo, before.range[0]), Math.max(hi, before.range[1])] };
+}
+
+/** The frame at the time cursor. */
+export const frameShown = computed(() => (frameTimes.value.length > 0 ? ring.at(time.value) : null));
