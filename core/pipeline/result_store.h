@@ -16,8 +16,7 @@ namespace voxtet {
 struct StageRecord {
   std::string key;     ///< digest of everything the stage depends on; empty: it has not run
   double seconds = 0;  ///< wall time of the run that made the result
-  double peak_mb =
-      0;  ///< native: peak resident memory during the stage; wasm: linear memory after it
+  double peak_mb = 0;  ///< native: peak resident memory during the stage; wasm: linear memory after it
   std::vector<std::string> warnings, notes;
 };
 

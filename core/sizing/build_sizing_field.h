@@ -49,7 +49,7 @@ struct DistanceSize {
 
 /// How the layers of a wall are made.
 enum class Layering {
-  kSize,  ///< by the size of elements alone, without sheets
+  kSize,   ///< by the size of elements alone, without sheets
   kExact,  ///< by sheets across the wall (walls/wall_layers.h), with one element between two of them
 };
 
@@ -98,8 +98,7 @@ struct SizingParams {
   std::vector<DistanceSize> distances;   ///< minimum with everything else
   std::vector<ThicknessSize> thickness;  ///< replaces edge_mm in its wall, minimum with everything else
   std::vector<MaskSize> masks;           ///< minimum with everything else
-  std::vector<ImageSize>
-      images;  ///< replaces edge_mm where it has a length, else the same
+  std::vector<ImageSize> images;         ///< replaces edge_mm where it has a length, else the same
   std::vector<CurvatureSize> curvature;  ///< minimum with everything else
   double edge_min_mm = 0.1;
   double edge_max_mm = 50;

@@ -35,7 +35,7 @@ struct Candidate {
 struct SliceGap {
   int lower = 0;
   std::vector<std::uint32_t> columns;  ///< pixels that differ, ascending
-  std::vector<Candidate> candidates;  ///< `planes` - 1 per column, from below
+  std::vector<Candidate> candidates;   ///< `planes` - 1 per column, from below
   std::vector<bool> flat;  ///< per pixel of a slice: the label changes half-way, without interpolation
 };
 

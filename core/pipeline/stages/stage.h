@@ -89,7 +89,7 @@ struct StageSpec {
   Stage stage;
   std::string_view name;   ///< as it stands in reports, recipes and links
   std::string_view title;  ///< for people
-  bool shown = true;  ///< shown in the app; one that is not runs automatically before the next that is
+  bool shown = true;       ///< shown in the app; one that is not runs automatically before the next that is
   std::vector<Stage> inputs;
   /// Fields of the recipe by their path; "list[].field" is that field of each entry of a list.
   std::vector<std::string_view> reads;

@@ -14,8 +14,8 @@
 
 namespace voxtet {
 
-/// Triangles of cell layers [begin, end). Vertices on the plane below belong to the layer before, which is
-/// walked as well for their order: `points` begins with the `borrowed` ones that layer makes.
+/// Triangles of cell layers [begin, end). Vertices on the lowest plane belong to the layer below. That layer
+/// is walked too, to find their order: `points` begins with the `borrowed` points that it makes.
 struct MarchedSlab {
   SurfaceMesh mesh;
   std::size_t borrowed = 0;
