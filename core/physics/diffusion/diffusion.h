@@ -1,4 +1,4 @@
-// Heat that spreads from a label: a small result that lives in time.
+// Heat that spreads from a label: a small example of a result that changes with time.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,16 +15,16 @@ struct DiffusionParams {
   Label from = 1;  ///< its tetrahedra's points are held at 1, all others start at 0
   double diffusivity_mm2_per_ms = 1;
   double end_ms = 100;
-  double step_ms = 1;   ///< shortened where it has to be for `end_ms` to be a whole number of steps
+  double step_ms = 1;   ///< shortened if needed, so that `end_ms` is a whole number of steps
   double frame_ms = 5;  ///< time between frames
 };
 
 /// The equation du/dt = D div grad u with no flow through the outer surface, on linear elements with
 /// consistent mass, by backward Euler (Quarteroni and Valli, "Numerical Approximation of Partial Differential
-/// Equations", 1994, chapter 11): second order in the edge length h, first in the step. Steps shorter than
-/// about h^2 / D let u fall some hundredths below 0 for a while near `from`: the price of the consistent mass
-/// (Thomee, "Galerkin Finite Element Methods for Parabolic Problems", 2006, chapter 15). A computation that
-/// its caller advances step by step, and may leave at any time.
+/// Equations", 1994, chapter 11): second order in the edge length h, first in the step. With steps shorter
+/// than about h^2 / D, u falls some hundredths below 0 for a while near `from`; this comes from the
+/// consistent mass (Thomee, "Galerkin Finite Element Methods for Parabolic Problems", 2006, chapter 15). The
+/// caller advances the computation step by step, and may stop at any time.
 class Diffusion {
  public:
   /// Time 0. Returns kUsage, naming the field (physics.diffusion.from), for a parameter out of its range, a
