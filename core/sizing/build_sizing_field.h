@@ -98,7 +98,7 @@ struct SizingParams {
   std::vector<DistanceSize> distances;   ///< minimum with everything else
   std::vector<ThicknessSize> thickness;  ///< replaces edge_mm in its wall, minimum with everything else
   std::vector<MaskSize> masks;           ///< minimum with everything else
-  std::vector<ImageSize> images;         ///< replaces edge_mm where it has a length, else the same
+  std::vector<ImageSize> images;         ///< replaces edge_mm where it has a length, minimum with all else
   std::vector<CurvatureSize> curvature;  ///< minimum with everything else
   double edge_min_mm = 0.1;
   double edge_max_mm = 50;

@@ -13,8 +13,7 @@ namespace voxtet::tetra {
 
 using Point = Eigen::Vector3d;  ///< mm
 
-/// Obtuse angles count as if their sine were larger by 1 / 0.7 (its square by 1 / 0.49): small angles are
-/// worse.
+/// The sine of an obtuse angle is divided by 0.7, its square by 0.49: small angles are worse.
 inline constexpr double kObtuseFactor = 1 / 0.49;
 
 /// The square of the smallest of the six sines of the dihedral angles, obtuse ones favoured by kObtuseFactor:
