@@ -1,4 +1,4 @@
-// Items grouped by a small integer key, without a sort over all.
+// Items grouped by a small integer key, without sorting.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace voxtet {
 
-/// Items in buckets by a key below `buckets`, each bucket in the order of adding. Two passes: count every
-/// item's key, allocate, then add every item under the same key.
+/// Items in buckets by a key below `buckets`. Inside a bucket, items stay in the order in which they were
+/// added. Two passes: count every item's key, allocate, then add every item under the same key.
 template <class Item>
 class Buckets {
  public:
@@ -22,14 +22,14 @@ class Buckets {
   void add(std::uint32_t key, const Item& item) { items_[start_[key + 1]++] = item; }
   std::size_t size() const { return start_.size() - 2; }
   std::span<Item> at(std::size_t key) { return between(key, key); }
-  /// Those of all keys from `first` to `last`.
+  /// The items of all keys from `first` to `last`, both included.
   std::span<Item> between(std::size_t first, std::size_t last) {
     return std::span<Item>(items_).subspan(start_[first], start_[last + 1] - start_[first]);
   }
 
  private:
-  /// Of each bucket and of the one behind the last; the one that comes after a bucket counts up to its own
-  /// place while items are added.
+  /// Once all items are added, bucket k starts at items_[start_[k]]. Until then, start_[k + 1] is where the
+  /// next item of bucket k goes.
   std::vector<std::size_t> start_;
   std::vector<Item> items_;
 };

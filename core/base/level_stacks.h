@@ -1,4 +1,4 @@
-// What is to be done, by levels of urgency.
+// Items that wait for refinement, by levels of urgency.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@
 
 namespace voxtet {
 
-/// A queue for refinement, where the most urgent need only come about first: the highest level before the
-/// others, and inside a level what was pushed last, which is still in the caches.
+/// A queue that serves the most urgent items roughly first: it takes an item of the highest level that has
+/// one, and inside a level the item pushed last, which is still in the caches.
 template <class Item, std::size_t limits>
 class LevelStacks {
  public:
-  /// `above`, ascending: an item is as many levels up as its urgency is above.
+  /// `above` holds ascending thresholds. The level of an item is the number of thresholds below its urgency.
   explicit LevelStacks(const std::array<double, limits>& above) : above_(above) {}
 
   void push(double urgency, const Item& item) {
@@ -22,7 +22,7 @@ class LevelStacks {
     stacks_[static_cast<std::size_t>(level)].push_back(item);
   }
 
-  /// Nothing where none is left.
+  /// Takes out the next item; nothing if the queue is empty.
   std::optional<Item> pop() {
     const auto stack =
         std::find_if(stacks_.rbegin(), stacks_.rend(), [](const auto& s) { return !s.empty(); });

@@ -1,4 +1,5 @@
-// The one place that knows threads: a loop cut into contiguous parts, and those into stretches.
+// The only place that starts threads. A loop is cut into contiguous parts, one per thread, and each part into
+// stretches.
 #pragma once
 
 #include <algorithm>
@@ -17,14 +18,14 @@
 namespace voxtet {
 
 #ifdef VOXTET_MOST_THREADS
-constexpr int kMostThreads = VOXTET_MOST_THREADS;  ///< of WebAssembly (cmake/flags.cmake)
+constexpr int kMostThreads = VOXTET_MOST_THREADS;  ///< set for WebAssembly (cmake/flags.cmake)
 #else
 constexpr int kMostThreads = std::numeric_limits<int>::max();
 #endif
 
 #ifdef __EMSCRIPTEN__
-/// The call that neither compiler nor linker (cmake/flags.cmake) may inline. What the body holds is copied so
-/// that it need not be read again after each write to memory.
+/// One call of `body`, which neither compiler nor linker (cmake/flags.cmake) may inline. `body` is copied so
+/// that its captures need not be read again after each write to memory.
 template <class Body>
 [[gnu::noinline]] void run_stretch(const Body& body, std::size_t first, std::size_t last) {
   static_assert(std::is_trivially_copyable_v<Body>);
@@ -33,9 +34,9 @@ template <class Body>
 }
 #endif
 
-/// Calls body(first, last) for stretches that together make [first, last), one after the other. An engine of
-/// WebAssembly swaps its optimised code in when a function is called, never while it runs, so that a long
-/// loop in a single call would go on at half the speed to its end. Natively it is the plain call.
+/// Calls body(first, last) for stretches that together make [first, last), one after the other. A WebAssembly
+/// engine switches to optimised code only when a function is called: a long loop in a single call would run
+/// at half the speed to its end. Native builds make one plain call.
 template <class Body>
 void in_stretches(std::size_t first, std::size_t last, Body&& body) {
 #ifdef __EMSCRIPTEN__
@@ -55,11 +56,11 @@ void for_indices(std::size_t first, std::size_t last, Visit&& visit) {
   });
 }
 
-/// Cuts [0, count) into contiguous parts, one a thread, and calls body(first, last) for the stretches of
-/// each; the caller's own thread takes the first part, and those for which no thread is to be had. `body`
-/// must write to places that belong to its indices alone, so that the result is that of body(0, count). An
-/// exception of the lowest part that threw is rethrown after all have ended. For `threads` < 2, and in
-/// WebAssembly that was built without threads, there is one part.
+/// Cuts [0, count) into contiguous parts, one per thread, and calls body(first, last) for the stretches of
+/// each. The caller's thread runs the first part, and every part for which no thread could be started. `body`
+/// must write only to places that belong to its own indices, so that the result is that of body(0, count). If
+/// parts throw, the exception of the lowest such part is rethrown after all have ended. For `threads` < 2,
+/// and in WebAssembly built without threads, there is one part.
 template <class Body>
 void parallel_for(int threads, std::size_t count, Body&& body) {
   const std::size_t parts = std::min(count, static_cast<std::size_t>(std::clamp(threads, 1, kMostThreads)));

@@ -1,4 +1,4 @@
-// Nothing that a command reads is written over by it.
+// Checks that no command overwrites a file that it reads.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@ struct NamedPath {
   std::string word, path;
 };
 
-/// Whether every output can be written and is neither an input nor another output; empty paths are none. A
-/// mesh file stands for all files that its format always makes; openCARP's finds no .lon of another mesh.
-/// Before anything is read: a run may take long. Errors: kUsage naming both words and the file, or those of
-/// check_place().
+/// Checks that every output can be written and is neither an input nor another output; empty paths do not
+/// count. A mesh file stands for all files that its format always writes; for openCARP there must be no .lon
+/// of another mesh. Call it before anything is read, since a run may take long. Errors: kUsage naming both
+/// words and the file, or those of check_place().
 Status check_outputs(const std::vector<NamedPath>& outputs, const std::vector<NamedPath>& inputs);
 
 }  // namespace voxtet

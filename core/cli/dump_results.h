@@ -1,4 +1,4 @@
-// What each stage of a case gave, as files that viewers open.
+// Writes the result of each stage of a case to files that viewers open.
 #pragma once
 
 #include <string>

@@ -12,8 +12,8 @@
 
 namespace voxtet {
 
-/// Starts the program once more with a malloc that asks for huge pages, which glibc offers in no other way: a
-/// page fault in 2 MB instead of 4 kB. Whoever has set GLIBC_TUNABLES has decided already. Call it first.
+/// Starts the program once more with a malloc that asks for huge pages (a page fault then maps 2 MB instead
+/// of 4 kB); glibc offers this in no other way. Does nothing if GLIBC_TUNABLES is already set. Call it first.
 inline void use_huge_pages([[maybe_unused]] char** argv) {
 #if defined(__linux__)
   constexpr const char* kName = "GLIBC_TUNABLES";

@@ -1,4 +1,4 @@
-// How the command line speaks: progress and errors on standard error, results on standard output.
+// Output of the command line: progress and errors on standard error, results on standard output.
 #pragma once
 
 #include <cstdio>
@@ -9,14 +9,14 @@
 
 namespace voxtet {
 
-/// A context that prints a line for each stage (and percentages on a terminal) to standard error.
-/// `time_limit_s` > 0 cancels when it is over. `threads` as in RunContext.
+/// A context that prints a line for each stage (and percentages on a terminal) to standard error. If
+/// `time_limit_s` > 0 it cancels after this time. `threads` as in RunContext.
 RunContext printing_context(double time_limit_s, int threads);
 
 /// A line of warning on standard error.
 void print_warning(const std::string& message);
 
-/// Prints the error and gives its exit code.
+/// Prints the error and returns its exit code.
 int fail(const Error& error);
 
 /// The report of a mesh, for people.
@@ -25,7 +25,7 @@ void print_report(const nlohmann::json& report, std::FILE* out);
 /// Metrics and checklist, for people.
 void print_quality(const nlohmann::json& quality, std::FILE* out);
 
-/// What meshing a case will take, and the fitting edge lengths where they were asked for.
+/// What meshing a case will need, and the fitting edge lengths if they were asked for.
 void print_forecast(const nlohmann::json& forecast, std::FILE* out);
 
 /// Time and memory of each stage, its notes below it, and the sum.

@@ -1,4 +1,4 @@
-// What every parametric body offers to the sampler, and the distance functions they are built from.
+// The interface of every parametric body, and the distance functions that bodies are built from.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// The fields that go with a mesh into its file.
+// The fields that are written with a mesh into its file.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace voxtet {
 
-/// Fields of the tetrahedra of Session::mesh(): what was transferred, and with `measures` those of the
-/// evidence that have a finite value everywhere.
+/// Fields on the tetrahedra of Session::mesh(): those of the label transfer and, with `measures`, those of
+/// the quality report that have a finite value everywhere.
 std::vector<Field> exported_fields(const Session& session, bool measures);
 
 }  // namespace voxtet

@@ -1,4 +1,4 @@
-// The fields behind a mesh as images, on the grid of the volume that is meshed.
+// Fields that a mesh was made from, as images on the grid of the volume that is meshed.
 #pragma once
 
 #include <string_view>
@@ -8,9 +8,9 @@
 
 namespace voxtet {
 
-/// `size`: target edge length, mm. `thickness`: of the walls of sizing.thickness, mm, 0 outside of them.
-/// `potential`: 0 at a wall's inner surface, 1 at its outer one, -1 outside of the walls. Where walls
-/// overlap, the first holds. Errors: kUsage for another name, for a stage sizing that has not run, and for a
+/// `size`: target edge length, mm. `thickness`: thickness of the walls of sizing.thickness, mm, 0 outside of
+/// them. `potential`: 0 at a wall's inner surface, 1 at its outer one, -1 outside of the walls. Where walls
+/// overlap, the first one counts. Errors: kUsage for another name, if the stage sizing has not run, and for a
 /// recipe without walls.
 Result<ScalarVolume> field_volume(const Session& session, std::string_view name);
 

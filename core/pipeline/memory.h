@@ -9,8 +9,8 @@ void reset_peak_memory();
 /// Peak resident memory in MB since reset_peak_memory (Linux); size of the linear memory (wasm); 0 elsewhere.
 double peak_memory_mb();
 
-/// MB that can be had at most: 4295, which can be addressed, in wasm; the machine's memory (Linux); 0, for no
-/// bound that is known, elsewhere.
+/// The most memory that the process can get, MB: 4295 in wasm, which is all that can be addressed; the
+/// machine's memory on Linux; 0 elsewhere, where no bound is known.
 double memory_space_mb();
 
 }  // namespace voxtet

@@ -15,8 +15,8 @@ nlohmann::json report_json(const Session& session);
 /// stage.
 nlohmann::json volume_json(const Session& session);
 
-/// One entry of "stages" but for its digest, which takes time: name, seconds, cached, peak_mb, notes,
-/// counts. Needs the stage's result.
+/// One entry of "stages" without its digest, which takes time to compute: name, seconds, cached, peak_mb,
+/// notes, counts. Needs the stage's result.
 nlohmann::json stage_json(const Session& session, Stage stage);
 
 /// metrics, checklist and verdict of a report on its own (for `voxtet check`).

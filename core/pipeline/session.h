@@ -1,4 +1,4 @@
-// One case: its files, its recipe, the results of its stages, and what can be reused of them.
+// One case: its files, its recipe, the results of its stages, and which of them can be used again.
 #pragma once
 
 #include <array>
@@ -27,23 +27,23 @@ namespace voxtet {
 /// How far a run is.
 struct RunProgress {
   bool done = false;
-  Stage stage = Stage::kVolume;  ///< the one under way; when done, the last
+  Stage stage = Stage::kVolume;  ///< the stage under way; when done, the last one
   double fraction = 0;           ///< of that stage
 };
 
-/// A case being meshed. What it gives are results of the recipe as it stands; each is null before its stage
-/// has run. Results of earlier recipes are kept, as many as memory is set aside for, and are given again when
-/// a recipe comes back to them.
+/// A case being meshed. Its results are those of the current recipe; each is null until its stage has run.
+/// Results of earlier recipes are kept, as far as the memory set aside for them goes, and are used again when
+/// a recipe returns to them.
 class Session {
  public:
-  /// `spare_bytes`: for results that the recipe as it stands does not ask for.
+  /// `spare_bytes`: memory for results that the current recipe does not need.
   explicit Session(std::size_t spare_bytes = kSpareBytes) : store_(spare_bytes) {}
 
   /// Takes the volume of a file; the recipe's source becomes that file. Nothing changes on failure.
   Status load_volume(const VolumeFile& file);
 
-  /// Takes what an entry of sizing.masks or sizing.images names by the file's name; the recipe stays as it
-  /// is. A file of the same name is replaced.
+  /// Takes a file that an entry of sizing.masks or sizing.images refers to by its name; the recipe stays as
+  /// it is. A file of the same name is replaced.
   Status load_mask(const VolumeFile& file);
   Status load_size_image(const VolumeFile& file);
   const LoadedFiles& files() const { return files_; }
@@ -53,11 +53,11 @@ class Session {
   Status set_recipe(const Recipe& recipe);
   const Recipe& recipe() const { return recipe_; }
 
-  /// Runs `last` and whatever it needs that is not there yet. On failure earlier results stay.
+  /// Runs `last` and every stage it needs that has no result yet. On failure earlier results stay.
   Status run(Stage last, RunContext& ctx);
-  /// The same in parts: begin() plans, each advance() works for some `budget_ms` and returns. A stage that
-  /// cannot be cut is done in one of them. A run ends with done, an error, end(), set_recipe(), a file loaded
-  /// or the next begin(); results that are complete stay. Errors of advance(): kUsage where nothing has
+  /// The same in parts: begin() plans, each advance() works for about `budget_ms` and returns. A stage that
+  /// cannot be cut is done in one advance(). A run ends when it is done, by an error, end(), set_recipe(),
+  /// loading a file or the next begin(); complete results stay. Errors of advance(): kUsage if no run has
   /// begun; those of the stages.
   void begin(Stage last);
   Result<RunProgress> advance(double budget_ms, RunContext& ctx);
@@ -71,10 +71,10 @@ class Session {
   }
   const LabelVolume* source_volume() const;  ///< all labels, as read
   std::string source_digest() const;         ///< digest_of(*source_volume())
-  /// The labels to be meshed on the source's voxels: what fidelity is measured against.
+  /// The labels to be meshed, on the source's voxels: the reference for fidelity.
   const LabelVolume* selected_volume() const;
-  /// The labels to be meshed, thick slices interpolated and specks removed: what the later stages see. Its
-  /// axes are in the order of mesh_order(), not in the source's.
+  /// The labels to be meshed, thick slices interpolated and small components removed: what the later stages
+  /// see. Its axes are in the order of mesh_order(), not in that of the source.
   const LabelVolume* volume() const;
   const SurfaceMesh* surface() const { return result<SurfaceMesh>(Stage::kSurface); }
   const SurfaceMesh* smooth() const { return result<SurfaceMesh>(Stage::kSmooth); }
@@ -82,7 +82,7 @@ class Session {
   const Walls& walls() const;  ///< none before they are measured
   const SurfaceMesh* remeshed() const;
   const TetMesh* filled() const;
-  /// The optimised tetrahedra; while there are none, also when kOptimise failed, those that fill the surface.
+  /// The optimised tetrahedra. Until there are any, also if kOptimise failed, those that fill the surface.
   const TetMesh* mesh() const;
   const LabelTransfer* transfer() const { return result<LabelTransfer>(Stage::kTransfer); }
   const QualityReport* quality() const { return result<QualityReport>(Stage::kQuality); }
@@ -90,12 +90,12 @@ class Session {
 
   /// Whether the result of a stage is at hand.
   bool is_current(Stage stage) const { return current(stage) != nullptr; }
-  /// Whether all is there that the sizing field is made from.
+  /// Whether everything that the sizing field is made from is there.
   bool may_size() const { return is_current(Stage::kWalls); }
-  /// The field of sizes with the recipe's masks, images and walls, beside what stages have given. Needs
-  /// may_size().
+  /// The sizing field for other rules, with the recipe's masks, images and walls; no result of a stage
+  /// changes. Needs may_size().
   Result<SizingField> size_by(const SizingParams& sizing, RunContext& ctx) const;
-  /// Of a result at hand; else its key is empty.
+  /// The record of a stage's result. Its key is empty if the stage has no result.
   const StageRecord& record(Stage stage) const;
   bool cached(Stage stage) const;  ///< the last run reused an earlier result
   const StageResult* current(Stage stage) const {
@@ -119,7 +119,7 @@ class Session {
   void files_changed();
   Status admit(const StageSpec& spec, RunContext& ctx);
   StageInputs inputs_of(const StageSpec& spec) const;
-  /// Work on the stage under way; true when it is complete.
+  /// Works on the stage under way; true when it is complete.
   Result<bool> work(RunContext& ctx);
   Result<bool> work_guarded(RunContext& ctx);
 

@@ -25,7 +25,7 @@ struct QualityReference {
   const LabelVolume& volume;         ///< what was meshed: presence, components, size of a voxel
   const LabelVolume& labels;         ///< as segmented, on their own grid: volumes and overlap
   const SurfaceMesh& label_surface;  ///< the smoothed extraction: the reference of distances and topology
-  const SurfaceMesh& adapted;        ///< what the tets were filled into
+  const SurfaceMesh& adapted;        ///< the surface that was filled with tets
   const SizingField& sizing;
   std::span<const LayeredWall> walls = {};  ///< whose layers are counted
 };

@@ -13,12 +13,12 @@ struct MetricInfo {
   std::string name, unit, elements;
   double lo = 0, hi = 1;  ///< of the histogram
   enum class Worst { kNone, kLowest, kHighest } worst = Worst::kNone;
-  std::string title{};  ///< for people; empty: viewers have their own words for it
+  std::string title{};  ///< for people; empty: viewers have their own name for it
 };
 
 /// Extremes, quantiles (nearest rank), mean, standard deviation, histogram, and up to 100 worst ids (ties by
-/// id). Infinite values count in quantiles and histogram but not in mean and deviation; what is not a number
-/// counts nowhere. No values: all zero.
+/// id). Infinite values count in quantiles and histogram but not in mean and deviation; NaN counts nowhere.
+/// No values: all zero.
 MetricSummary summarise(const MetricInfo& info, const std::vector<float>& values, int bins);
 
 /// The value below which a fraction q of the values lies (nearest rank). Reorders the values; 0 when there

@@ -29,25 +29,27 @@ struct SurfaceDistances {
 };
 
 /// Area-weighted distances from `a` to `b` and back. The boundary of each label is measured to that of the
-/// same label, so that no other sheet nearby hides an error (an interface of two labels counts for both);
-/// where the other set lacks the label, to all of it. Mean, rms and p95 come from samples on a lattice of
-/// every triangle (its corners at least). The largest distance is searched by branch and bound: only pieces
-/// of triangles that could hold a larger one are divided, until none is left or 50,000 have been; what is
-/// left open is `uncertainty_mm`. Bounds: the distance to a surface changes by no more than the way gone, and
-/// that to one triangle is largest at a corner (Guthe, Borodin, Klein, "Fast and accurate Hausdorff distance
-/// calculation between meshes", WSCG 2005). A set without triangles gives zeros. Errors: kCancelled.
+/// same label, so that no other sheet nearby hides an error (an interface of two labels counts for both). If
+/// the other set lacks the label, it is measured to the whole set. Mean, rms and p95 come from samples on a
+/// lattice of every triangle (at least its corners). The largest distance is searched by branch and bound:
+/// only pieces of triangles that could hold a larger one are divided, until none is left or 50,000 have been
+/// divided; what remains open is `uncertainty_mm`. Bounds: between two points the distance to a surface
+/// changes by no more than the points are apart, and the distance to one triangle is largest at a corner
+/// (Guthe, Borodin, Klein, "Fast and accurate Hausdorff distance calculation between meshes", WSCG 2005). A
+/// set without triangles gives zeros. Errors: kCancelled.
 Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleSet& b,
                                            const DistanceParams& params, RunContext& ctx);
 
 /// measure_distances in parts, for callers that have more to do at the same time.
 class DistanceMeasurement {
  public:
-  /// What `a` and `b` refer to, and `ctx`, must outlive it.
+  /// Everything that `a` and `b` refer to, and `ctx`, must outlive it.
   DistanceMeasurement(const TriangleSet& a, const TriangleSet& b, const DistanceParams& params,
                       RunContext& ctx);
   ~DistanceMeasurement();
 
-  /// Each way once, 0 from `a` and 1 from `b`; two threads may do so at once.
+  /// Measures one direction: 0 from `a`, 1 from `b`. Call it once for each; two threads may do so at the same
+  /// time.
   void measure(std::size_t direction);
   Result<SurfaceDistances> result() const;
 
@@ -57,7 +59,7 @@ class DistanceMeasurement {
 };
 
 /// Distance (mm) of each point of `a` to `b`, label by label as in measure_distances: the largest over the
-/// labels on whose boundary it lies. Not a number for points of no triangle, and for all where `b` has no
+/// labels on whose boundary it lies. NaN for points of no triangle, and for all points if `b` has no
 /// triangles.
 std::vector<float> distances_of_points(const TriangleSet& a, const TriangleSet& b);
 

@@ -13,8 +13,7 @@
 
 namespace voxtet {
 
-/// One row. `of` is called with the target edge length (mm) at the centroid, not a number where there is no
-/// sizing field.
+/// One row. `of` is called with the target edge length (mm) at the centroid; NaN if there is no sizing field.
 struct TetMeasure {
   const char* name;
   const char* title;
@@ -22,14 +21,14 @@ struct TetMeasure {
   Scale scale;
   MetricInfo::Worst worst;  ///< which end is bad
   double lo, hi;            ///< of its histogram; equal: the report has no distribution of it
-  bool of_target;           ///< only where there is a sizing field
+  bool of_target;           ///< needs a sizing field
   double (*of)(const TetCorners& corners, const TetShape& shape, double target_mm);
 };
 
 std::span<const TetMeasure> tet_measures();
 
-/// A field for each row, in its order, one value a tetrahedron; without those of the target where `sizing` is
-/// null. `all_angles`, where it is given: the six dihedral angles of each, deg.
+/// A field for each row, in its order, with one value per tetrahedron. Rows that need the target are left out
+/// if `sizing` is null. `all_angles`, if given, receives the six dihedral angles of each tetrahedron, deg.
 std::vector<Field> measure_tets(const TetMesh& mesh, const SizingField* sizing, int threads,
                                 std::vector<float>* all_angles = nullptr);
 

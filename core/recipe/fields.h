@@ -9,13 +9,13 @@
 
 namespace voxtet {
 
-/// What is said of a field. The range holds for numbers, inclusive; for vectors, per component.
+/// What is declared for a field. The range is inclusive; for vectors it holds for each component.
 struct FieldInfo {
   const char* name;
   const char* unit;
   double min, max;
   const char* description;
-  const char* formerly = nullptr;  ///< another name under which it is read, from before it had this one
+  const char* formerly = nullptr;  ///< an older name under which it is still read
 };
 
 inline constexpr double kAnyMin = std::numeric_limits<double>::lowest();

@@ -35,7 +35,8 @@ struct Source {
   std::optional<FileSource> file;
 };
 
-/// What meshing may take, by forecast: beyond it a case is refused before meshing. 0: no limit.
+/// Limits on what meshing may need. A case whose forecast is above one is refused before meshing. 0: no
+/// limit.
 struct Limits {
   double tets = 0;
   double memory_mb = 0;
@@ -86,7 +87,7 @@ Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const s
 nlohmann::json recipe_to_json(const Recipe& recipe, bool minimal = false);
 
 /// The table of fields: {fields: [{path, type, unit, default, min, max, values, description, items}],
-/// optional_groups: [path]}, the latter the groups that a recipe need not have.
+/// optional_groups: [path]}. A recipe may leave out the optional groups.
 nlohmann::json recipe_schema();
 
 }  // namespace voxtet

@@ -14,13 +14,13 @@ namespace voxtet {
 /// The interfaces between all labels (background included) triangulated to the sizing field (median edge =
 /// target): conforming between any number of labels, closed for each, free of self-intersections.
 /// `label_surface` is the smoothed boundary complex of the labels of `volume`; it defines the shape. Planar
-/// angles stay above about facet_angle_deg (delaunay, but for a few facets where labels meet) or 18 degrees
-/// (adapt, unless the label surface itself has sharper ones there). Where fidelity or a narrow
-/// place demands it, triangles are smaller than their target: a warning tells the share. A note tells the
-/// method taken, a warning that and why the other one had to help out.
+/// angles stay above about facet_angle_deg (delaunay, except for a few facets where labels meet) or 18
+/// degrees (adapt, unless the label surface itself has sharper ones there). Where fidelity or a narrow place
+/// requires it, triangles are smaller than their target: a warning tells the share. A note tells the method
+/// used; a warning tells if and why the other method was the fallback.
 ///
-/// With `layers` the sheets between them are interfaces too (delaunay alone; a warning tells when the other
-/// method had to be taken, without sheets): merge_layers() takes them out.
+/// With `layers` the sheets between them are interfaces too; merge_layers() removes them. Only method
+/// delaunay makes them: a warning tells if the fallback was used, without sheets.
 ///
 /// Errors: kBadInput for malformed values; kUsage for layers with method adapt; kCancelled; kOutOfMemory;
 /// kInternal where the triangulation fails.

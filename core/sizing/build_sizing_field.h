@@ -1,4 +1,4 @@
-// The rules of the user -> one edge length per point of space.
+// The user's rules -> one target edge length at every point of space.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,7 +25,7 @@ struct LabelSize {
 
 enum class RegionShape { kSphere, kBox, kCapsule };
 
-/// A place with its own size: edge_mm inside, rising linearly to the surrounding size over band_mm outside.
+/// A place with its own size: edge_mm inside; outside it rises linearly to the surrounding size over band_mm.
 /// sphere: centre_mm, radius_mm. box: centre_mm, half_size_mm along the RAS axes, rotated by `axes_deg`
 /// (extrinsic x, then y, then z). capsule: segment centre_mm..end_mm with radius_mm.
 struct SizeRegion {
@@ -40,23 +40,24 @@ struct SizeRegion {
   double band_mm = 5;
 };
 
-/// Size growing with the distance to a label: edge_mm at the label, + slope * distance.
+/// Size that grows with the distance to a label: edge_mm + slope * distance.
 struct DistanceSize {
   Label label = 0;
   double edge_mm = 1;
   double slope = 0.2;
 };
 
-/// How a number of layers is had.
+/// How the layers of a wall are made.
 enum class Layering {
-  kSize,   ///< by the size of elements alone, which are not laid in sheets
-  kExact,  ///< by sheets across the wall (walls/wall_layers.h), between which lies one element
+  kSize,   ///< by the size of elements alone, without sheets
+  kExact,  ///< by sheets across the wall (walls/wall_layers.h), with one element between two of them
 };
 
-/// Size by the thickness t of a wall. `layers` > 0: t / layers. By size alone, of a shell's area 99 % has
-/// exactly two layers where two are asked for, 93 or 94 % exactly three or four, and most of it two where one
-/// is asked for (core/README.md). Else linear, from edge_thin_mm where t <= thin_mm to edge_thick_mm where t
-/// >= thick_mm; with both of these 0 they are the first and the last percentile of t.
+/// Size by the thickness t of a wall. `layers` > 0: t / layers. Accuracy by size alone, in parts of a shell's
+/// area: 99 % has exactly two layers where two are asked for, 93 or 94 % exactly three or four; most of it
+/// has two where one is asked for (core/README.md). `layers` 0: linear, from edge_thin_mm where t <= thin_mm
+/// to edge_thick_mm where t >= thick_mm. If thin_mm and thick_mm are both 0, they are the first and the last
+/// percentile of t.
 struct ThicknessSize {
   std::vector<Label> wall;   ///< labels of the image that form the wall
   std::vector<Label> inner;  ///< labels on its inner side; none: the cavities of the background
@@ -67,24 +68,25 @@ struct ThicknessSize {
 };
 
 /// Sizes painted over the volume: a label volume of its own, on any grid, with a size for each of its labels.
-/// A point has the label of the mask's voxel around it, and every painted voxel at least the grid point
-/// nearest to it.
+/// A point has the label of the mask's voxel that contains it. Every painted voxel sets at least the grid
+/// point nearest to it.
 struct MaskSize {
   std::string name;              ///< of the file that holds the mask
   std::string sha256;            ///< digest_of(LabelVolume); empty accepts any
   std::vector<LabelSize> edges;  ///< by label of the mask
 };
 
-/// An image of edge lengths in mm, on any grid. Voxels of 0 and those that are not a number ask for nothing.
+/// An image of edge lengths in mm, on any grid. Voxels that are 0 or NaN ask for nothing.
 struct ImageSize {
   std::string name;    ///< of the file that holds the image
   std::string sha256;  ///< digest_of(ScalarVolume); empty accepts any
 };
 
-/// Size by the curvature of the label surface: so many edges to a full turn of its circle of curvature, h = 2
-/// pi / (edges_per_turn * k) with k the larger absolute principal curvature, averaged over some two voxels.
+/// Size by the curvature of the label surface: h = 2 pi / (edges_per_turn * k), so that `edges_per_turn`
+/// edges make a full turn of its circle of curvature. k is the larger absolute principal curvature, averaged
+/// over some two voxels.
 struct CurvatureSize {
-  std::vector<Label> labels;  ///< whose surfaces count, against whatever they border on; none: all
+  std::vector<Label> labels;  ///< whose surfaces count, whatever is on the other side; none: all
   double edges_per_turn = 20;
   double edge_min_mm = 0.5;  ///< no edge below this is asked, however sharp the bend
 };
@@ -94,19 +96,18 @@ struct SizingParams {
   std::vector<LabelSize> labels;         ///< replaces edge_mm inside these labels (smaller or larger)
   std::vector<SizeRegion> regions;       ///< minimum with everything else
   std::vector<DistanceSize> distances;   ///< minimum with everything else
-  std::vector<ThicknessSize> thickness;  ///< in its wall in place of edge_mm, minimum with everything else
+  std::vector<ThicknessSize> thickness;  ///< replaces edge_mm in its wall, minimum with everything else
   std::vector<MaskSize> masks;           ///< minimum with everything else
-  std::vector<ImageSize>
-      images;  ///< where it has a length, in place of edge_mm, minimum with everything else
+  std::vector<ImageSize> images;         ///< replaces edge_mm where it has a length, minimum with all else
   std::vector<CurvatureSize> curvature;  ///< minimum with everything else
   double edge_min_mm = 0.1;
   double edge_max_mm = 50;
   double gradation = 0.3;  ///< bound on |grad h|; 0 < g <= 1
 };
 
-/// What sizes may depend on beyond the labels.
+/// What sizes may depend on besides the labels.
 struct SizingSources {
-  /// Measured (measure_wall.h), one for each of SizingParams::thickness.
+  /// Measured walls (measure_wall.h), one for each of SizingParams::thickness.
   std::span<const WallField> walls = {};
   std::span<const LabelVolume* const> masks = {};    ///< one for each of SizingParams::masks
   std::span<const ScalarVolume* const> images = {};  ///< one for each of SizingParams::images
@@ -118,12 +119,12 @@ struct SizingSources {
 /// gradation-limited: h*(x) = min_y h(y) + g|x - y| by fast sweeping (fast_sweeping.h states its accuracy).
 /// The grid is that of the volume with two points more on each side. Background has no rule of its own: it
 /// gets its size from the labels around it through the gradation, from distances and from regions. Regions do
-/// not depend on their order: each rises to what stands without any region.
-/// Voxels of other labels within two voxels of a wall take its size too; the gradation would have them near
-/// it anyway.
+/// not depend on their order: the band of each rises to the size that there is without any region. Voxels of
+/// other labels within two voxels of a wall also take the wall's size; the gradation would bring them near it
+/// anyway.
 ///
-/// Warned of: edge lengths beyond edge_min_mm and edge_max_mm, regions that do not reach into the volume, and
-/// images that leave some labelled voxels without a size, where edge_mm stands. Errors: kUsage naming the
+/// Warnings: edge lengths beyond edge_min_mm and edge_max_mm, regions that do not reach into the volume, and
+/// images that leave some labelled voxels without a size, which then have edge_mm. Errors: kUsage naming the
 /// field ("sizing.labels[1].edge_mm") for sizes that are not finite and positive, labels that the volume or
 /// mask does not hold or that are listed twice, empty regions, masks that do not reach into the volume;
 /// kBadInput for a volume that makes no sense and for images with negative or infinite sizes or without a

@@ -7,7 +7,7 @@
 
 namespace voxtet {
 
-/// The first field of the parameters that is out of range or speaks of a label that the volume does not hold.
+/// The first field of the parameters that is out of range or names a label that the volume does not hold.
 std::optional<Error> find_sizing_error(const LabelVolume& volume, const SizingParams& params);
 
 }  // namespace voxtet

@@ -7,8 +7,8 @@
 
 namespace voxtet {
 
-/// Lowers the field to what the rules ask, at the grid points next to the smoothed label surface: by the
-/// mean of the curvatures at its points around each.
+/// Lowers the field, at the grid points next to the smoothed label surface, to the lengths that the rules ask
+/// for there. The curvature at a grid point is the mean over the surface's points around it.
 void lower_by_curvature(const SurfaceMesh& surface, const std::vector<CurvatureSize>& rules, double voxel_mm,
                         SizingField& field);
 

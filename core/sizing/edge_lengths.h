@@ -7,9 +7,9 @@
 
 namespace voxtet {
 
-/// Calls visit(field, edge_mm) for every edge length of SizingParams (const or not), the field as the recipe
-/// names it below "sizing.". Neither the bounds edge_min_mm and edge_max_mm nor what follows from layers,
-/// images and curvature.
+/// Calls visit(field, edge_mm) for every edge length of SizingParams (const or not). `field` is its path in
+/// the recipe below "sizing.". The bounds edge_min_mm and edge_max_mm, and lengths that follow from layers,
+/// images and curvature, are left out.
 template <class Params, class Visit>
 void for_each_edge_length(Params& params, Visit&& visit) {
   const auto item = [](const std::string& list, std::size_t i) {

@@ -1,4 +1,4 @@
-// Sizes from volumes beside the one that is meshed: painted masks and images of sizes.
+// Sizes from volumes other than the one that is meshed: painted masks and images of sizes.
 #pragma once
 
 #include <string>
@@ -14,10 +14,10 @@ namespace voxtet {
 Status lower_by_mask(const LabelVolume& mask, const MaskSize& rule, const std::string& name,
                      SizingField& field);
 
-/// Lowers `sizes` (mm, one a point of the grid) to what the image says, trilinear among its voxels that have
-/// a length. Warned of: an image that asks for nothing at some labelled voxels of the volume, and one that
-/// asks for less than edge_min_mm or more than edge_max_mm there. Errors: kBadInput for values that are no
-/// sizes, and for an image that asks for nothing at any labelled voxel.
+/// Lowers `sizes` (mm, one per grid point) to what the image says, interpolated trilinearly among its voxels
+/// that have a length. Warnings: an image that asks for nothing at some labelled voxels of the volume, and
+/// one that asks for less than edge_min_mm or more than edge_max_mm there. Errors: kBadInput for values that
+/// are no sizes, and for an image that asks for nothing at any labelled voxel.
 Status lower_by_image(const LabelVolume& volume, const ScalarVolume& image, const std::string& name,
                       const SizingParams& params, const SizingField& grid, std::vector<float>& sizes,
                       RunContext& ctx);

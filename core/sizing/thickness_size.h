@@ -7,7 +7,7 @@
 
 namespace voxtet {
 
-/// Lowers `sizes` (mm, one a point of the grid) to what `rule` asks in the wall and two voxels around it.
+/// Lowers `sizes` (mm, one per grid point) to what `rule` asks for in the wall and two voxels around it.
 void lower_by_thickness(const WallField& wall, const ThicknessSize& rule, const SizingField& grid,
                         std::vector<float>& sizes);
 

@@ -19,20 +19,21 @@ struct TransferParams {
   int samples_max = 64;       ///< per tet, at least samples_min
 };
 
-/// The label of `volume` at the voxel nearest to a point is taken at each tet's centroid and at its
-/// samples; outside of the grid it is background. Samples: the barycentres of the n^3 parts of equal volume
-/// into which Kuhn's subdivision cuts a tet; exact for functions that are linear in it. Some 8 fall into a
+/// Takes the label of `volume` at the voxel nearest to each tet's centroid, and to each of its samples;
+/// outside of the grid it is background. Samples are the barycentres of the n^3 parts of equal volume into
+/// which Kuhn's subdivision cuts a tet; exact for functions that are linear in it. There are about 8 per
 /// voxel: n is the least with n^3 >= clamp(8 V_tet / V_voxel, samples_min, samples_max), unless that exceeds
-/// samples_max. Fractions and majority are of the samples in labels asked for or with most of their voxels in
-/// the mesh: at its border, samples in background or in a label left out say nothing about the tet's tissue.
-/// Where all are such, all count. Of labels with equally many samples the one at the centroid has the
-/// majority, else the lowest. Linear time, plus a few passes over the voxels. Errors: kUsage for parameters
-/// out of range, labels that the volume does not hold (the message lists those it does), background;
-/// kInternal where the mesh breaks an invariant; kCancelled.
+/// samples_max.
+/// Only samples in labels that are asked for, or have most of their voxels in the mesh, count for fractions
+/// and majority: at the mesh's border, samples in background or in a label left out say nothing about the
+/// tet's tissue. If a tet has no other samples, all count. Of labels with equally many samples the one at the
+/// centroid has the majority, else the lowest. Linear time, plus a few passes over the voxels.
+/// Errors: kUsage for parameters out of range, labels that the volume does not hold (the message lists those
+/// it does), background; kInternal if the mesh breaks an invariant; kCancelled.
 Result<LabelTransfer> transfer_labels(const TetMesh& mesh, const LabelVolume& volume,
                                       const TransferParams& params, RunContext& ctx);
 
-/// What transfer_labels refuses before it needs a mesh.
+/// The checks of transfer_labels that need no mesh.
 Status check_transfer(const LabelVolume& volume, const TransferParams& params);
 
 }  // namespace voxtet

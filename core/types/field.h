@@ -10,7 +10,7 @@
 
 namespace voxtet {
 
-/// What the values of a field belong to, one group of components for each.
+/// The kind of element that a field has values for.
 enum class On { kVoxels, kTriangles, kPoints, kTets, kFaces };
 
 /// "voxels", "triangles", "points", "tets", "faces".
@@ -19,11 +19,11 @@ inline std::string_view name_of(On on) {
   return kNames[static_cast<int>(on)];
 }
 
-/// How the values of a field are read, and so how a viewer colours them.
+/// How the values of a field are meant, and so how a viewer colours them.
 enum class Scale {
   kSequential,  ///< from little to much
-  kDiverging,   ///< as much below 0 as above it
-  kWhole,       ///< few whole numbers, in order
+  kDiverging,   ///< on a range symmetric about 0
+  kWhole,       ///< a few whole numbers, in order
   kLabel,       ///< labels of the image
 };
 
@@ -33,7 +33,7 @@ inline std::string_view name_of(Scale scale) {
   return kNames[static_cast<int>(scale)];
 }
 
-/// `values` holds `components` numbers for each element, those of one element together. Not a number: the
+/// `values` holds `components` numbers for each element, those of one element next to each other. NaN: the
 /// element has no value. Labels are exact as float.
 struct Field {
   std::string name;  ///< a word of letters, digits and underscores, as it stands in files: "min_dihedral_deg"
@@ -45,13 +45,13 @@ struct Field {
   std::vector<float> values;
 };
 
-/// One frame of a result that lives in time.
+/// One frame of a result that changes with time.
 struct Snapshot {
   double time_ms = 0;
   std::vector<Field> fields;
 };
 
-/// The field of a name; null where there is none.
+/// The field with this name; null if there is none.
 inline const Field* find_field(const std::vector<Field>& fields, std::string_view name) {
   const auto found =
       std::find_if(fields.begin(), fields.end(), [&](const Field& field) { return field.name == name; });

@@ -9,9 +9,9 @@
 
 namespace voxtet {
 
-/// Points (voxel centres, for an image) on a regular grid. Index x runs fastest:
-/// offset = i + size[0]*(j + size[1]*k). `index_to_mm` maps indices (points at integers) to patient space,
-/// RAS, mm; any direction, oblique, mirrored (determinant < 0) or sheared, but never singular.
+/// Points on a regular grid (for an image: the voxel centres). Index x runs fastest:
+/// offset = i + size[0]*(j + size[1]*k). `index_to_mm` maps indices (points are at integers) to patient
+/// space, RAS, mm. It may be oblique, mirrored (determinant < 0) or sheared, but never singular.
 struct Grid {
   std::array<int, 3> size{0, 0, 0};
   Eigen::Matrix4d index_to_mm = Eigen::Matrix4d::Identity();
@@ -24,7 +24,7 @@ struct Grid {
                 static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(k));
   }
   std::size_t offset(const Eigen::Vector3i& index) const { return offset(index[0], index[1], index[2]); }
-  /// From a point to the next one along each axis, in offsets.
+  /// Difference of offsets between a point and the next one along each axis.
   std::array<std::size_t, 3> strides() const { return {1, offset(0, 1, 0), offset(0, 0, 1)}; }
   bool contains(int i, int j, int k) const {
     return i >= 0 && j >= 0 && k >= 0 && i < size[0] && j < size[1] && k < size[2];
@@ -54,11 +54,11 @@ struct Grid {
   double voxel_mm3() const { return std::abs(linear().determinant()); }
 };
 
-/// A grid in which points of space are looked for.
+/// A grid that also maps points of space back to indices.
 struct SearchableGrid : Grid {
   Eigen::Matrix4d mm_to_index = Eigen::Matrix4d::Identity();  ///< inverse of index_to_mm
 
-  /// To be called when the grid has been placed.
+  /// Sets mm_to_index. Call it after index_to_mm has been set.
   void invert() { mm_to_index = index_to_mm.inverse(); }
   /// Continuous index of a patient-space point (mm).
   Eigen::Vector3d to_index(const Eigen::Vector3d& point_mm) const {

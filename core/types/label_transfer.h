@@ -1,4 +1,4 @@
-// What the voxels say about each tetrahedron of a mesh that was made of other labels.
+// Labels of the image given to the tetrahedra of a mesh that does not follow them.
 #pragma once
 
 #include <vector>
@@ -8,25 +8,27 @@
 
 namespace voxtet {
 
-/// One label that was transferred. The volumes are those of the tets that would carry it: each by its
-/// fraction, or whole by the label at its centroid, or whole by its majority.
+/// One transferred label. Besides its volume in voxels, the volume of the tetrahedra that carry it, in three
+/// ways: each tetrahedron counts by its fraction, or as a whole where the label is at its centroid, or as a
+/// whole where the label has the majority.
 struct TransferredLabel {
   Label label = 0;
   double voxel_mm3 = 0;
   double fraction_mm3 = 0, centroid_mm3 = 0, majority_mm3 = 0;
-  double centroid_dice = 0, majority_dice = 0;  ///< at voxel centres, tets against voxels
+  double centroid_dice = 0, majority_dice = 0;  ///< Dice of tetrahedra against voxels, sampled at voxel
+                                                ///< centres
 };
 
-/// Empty throughout when nothing was asked for. Fields of tetrahedra: `centroid_label`, at the centroid, and
-/// `majority_label`, of most samples, labels of the image with background among them; then for each of
-/// `labels`, as `fraction_5` for label 5, its share of the tetrahedron, in [0, 1].
+/// Empty if no label was asked for. All fields are on tetrahedra. `centroid_label` is the label at the
+/// centroid, `majority_label` the label of most samples; both may be any label of the image, background too.
+/// For each of `labels` follows its share of the tetrahedron, in [0, 1], named `fraction_5` for label 5.
 struct LabelTransfer {
   std::vector<TransferredLabel> labels;  ///< those asked for, ascending
   std::vector<Field> fields;
 
   const std::vector<float>& centroid() const { return fields[0].values; }
   const std::vector<float>& majority() const { return fields[1].values; }
-  /// Shares of labels[i].
+  /// The share of labels[i] in each tetrahedron.
   const std::vector<float>& fraction(std::size_t i) const { return fields[2 + i].values; }
 };
 

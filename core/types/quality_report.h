@@ -30,9 +30,10 @@ struct MetricSummary {
   std::vector<std::uint32_t> worst;
 };
 
-/// Distances from samples on one surface to another, mm. A distance changes by no more than the way gone:
-/// mean, rms and p95 are those of the whole surface to within `spacing_mm`, the longest edge of the samples'
-/// lattices. No point between samples is farther than `max_mm + uncertainty_mm`.
+/// Distances from samples on one surface to another surface, mm. Between two points a distance changes by no
+/// more than the points are apart. So mean, rms and p95 are those of the whole surface to within
+/// `spacing_mm`, the longest edge of the sample lattices, and no point between samples is farther than
+/// `max_mm + uncertainty_mm`.
 struct DistanceSummary {
   std::uint64_t samples = 0;
   double spacing_mm = 0;
@@ -50,9 +51,10 @@ struct LabelFidelity {
 
 /// One number in which two ledgers differ.
 struct TopologyDifference {
-  std::string what;  ///< a field of LabelTopology, or "label" or "contact": 1 where there is one, else 0
+  std::string what;  ///< name of a field of LabelTopology; or "label" or "contact", whose number is 1 if it
+                     ///< exists, else 0
   Label label = 0;
-  Label other = 0;  ///< of a contact
+  Label other = 0;  ///< the second label of a contact
   std::int64_t before = 0, after = 0;
 };
 
@@ -65,7 +67,8 @@ struct TopologyComparison {
 /// Area of a wall's outer surface by the number of layers beneath it.
 struct LayerShares {
   std::vector<double> area_mm2;    ///< index: number of layers
-  double exact = 0, at_least = 0;  ///< parts of the area with as many layers as asked for, and with no fewer
+  double exact = 0, at_least = 0;  ///< shares of the area with exactly, and with at least, the number of
+                                   ///< layers asked for
 };
 
 /// A connected part of a wall's outer surface with another number of layers than asked for.
@@ -80,7 +83,7 @@ struct LayerCount {
   std::vector<Label> wall;
   std::uint32_t target_layers = 0;
   LayerShares by_edges, by_lines;
-  std::vector<LayerPlace> places;  ///< by edges; the ten largest, the largest first
+  std::vector<LayerPlace> places;  ///< counted by edges; the ten largest, largest first
 };
 
 struct ChecklistItem {
@@ -95,10 +98,10 @@ struct QualityReport {
   std::vector<LabelFidelity> labels;
   DistanceSummary mesh_to_surface, surface_to_mesh;  ///< mesh boundary against the label surface
   TopologyComparison topology;
-  std::vector<LayerCount> layers;  ///< of the walls for which a number was asked for
-  /// Measures of tetrahedra (quality/tet_measure_table.h); where numbers of layers were asked for `layer` and
-  /// `layers_across` (quality/count_layers.h); against a label surface `distance_mm` and `distance_voxels` of
-  /// points.
+  std::vector<LayerCount> layers;  ///< one per wall for which a number of layers was asked for
+  /// Measures of tetrahedra (quality/tet_measure_table.h). If numbers of layers were asked for, also `layer`
+  /// and `layers_across` (quality/count_layers.h). If there is a label surface to compare with, also
+  /// `distance_mm` and `distance_voxels` on points.
   std::vector<Field> fields;
   std::vector<ChecklistItem> checklist;
 

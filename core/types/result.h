@@ -26,8 +26,8 @@ enum class ErrorCode {
 /// Stable lower-case name of a code, as it stands in JSON ("bad_input").
 std::string to_string(ErrorCode code);
 
-/// Where an error is, for a viewer to fly to. Points in mm, RAS. `elements` are those of `stage`'s result
-/// that the message speaks of, of the kind `on`; none where no result that a viewer has holds them.
+/// Where an error is, so that a viewer can show it. Points in mm, RAS. `elements` are indices of elements of
+/// kind `on` in the result of `stage`; empty if no result that a viewer has contains them.
 struct ErrorPlace {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::uint32_t> elements;

@@ -1,5 +1,4 @@
-// What a stage may ask of its caller while it runs: progress, cancellation, warnings, notes. No
-// stage prints.
+// What a stage may ask of its caller while it runs: progress, cancellation, warnings, notes. No stage prints.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +10,7 @@
 
 namespace voxtet {
 
-/// Whether this thread is one that a stage has made (base/parallel.h): those never call back.
+/// Whether this thread was started by a stage (base/parallel.h). Such threads never call back.
 inline thread_local bool is_helper_thread = false;
 
 /// Passed by reference into every stage. All callbacks are optional and are called on the stage's own thread.
@@ -19,11 +18,11 @@ struct RunContext {
   std::function<void(const std::string& stage, double fraction)> on_progress;  ///< fraction in [0, 1]
   std::function<bool()> on_cancelled;                                          ///< true: stop soon
   std::function<void(const std::string& stage, const std::string& message)> on_warning;
-  /// What a reader of the report should know though nothing is wrong: which method or fallback was taken,
-  /// what was removed on demand.
+  /// What a reader of the report should know although nothing is wrong: which method or fallback was used,
+  /// what was removed because the recipe asks for it.
   std::function<void(const std::string& stage, const std::string& message)> on_note;
-  std::function<void(const Snapshot&)> on_snapshot;  ///< a frame of a result that lives in time
-  int threads = 1;  ///< that a stage may use (base/parallel.h); never changes what it returns
+  std::function<void(const Snapshot&)> on_snapshot;  ///< a frame of a result that changes with time
+  int threads = 1;  ///< how many a stage may use (base/parallel.h); the number never changes its result
 
   void progress(const std::string& stage, double fraction) const {
     if (on_progress && !is_helper_thread) on_progress(stage, fraction);
@@ -39,8 +38,8 @@ struct RunContext {
     if (on_note) on_note(stage, message);
   }
 
-  /// The same caller, for a part of the stage: fractions told to it from 0 to 1 arrive as `from` to `to`, and
-  /// never fall.
+  /// A context for one part of the stage, with the same callbacks. Fractions from 0 to 1 that are told to it
+  /// arrive at the caller as `from` to `to`, and never decrease.
   RunContext part(double from, double to) const {
     RunContext out = *this;
     if (on_progress)

@@ -1,4 +1,4 @@
-// The names of the stages, as errors, warnings, notes, progress and reports tell them.
+// The names of the stages, as errors, warnings, notes, progress and reports use them.
 #pragma once
 
 namespace voxtet {

@@ -1,4 +1,4 @@
-// What shape each label has, apart from where it is: pieces, cavities, tunnels, contacts.
+// Topology of the labels: pieces, cavities, tunnels, contacts.
 #pragma once
 
 #include <array>

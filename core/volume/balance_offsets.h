@@ -1,4 +1,4 @@
-// Gives every label the volume of its slices back after interpolation.
+// Gives each label back, after interpolation, the volume that it has in the slices.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What interpolation made of the labels, told to whoever runs it.
+// Reports how interpolation changed the labels.
 #pragma once
 
 #include "types/label_volume.h"
@@ -6,9 +6,9 @@
 
 namespace voxtet::slices {
 
-/// Notes both grids and, label by label, the change of volume, components and Euler number (6-connected, of
-/// the voxels) where there is one; warns of labels whose volume changes by more than 1 % or that fall into
-/// more components than they had.
+/// Notes both grids and, for each label, the change of volume, components and Euler number (6-connected, of
+/// the voxels) if there is one. Warns of labels whose volume changes by more than 1 % or that fall into more
+/// components than before.
 void compare_slices(const LabelVolume& before, const LabelVolume& after, const RunContext& ctx);
 
 }  // namespace voxtet::slices

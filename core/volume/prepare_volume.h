@@ -19,15 +19,16 @@ struct VolumeParams {
   std::uint32_t hole_voxels = 0;   ///< smaller enclosed components of background are removed; 0: none
 };
 
-/// `selected` and `prepared` hold the labels to be meshed, on the source's voxels and on those to be meshed;
-/// the same object where nothing was interpolated or removed. `anatomy` holds all labels on the grid of
-/// `prepared`. All are stored as mesh_order() has it, and are the source itself where that changes nothing.
+/// `selected` and `prepared` hold the labels to be meshed: `selected` on the source's voxels, `prepared` on
+/// those to be meshed. They are the same object if nothing was interpolated or removed. `anatomy` holds all
+/// labels on the grid of `prepared`. All are stored in the order of mesh_order(), and are the source itself
+/// if nothing changes it.
 struct PreparedVolume {
   std::shared_ptr<const LabelVolume> selected, prepared, anatomy;
 };
 
-/// select_labels and reordered, interpolate_slices over all labels, then remove_specks; what they did is
-/// noted in `ctx`. Errors: those of select_labels; kUsage for parameters out of range; kCancelled.
+/// Applies select_labels and reordered, interpolate_slices to all labels, then remove_specks; what they did
+/// is noted in `ctx`. Errors: those of select_labels; kUsage for parameters out of range; kCancelled.
 Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& source,
                                       const std::vector<Label>& labels, const std::vector<LabelGroup>& merge,
                                       const VolumeParams& params, RunContext& ctx);

@@ -1,4 +1,4 @@
-// Small components of the labels and of background, removed on demand.
+// Removes small components of the labels and of background, if the user asks for it.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,11 @@ struct SpeckLimits {
   std::uint32_t hole_voxels = 0;   ///< components of background that do not touch the volume's border
 };
 
-/// Gives each small component the other label with the largest face area to it (mm^2; the lower of equals),
-/// the smallest components first (of equals the one whose first voxel comes first), each as its surroundings
-/// are by then. What was removed is noted label by label: components, voxels, the largest. A label of which
-/// nothing is left is warned of. Linear time apart from sorting the small components.
+/// Each small component gets the other label with which it shares the largest face area (mm^2; of equals the
+/// lower label). The smallest components come first (of equals the one whose first voxel comes first); each
+/// sees the labels that the ones before it got. Notes for each label what was removed: components, voxels,
+/// the largest. Warns of a label of which nothing is left. Linear time apart from sorting the small
+/// components.
 LabelVolume remove_specks(const LabelVolume& volume, const SpeckLimits& limits, const RunContext& ctx);
 
 }  // namespace voxtet

@@ -1,4 +1,4 @@
-// The labels of a volume that are to be meshed, and which of them as one region.
+// Selects the labels of a volume that are to be meshed, and merges those that are meshed as one region.
 #pragma once
 
 #include <cstddef>

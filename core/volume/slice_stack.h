@@ -24,13 +24,13 @@ struct SliceStack {
 
 SliceStack take_slices(const LabelVolume& volume, int axis);
 
-/// A volume like `source` whose slices across `axis` are those of `stack`: `planes` (odd) for each slice of
-/// the source, the middle one at its place.
+/// A volume like `source` whose slices across `axis` are those of `stack`: `planes` (odd) of them for each
+/// slice of the source, the middle one at the place of that slice.
 LabelVolume put_slices(const SliceStack& stack, const LabelVolume& source, int axis, int planes);
 
-/// Signed distances (mm) of one label within a slice, from pixel centres to the label's outline, about half a
-/// pixel from the centres on both sides of it: positive inside, at most `far_mm` either way. Kept in the box
-/// outside of which the label is far.
+/// Signed distances (mm) within a slice from pixel centres to the outline of one label: positive inside,
+/// never beyond +-`far_mm`. The outline runs about half a pixel from the centres on both sides of it. Only a
+/// box is stored; outside of it the distance is -far_mm.
 struct LabelDistance {
   Label label = kBackground;
   std::array<int, 2> low{}, size{};
@@ -45,7 +45,8 @@ struct LabelDistance {
   }
 };
 
-/// Every label of a slice (background like any other), ascending. Time is linear in the area of the boxes.
+/// One for each label of a slice (background like any other), ascending. Time is linear in the area of the
+/// boxes.
 using SliceDistances = std::vector<LabelDistance>;
 SliceDistances slice_distances(const SliceStack& stack, int slice, double far_mm);
 

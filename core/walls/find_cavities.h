@@ -1,4 +1,4 @@
-// The inner spaces of a wall of which only the wall itself is labelled.
+// The inner spaces of a wall, found when only the wall itself is labelled.
 #pragma once
 
 #include "walls/wall_grid.h"
@@ -6,11 +6,11 @@
 namespace voxtet::wall {
 
 /// Turns cavities, which are kOuter so far, into inner spaces and returns their number; the largest come
-/// first. Cavities that the wall encloses on all sides are taken if there are any; else the wall is a cup, or
-/// two, cut open by a plane: the direction is sought in which most of the background lies in holes of the
-/// planes across it (as a ventricle's cavity does in short-axis slices). Cavities of less than a tenth of the
-/// largest are none; one that falls into large parts some way off the wall is parted, as two ventricles are
-/// whose septum ends below the base.
+/// first. If there are cavities that the wall encloses on all sides, these are taken. Else the wall is a cup,
+/// or two, cut open by a plane: the direction is sought for which most of the background lies in holes of the
+/// planes across it (as a ventricle's cavity does in short-axis slices). Cavities smaller than a tenth of the
+/// largest do not count. A cavity that falls into large parts at some distance from the wall is split, as for
+/// two ventricles whose septum ends below the base.
 std::size_t find_cavities(WallGrid& grid);
 
 }  // namespace voxtet::wall

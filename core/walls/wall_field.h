@@ -13,15 +13,15 @@
 namespace voxtet {
 
 /// Thickness and potential of the wall that some labels form, on a grid of its own around the wall. Values
-/// are those of points in the wall; they go on for two voxels beyond it, so that sampling between grid points
-/// is sound up to the wall's surface.
+/// are those of points in the wall. They are continued for two voxels beyond it, so that interpolation
+/// between grid points is right up to the wall's surface.
 struct WallField : SearchableGrid {
   std::vector<Label> wall;            ///< the labels that form the wall
-  std::vector<float> thickness_mm;    ///< 0: nothing known, as away from the wall
+  std::vector<float> thickness_mm;    ///< 0: unknown, as away from the wall
   std::vector<float> potential;       ///< 0 at the inner surface, 1 at the outer one, a little beyond outside
   std::vector<std::uint8_t> in_wall;  ///< 1 inside the wall's surface
-  /// By inner space: the harmonic measure of its surface, 1 there and 0 on all others; the outer surface has
-  /// what is missing to 1. Empty where nobody asked for it.
+  /// For each inner space, the harmonic measure of its surface: 1 there and 0 on all other surfaces. The
+  /// outer surface has what is missing to 1. Empty if not asked for.
   std::vector<std::vector<float>> inner_shares;
 
   /// Whether the grid point nearest to a continuous index lies in the wall.
@@ -35,7 +35,7 @@ struct WallField : SearchableGrid {
     return sample(thickness_mm, to_index(point_mm));
   }
   double potential_at(const Eigen::Vector3d& point_mm) const { return sample(potential, to_index(point_mm)); }
-  /// The shares of the outer surface and of each inner one, in this order; none where nothing is known.
+  /// The shares of the outer surface and of each inner one, in this order; empty where nothing is known.
   using Shares = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 256, 1>;
   Shares shares_at(const Eigen::Vector3d& point_mm) const {
     const Eigen::Vector3d index = to_index(point_mm);
@@ -60,8 +60,8 @@ struct WallField : SearchableGrid {
            index[2] <= size[2] - 1;
   }
 
-  /// Trilinear between the grid points around a continuous index that have a thickness; 0 where none has
-  /// and outside of the grid.
+  /// Trilinear interpolation between those grid points around a continuous index that have a thickness; 0 if
+  /// none has, and outside of the grid.
   double sample(const std::vector<float>& values, const Eigen::Vector3d& index) const {
     if (!covers(index)) return 0;
     double sum = 0, weights = 0;

@@ -1,4 +1,4 @@
-// A wall within a tetrahedral mesh: its tetrahedra, its inner and outer surface, and ways through it.
+// A wall within a tetrahedral mesh: its tetrahedra, its inner and outer surface, and paths through it.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,9 +12,9 @@
 
 namespace voxtet {
 
-/// The wall's tetrahedra are those of the labels of which most of the volume lies in the wall. Its surface is
-/// inner or outer where the potential falls or rises across it (within 60 degrees), else it is a side, such
-/// as the rim of the base. Holds the mesh and the field.
+/// The wall consists of the tetrahedra of those labels of which most of the volume lies in the wall. Its
+/// surface is inner or outer where the potential falls or rises across it (within 60 degrees); the rest are
+/// sides, such as the rim of the base. Refers to the mesh and the field.
 class WallMesh {
  public:
   enum class Part { kInner, kOuter, kSide };
@@ -30,20 +30,20 @@ class WallMesh {
 
   bool holds(std::size_t tet) const { return in_wall_[tet]; }
   const std::vector<Face>& faces() const { return faces_; }
-  /// By point the fewest edges to the inner or the outer surface (edge_hops), none of them on the wall's
-  /// surface: where a ventricle's free wall meets the septum, the way along it is short.
+  /// For each point the fewest edges to the inner or the outer surface (edge_hops). Edges on the wall's
+  /// surface are not used: where a ventricle's free wall meets the septum, the path along it is short.
   std::vector<std::uint32_t> edges_through_from(Part part) const {
     return edge_hops(edges_through_, points_of(part));
   }
-  /// The same, from the inner one.
+  /// The same, from the inner surface.
   const std::vector<std::uint32_t>& from_inner() const { return from_inner_; }
   /// The same, from those points of the outer surface that are not near a side.
   std::vector<std::uint32_t> from_judged_outer() const;
-  /// Edges of the wall's tetrahedra that are none of its surface.
+  /// Edges of the wall's tetrahedra that are not on its surface.
   const std::vector<Edge>& edges_through() const { return edges_through_; }
-  /// By point whether at most two edges join it to a side.
+  /// For each point whether it is within two edges of a side.
   const std::vector<bool>& near_side() const { return near_side_; }
-  /// Which of so many layers of the potential a tetrahedron's centroid lies in, from 0.
+  /// The layer, from 0, that a tetrahedron's centroid lies in when the potential is cut into `layers`.
   std::uint32_t layer_of(std::size_t tet, std::uint32_t layers) const;
   /// How many layers the field line from an outer face meets; 0 if it does not end on the inner surface.
   std::uint32_t layers_met(const Face& start, std::uint32_t layers) const;

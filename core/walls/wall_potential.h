@@ -5,7 +5,7 @@
 
 namespace voxtet::wall {
 
-/// A wall voxel with what it has across its six faces, in the order -x, +x, -y, +y, -z, +z: the number of
+/// A wall voxel, and what lies across its six faces, in the order -x, +x, -y, +y, -z, +z: the number of
 /// another node, or one of the ends.
 struct Node {
   std::array<std::uint32_t, 6> neighbour;
@@ -23,8 +23,8 @@ struct WallGraph {
   std::array<std::size_t, 3> stride{};
 };
 
-/// The voxels of the wall that `in_reach` marks (one entry a voxel; empty: all); those that are not in reach
-/// count as kSide.
+/// The voxels of the wall that `in_reach` marks (one entry per voxel; empty: all). Wall voxels that it does
+/// not mark count as kSide.
 WallGraph wall_graph(const WallGrid& grid, std::uint8_t inner_kind, int threads,
                      const std::vector<std::uint8_t>& in_reach = {});
 
@@ -33,14 +33,15 @@ inline std::size_t across(const WallGraph& graph, std::size_t voxel, std::size_t
   return direction % 2 ? voxel + graph.stride[direction / 2] : voxel - graph.stride[direction / 2];
 }
 
-/// Distance from a node's centre to what it has in one of the six directions, mm: to the next centre, or to
-/// the wall's surface as the distances of the two centres beside it divide the step; half a step to a side.
+/// Distance (mm) from a node's centre to its neighbour in one of the six directions: to the next centre; or
+/// to the wall's surface, which divides the step in the ratio of the distances of the two centres; or half a
+/// step to a side.
 double step_to(const WallGrid& grid, const WallGraph& graph, std::size_t node, std::size_t direction);
 
-/// Laplace's equation with 0 on the inner and 1 on the outer surface and no flow through sides: seven points,
-/// with the true distances to the surface (Shortley and Weller, 1938), by successive over-relaxation in two
-/// colours, until no value changes by more than 1e-3 or 500 sweeps, starting from the solution on every other
-/// voxel. One value a node; the same bytes for any number of threads.
+/// Laplace's equation with 0 on the inner and 1 on the outer surface and no flow through sides. Seven-point
+/// stencil with the true distances to the surface (Shortley and Weller, 1938), solved by successive
+/// over-relaxation in two colours until no value changes by more than 1e-3, or for 500 sweeps; it starts from
+/// the solution on every other voxel. One value per node; the same bytes for any number of threads.
 std::vector<float> wall_potential(const WallGrid& grid, const WallGraph& graph, int threads);
 
 }  // namespace voxtet::wall

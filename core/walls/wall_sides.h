@@ -6,10 +6,10 @@
 namespace voxtet::wall {
 
 /// Finds where inner spaces are open, that is where their voxels touch voxels of kOuter: the valve planes of
-/// a ventricle. Around each opening the outer voxels on the wall that lie in its plane (through the mean of
-/// its faces, across their mean normal; from a quarter of a voxel below it to two voxels above), joined to
-/// the opening through such voxels, become kSide. Openings of fewer than 30 faces are taken for holes in the
-/// wall, and change nothing. Returns the number of openings.
+/// a ventricle. The plane of an opening goes through the mean of its faces, across their mean normal. Outer
+/// voxels on the wall become kSide if they lie in this plane (from a quarter of a voxel below it to two
+/// voxels above) and are connected to the opening through such voxels. Openings of fewer than 30 faces are
+/// taken for holes in the wall, and change nothing. Returns the number of openings.
 int mark_base(WallGrid& grid);
 
 }  // namespace voxtet::wall

@@ -1,4 +1,4 @@
-// The order of points around an edge.
+// The order of points around an edge, by angle.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -6,14 +6,14 @@
 
 namespace voxtet {
 
-/// Turning about the edge from `from` to `to`, counted from the point `first`.
+/// Angle about the edge from `from` to `to`, counted from the point `first`.
 class EdgeTurn {
  public:
   EdgeTurn(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& first)
       : from_(from), along_((to - from).normalized()), u_(spoke(first)), v_(along_.cross(u_)) {}
 
-  /// Grows with the angle to the point, as 0 to 4 for a full turn; 0 too for a point on the edge's line.
-  /// Arithmetic alone, so that every platform orders points alike.
+  /// Increases with the angle to the point, from 0 to 4 for a full turn; also 0 for a point on the edge's
+  /// line. Uses only arithmetic, so that the order is the same on every platform.
   double operator()(const Eigen::Vector3d& point) const {
     const Eigen::Vector3d to = spoke(point);
     const double x = to.dot(u_), y = to.dot(v_), size = std::abs(x) + std::abs(y);

@@ -20,12 +20,12 @@ struct Vectors {
   }
 };
 
-/// True only if some n has n.v > 0, and n.v >= distance * |n|, for every v, where v is the exact difference
-/// of two points and is given rounded once; false says nothing. The origin is then outside the convex hull of
-/// the vectors: two sets of points are disjoint if the differences of their points pass, a point is outside a
-/// hull if the differences to it pass. n walks towards the point of the hull nearest to the origin (Gilbert,
-/// "An iterative procedure for computing the minimum of a quadratic form on a convex set", 1966), and each
-/// product is held against its rounding error: three roundings of sums, three of products, one of the
+/// True only if some n has n.v > 0, and n.v >= distance * |n|, for every v. Each v is the exact difference of
+/// two points, given rounded once. False says nothing. If true, the origin is outside the convex hull of the
+/// vectors. So two sets of points have disjoint hulls if the differences of their points pass, and a point is
+/// outside a hull if the differences to it pass. n walks towards the point of the hull nearest to the origin
+/// (Gilbert, "An iterative procedure for computing the minimum of a quadratic form on a convex set", 1966).
+/// Each product is compared with its rounding error: three roundings of sums, three of products, one of the
 /// difference, of at most |n|max |v|max each.
 template <std::size_t N>
 bool in_open_half_space(const Vectors<N>& v, double distance = 0) {

@@ -19,8 +19,8 @@ inline constexpr std::array<std::pair<int, int>, 6> kEdgesOfTet{
 /// (p1-p0).((p2-p0)x(p3-p0))/6.
 double tet_volume_mm3(const TetCorners& p);
 
-/// Everything reported of one tetrahedron. Ratios are 1 for the regular one and tend to 0 (aspect: infinity)
-/// for a degenerate one; inverted tetrahedra have ratios 0 and their dihedral angles as if they were not
+/// All reported measures of one tetrahedron. Ratios are 1 for the regular one and tend to 0 (aspect:
+/// infinity) for a degenerate one. Inverted tetrahedra have ratios 0, and dihedral angles as if they were not
 /// inverted.
 struct TetShape {
   double volume_mm3 = 0;                 ///< signed

@@ -1,4 +1,4 @@
-// Shape measures of a triangle, and of two.
+// Shape measures of a triangle and of pairs of triangles.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,8 +29,8 @@ double sharpest_cosine(const TriangleCorners& t);
 double fold_cosine(const Eigen::Vector3d& u, const Eigen::Vector3d& w, const Eigen::Vector3d& p,
                    const Eigen::Vector3d& q);
 
-/// Squared distance (mm2) between the corners of one triangle and the other triangle, the least of the six;
-/// where edges cross in front of each other the distance of the triangles may be less.
+/// Squared distance (mm2) between the corners of one triangle and the other triangle, the least of the six.
+/// Where edges cross in front of each other, the distance of the triangles may be less.
 double corner_distance2(const TriangleCorners& a, const TriangleCorners& b);
 
 }  // namespace voxtet

@@ -10,7 +10,7 @@
 
 namespace voxtet {
 
-/// Distance from where there is nothing.
+/// The distance if the mask is empty.
 inline constexpr float kFar = std::numeric_limits<float>::infinity();
 
 /// Distance (mm) from each voxel centre to the nearest voxel centre whose mask value is not 0; 0 on the mask

@@ -12,11 +12,11 @@ namespace voxtet {
 /// Lowers h (mm, x fastest, one value per grid point, +infinity allowed) to the largest field h* <= h with
 /// h*(x) <= h*(y) + gradation * |x - y|. `linear` maps index steps to mm.
 ///
-/// Out: |h*(a) - h*(b)| <= gradation * |a - b| * (1 + 1e-5) for all 26 neighbours of a grid point. A field
-/// that already obeys is left as it is, to 1e-6. Against the exact min_y h(y) + gradation * |x - y|, h* is
-/// never lower. It is exact along the axes; the largest error is that around a lone fine point, in parts of
-/// the rise: 8 % beside it and 5 % beyond 12 voxels with equal spacings, 10 % and 6.5 % with 1.4 x 1.4 x 2
-/// mm, 15 % and 10 % with 1 x 1.5 x 3 mm.
+/// Result: |h*(a) - h*(b)| <= gradation * |a - b| * (1 + 1e-5) for all 26 neighbours of a grid point. A field
+/// that already fulfils this is left as it is, to 1e-6. h* is never lower than the exact min_y h(y) +
+/// gradation * |x - y|. It is exact along the axes; the largest error is that around a lone fine point, in
+/// parts of the rise: 8 % beside it and 5 % beyond 12 voxels with equal spacings, 10 % and 6.5 % with 1.4 x
+/// 1.4 x 2 mm, 15 % and 10 % with 1 x 1.5 x 3 mm.
 ///
 /// Method: fast sweeping (Zhao, "A Fast Sweeping Method for Eikonal Equations", Math. Comp. 74, 2005) with
 /// the Godunov update of |grad h| = gradation, taken together with the straight paths to the 26 neighbours:

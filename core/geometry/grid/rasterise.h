@@ -9,8 +9,8 @@
 
 namespace voxtet {
 
-/// The label at every voxel centre of `grid`, background where no tetrahedron is. `labels` has one per tet;
-/// a centre on the border of several tets takes that of the lowest index whose label is not background.
+/// The label at every voxel centre of `grid`, background where there is no tetrahedron. `labels` has one per
+/// tet. A centre on the border of several tets gets the label of the lowest index that is not background.
 std::vector<Label> rasterise(const TetMesh& mesh, std::span<const Label> labels, const LabelVolume& grid);
 
 }  // namespace voxtet

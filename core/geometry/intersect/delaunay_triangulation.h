@@ -1,5 +1,5 @@
-// CGAL's Delaunay triangulation, with what refinement keeps of each vertex and cell: one set of types, so
-// that its code is there once.
+// CGAL's Delaunay triangulation, with the data that refinement stores for each vertex and cell. All users
+// share one set of types, so that its code is compiled once.
 #pragma once
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -18,7 +18,7 @@ namespace voxtet {
 
 struct DelaunayCellInfo {
   Eigen::Vector3d centre;    ///< circumcentre, mm
-  std::uint32_t serial = 0;  ///< unique per cell; 0 once the cell is gone
+  std::uint32_t serial = 0;  ///< unique per cell; 0 once the cell is removed
   Label label = kBackground;
 };
 
@@ -38,7 +38,7 @@ inline DelaunayKernel::Point_3 to_point(const Eigen::Vector3d& p) {
   return {p.x(), p.y(), p.z()};
 }
 
-/// Of a finite cell; not finite where that is flat.
+/// Circumcentre of a finite cell; not finite if the cell is flat.
 inline Eigen::Vector3d circumcentre(const DelaunayTriangulation::Cell_handle& cell) {
   const Eigen::Vector3d a = to_vector(cell->vertex(0)->point());
   const Eigen::Vector3d u = to_vector(cell->vertex(1)->point()) - a,

@@ -1,5 +1,5 @@
-// A second opinion on self-intersections: exact, by CGAL's predicates, apart from self_intersections.h. For
-// checks of what should hold by construction: it is slow.
+// A second, independent check for self-intersections: exact, by CGAL's predicates. Slow; for checks of what
+// should hold by construction.
 #pragma once
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -25,7 +25,7 @@ class ExactTriangles {
     const auto [a, b, c] = triangles_[t];
     return CGAL::collinear(points_[a], points_[b], points_[c]);
   }
-  /// Whether two triangles with an area have more in common than the simplex of their common corners.
+  /// Whether two triangles with an area have more in common than their common corners or edge.
   bool meet(std::uint32_t t, std::uint32_t s) const {
     // Common corners come first, in the same order.
     Triangle a = triangles_[t], b = triangles_[s];
@@ -60,10 +60,10 @@ class ExactTriangles {
   bool folded(const Triangle& a, std::uint32_t other) const {
     return side(a[0], a[1], a[2], other) == 0 && flat_side(a[0], a[1], a[2], other) > 0;
   }
-  /// Two triangles with the corner v in common meet elsewhere just when the sectors that they span at v do.
-  /// For vectors from v, r2 a1 - r1 a2 = s1 b2 - s2 b1 (Cramer; the coefficients are the determinants below)
-  /// is the only combination of the a's that is one of the b's: the sectors share a ray where all four
-  /// coefficients can be made nonnegative.
+  /// Two triangles with the common corner v meet elsewhere exactly if the sectors that they span at v do. For
+  /// vectors from v, r2 a1 - r1 a2 = s1 b2 - s2 b1 (Cramer; the coefficients are the determinants below) is
+  /// the only combination of the a's that is one of the b's. The sectors share a ray if all four coefficients
+  /// can be made nonnegative.
   bool sectors_meet(const Triangle& a, const Triangle& b) const {
     const int s1 = side(a[0], a[1], a[2], b[1]), s2 = side(a[0], a[1], a[2], b[2]);
     if (s1 * s2 > 0) return false;
@@ -72,7 +72,7 @@ class ExactTriangles {
     const int r1 = side(b[0], b[1], b[2], a[1]), r2 = side(b[0], b[1], b[2], a[2]);
     return (s1 >= 0 && s2 <= 0 && r1 <= 0 && r2 >= 0) || (s1 <= 0 && s2 >= 0 && r1 >= 0 && r2 <= 0);
   }
-  /// For a point in the plane of the sector at corner 0.
+  /// Whether a point in the plane of the triangle lies in the sector at its corner 0.
   bool in_sector(const Triangle& t, std::uint32_t point) const {
     return flat_side(t[0], t[1], t[2], point) >= 0 && flat_side(t[0], t[2], t[1], point) >= 0;
   }
@@ -81,8 +81,8 @@ class ExactTriangles {
   const std::vector<Triangle>& triangles_;
 };
 
-/// Number of pairs of triangles that meet elsewhere than in their common corners, and of triangles without
-/// an area. Exact. Needs valid indices.
+/// Number of pairs of triangles that meet beyond their common corners and edges, plus the number of triangles
+/// without an area. Exact. Needs valid indices.
 inline std::size_t count_self_intersections(const SurfaceMesh& surface) {
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
   const ExactTriangles triangles(surface);

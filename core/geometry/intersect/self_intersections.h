@@ -12,18 +12,18 @@ namespace voxtet {
 
 using TrianglePair = std::array<std::uint32_t, 2>;  ///< lower index first
 
-/// Bounding boxes in a tree over the triangles of a complex whose points may move, not its triangles. Blocks
-/// of triangles along a Morton curve are the leaves, four nodes have one parent; every search measures the
-/// boxes afresh, so the order only has to be good near the points of construction. Neither points nor
-/// triangles are copied: `surface` must outlive the tree.
+/// A tree of bounding boxes over the triangles of a complex. Its points may move; its triangles may not
+/// change. Blocks of triangles along a Morton curve are the leaves, four nodes have one parent. Every search
+/// measures the boxes afresh, so the order only has to be good near the points of construction. Neither
+/// points nor triangles are copied: `surface` must outlive the tree.
 class SelfIntersectionTree {
  public:
   explicit SelfIntersectionTree(const SurfaceMesh& surface, int threads = 1);
 
   /// Pairs of triangles whose intersection is more than their common corners or common edge
-  /// (triangle_intersection.h), ascending, at the present points. With `concerned` (one entry a triangle)
-  /// only pairs that have a triangle whose entry is not 0. The search ends at `max_pairs`; which pairs are
-  /// then given is unspecified, but the same for any number of threads.
+  /// (triangle_intersection.h), ascending, at the present points. With `concerned` (one entry per triangle)
+  /// only pairs with at least one triangle whose entry is not 0. The search ends at `max_pairs`; which pairs
+  /// are then returned is unspecified, but the same for any number of threads.
   std::vector<TrianglePair> find(std::span<const std::uint8_t> concerned = {},
                                  std::size_t max_pairs = 100000);
 

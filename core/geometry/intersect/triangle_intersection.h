@@ -1,5 +1,5 @@
-// Do triangles meet: a separating plane is looked for in floating point first (half_space.h), exact signs
-// decide the rest (orientation.h). All need triangles with an area.
+// Whether triangles intersect. First a separating plane is looked for in floating point (half_space.h); exact
+// signs decide the rest (orientation.h). All triangles must have an area.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,10 +10,10 @@
 
 namespace voxtet {
 
-/// Of triangles without common corners, as closed sets.
+/// Whether triangles without common corners, as closed sets, intersect.
 bool triangles_meet(const TriangleCorners& a, const TriangleCorners& b);
 
-/// Of triangles whose common corner stands first in both: do they meet elsewhere?
+/// Whether triangles whose common corner comes first in both meet elsewhere.
 bool triangles_meet_beyond_corner(const TriangleCorners& a, const TriangleCorners& b);
 
 /// True if the intersection of the two triangles is more than their common corners or common edge (common

@@ -1,4 +1,4 @@
-// Points that go back towards their start wherever a triangle on them is not acceptable.
+// Moves points back towards their start wherever one of their triangles is not acceptable.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,13 +21,13 @@ class Retreat {
   /// Flags of the triangles with a corner away from its start.
   Flags displaced() const;
 
-  /// The corners of the flagged triangles go halfway back, at the fifth time all the way; after every third
-  /// call their neighbourhood grows by a ring of triangles. On return those triangles are flagged that have a
-  /// corner which moved. Repeated until nothing is flagged this ends: at the latest with all points at their
+  /// Moves the corners of the flagged triangles halfway back, at the fifth time all the way. After every
+  /// third call their neighbourhood grows by a ring of triangles. On return the triangles with a corner that
+  /// moved are flagged. Repeated calls end with nothing flagged: at the latest with all points at their
   /// start.
   void step(Flags& flagged);
 
-  /// Points that went back, and how many steps there were.
+  /// Number of points that were moved back, and of steps.
   std::size_t moved_back() const { return moved_back_; }
   int steps() const { return steps_; }
   bool went_back(std::size_t point) const { return halvings_[point] > 0; }

@@ -47,8 +47,8 @@ class ClosestPointTree {
   ClosestPointTree(const std::vector<Eigen::Vector3d>& points, std::span<const Triangle> triangles);
 
   /// The closest point; among equally close triangles that of the lowest index. A `hint` (a triangle likely
-  /// to be near, such as the last hit) only makes it faster. Where any point nearer than `content_mm` will
-  /// do, the first one found is given.
+  /// to be near, such as the last hit) only makes it faster. If there are points nearer than `content_mm`,
+  /// returns the first one found.
   Hit closest(const Eigen::Vector3d& point, std::uint32_t hint = 0, double content_mm = 0) const;
 
   /// Closest point of one of the triangles given.
@@ -66,10 +66,10 @@ class ClosestPointTree {
   struct Child {
     std::uint32_t first, count;
   };
-  /// The boxes of both children together, x, y, z of the one and then of the other: one look at the memory
+  /// The boxes of both children together, x, y, z of the first and then of the second: one memory access
   /// decides between them.
   struct Node {
-    std::array<float, 6> centre, half;  ///< half extents, a little more than it takes
+    std::array<float, 6> centre, half;  ///< half extents, slightly too large
     std::array<Child, 2> children;
   };
   struct Item {
@@ -86,10 +86,10 @@ class ClosestPointTree {
   std::vector<Eigen::Vector3d> points_;
   std::vector<Triangle> triangles_;   ///< as the leaves hold them; a place among them is a slot
   std::vector<std::uint32_t> order_;  ///< the triangle given in each slot
-  std::vector<std::uint32_t> slot_;   ///< of each triangle given
+  std::vector<std::uint32_t> slot_;   ///< slot of each given triangle
   std::vector<Node> nodes_;
   Child root_{};
-  float margin_ = 0;  ///< mm, what half extents have on top for the rounding of queries
+  float margin_ = 0;  ///< mm, added to half extents for the rounding of queries
 };
 
 }  // namespace voxtet

@@ -9,10 +9,10 @@
 
 namespace voxtet {
 
-/// Cubes from one corner of a box on, as many as it takes; numbered with x fastest.
+/// Equal cubes, from the low corner of a box on, that cover the box; numbered with x fastest.
 class CubeGrid {
  public:
-  /// `low` and `high`: of the box, mm. `edge_mm` > 0, so that there are less than 2^31 cubes.
+  /// `low` and `high` are corners of the box, mm. `edge_mm` > 0, such that there are less than 2^31 cubes.
   CubeGrid(const Eigen::Vector3d& low, const Eigen::Vector3d& high, double edge_mm)
       : low_(low), edge_(edge_mm) {
     for (std::size_t d = 0; d < 3; ++d)
@@ -23,7 +23,7 @@ class CubeGrid {
     return static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
            static_cast<std::size_t>(size_[2]);
   }
-  /// Of the cube that holds a point, or of the one nearest to it.
+  /// Indices of the cube that contains a point, or of the one nearest to it.
   std::array<int, 3> steps_to(const Eigen::Vector3d& p) const {
     std::array<int, 3> steps{};
     for (std::size_t d = 0; d < 3; ++d) {

@@ -1,4 +1,4 @@
-// Morton's curve: an order in which neighbours in space are mostly neighbours.
+// Morton's curve: an order in which points that are near each other in space mostly follow each other.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,10 +16,10 @@ class MortonCurve {
   /// Finite points, at least one.
   explicit MortonCurve(std::span<const Eigen::Vector3d> points);
 
-  /// How far along the curve the cell of a point between those is.
+  /// The place of a point's cell along the curve. The point must lie in the box of the points given.
   std::uint32_t place(const Eigen::Vector3d& point) const;
 
-  /// The numbers below `count` in the order in which the curve comes to point_at(number).
+  /// The numbers below `count` in the order in which the curve visits point_at(number).
   template <class PointAt>
   std::vector<std::uint32_t> order(std::size_t count, const PointAt& point_at) const;
 
@@ -28,7 +28,7 @@ class MortonCurve {
   double scale_;
 };
 
-/// The numbers of the places in ascending order, equal places by number.
+/// The indices of `places` by ascending place, equal places by index.
 std::vector<std::uint32_t> order_of_places(const std::vector<std::uint32_t>& places);
 
 template <class PointAt>

@@ -10,7 +10,7 @@
 
 namespace voxtet {
 
-/// Asks for a triangle of its kind: for any that is no farther than the limit, or else for the closest.
+/// Asks for a triangle of one kind: any that is no farther than the limit, or else the closest.
 struct NearQuery {
   Eigen::Vector3d point;  ///< mm
   double limit_mm = 0;
@@ -19,13 +19,13 @@ struct NearQuery {
 
 struct NearTriangle {
   static constexpr std::uint32_t kNone = 0xffffffffU;
-  std::uint32_t triangle = kNone;  ///< kNone where there is none of the kind
-  bool within = false;             ///< the limit
+  std::uint32_t triangle = kNone;  ///< kNone if there is none of the kind
+  bool within = false;             ///< whether it is no farther than the limit
 };
 
-/// By query, the first triangle within its limit, or else the closest one, of equally close ones the first.
-/// `kinds`: by triangle. Each triangle looks at the points in the cubes around it, so that points that lie
-/// densely along a surface cost little; for those left over there are trees.
+/// For each query the first triangle within its limit, or else the closest one, of equally close ones the
+/// first. `kinds`: by triangle. Each triangle examines the points in the cubes around it, so that points that
+/// lie densely along a surface cost little; trees answer the remaining queries.
 std::vector<NearTriangle> near_triangles(std::span<const NearQuery> queries,
                                          const std::vector<Eigen::Vector3d>& corners,
                                          const std::vector<Triangle>& triangles,

@@ -15,10 +15,10 @@ using Edge = std::array<std::uint32_t, 2>;  ///< ascending
 /// Each edge of the tetrahedra once, ascending. `point_count` bounds the corners.
 std::vector<Edge> tet_edges(std::span<const Tet> tets, std::size_t point_count);
 
-/// What edge_hops() gives points that no edges lead to. Two of them and a few more add up without overflow.
+/// The result of edge_hops() for points that no edges lead to. Adding a few of them does not overflow.
 inline constexpr std::uint32_t kUnreached = 0x3fffffffU;
 
-/// By point the fewest of the edges that lead to it from the points marked in `from`.
+/// For each point the number of edges on the shortest path from the points marked in `from`.
 std::vector<std::uint32_t> edge_hops(std::span<const Edge> edges, const std::vector<bool>& from);
 
 /// A face of a tetrahedral mesh and the tetrahedra on it.
@@ -33,8 +33,8 @@ struct TetFace {
 /// Each face of the tetrahedra once, ascending by its corners.
 std::vector<TetFace> tet_faces(std::span<const Tet> tets, std::size_t point_count);
 
-/// The boundaries of all labels: the mesh's points and those of its tetrahedra's faces (as `tet_faces` gives
-/// them) that lie between different labels, as TetMesh describes them; ascending by corners.
+/// The boundaries of all labels as TetMesh describes them, ascending by corners: the mesh's points, and the
+/// faces of its tetrahedra (as `tet_faces` returns them) that lie between different labels.
 SurfaceMesh label_boundary(const TetMesh& mesh, std::span<const TetFace> faces);
 
 /// Sets `faces` and `face_sides` of a mesh that has only tetrahedra and labels, as TetMesh describes them;

@@ -12,7 +12,7 @@ namespace voxtet {
 /// Which voxels are neighbours.
 enum class Connectivity {
   kFaces,  ///< the six across a face, as marching cubes separates the foreground
-  kKuhn,   ///< those and the eight along the diagonals of the Kuhn tetrahedra, as marching tetrahedra joins
+  kKuhn,   ///< those and eight along diagonals of the Kuhn tetrahedra, as marching tetrahedra joins
 };
 
 /// Ids of the connected components of equal label (background like any other), from 0 in the order of their
@@ -36,8 +36,9 @@ void for_face_neighbours(const std::array<int, 3>& size, std::size_t offset, Vis
   }
 }
 
-/// The other label with the largest face area to a set of voxels of one label; the lower one of equals, the
-/// voxels' own label where there is no other. `face_area` is the area of a voxel's face across each axis.
+/// The other label that shares the largest face area with a set of voxels of one label; of equals the lower
+/// one; the voxels' own label if there is no other. `face_area` is the area of a voxel's face across each
+/// axis.
 Label neighbour_by_area(const std::array<int, 3>& size, const std::vector<Label>& labels,
                         const std::vector<std::size_t>& voxels, const std::array<double, 3>& face_area);
 

@@ -1,4 +1,4 @@
-// Voxel bytes one after another, from memory or inflated on the way, never more in memory than one block.
+// Voxel bytes in sequence, from memory or inflated while reading; at most one block is in memory.
 #pragma once
 
 #include <algorithm>
@@ -37,13 +37,12 @@ class ByteSource {
   /// Fills `out` and returns its size, or returns less at the end of the data. Errors: kBadInput (damaged
   /// stream).
   virtual Result<std::size_t> read(std::span<std::uint8_t> out) = 0;
-  /// No more bytes than these can still come: what may be allocated for them.
+  /// Upper bound of the bytes that can still come, so that memory can be allocated for them.
   virtual std::uint64_t at_most_left() const = 0;
   virtual bool compressed() const = 0;
 };
 
-/// Reads and drops `count` bytes. Errors: kBadInput where the data end before; `what` names the field to
-/// blame.
+/// Reads and drops `count` bytes. Errors: kBadInput if the data end before; the message names `what`.
 Status skip_bytes(ByteSource& source, std::uint64_t count, const std::string& what);
 
 /// The bytes themselves; they must outlive the source.

@@ -1,4 +1,4 @@
-// Files on disk: read whole, written whole or not at all.
+// Files on disk: read as a whole; written as a whole or not at all.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ struct TargetFile {
 };
 
 /// Writes every file to a new temporary one beside its target, then renames; on failure none of them remains.
-/// Links are followed; devices and pipes are written into. Errors: kBadInput naming the path and the system's
-/// reason.
+/// Links are followed; devices and pipes are written to directly. Errors: kBadInput naming the path and the
+/// system's reason.
 Status place_files(const std::vector<TargetFile>& files);
 
-/// Whether a file could be placed there: for those whose bytes take long to come by. The same errors.
+/// Whether a file could be placed there, to check before long computations. The same errors.
 Status check_place(const std::string& path);
 
 /// The same for one text.

@@ -10,7 +10,7 @@
 
 namespace voxtet {
 
-/// The white space of the C locale, whatever the process has set.
+/// White space as in the C locale, whatever locale the process has set.
 inline bool is_space(int c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
@@ -23,7 +23,7 @@ std::vector<std::string> words_of(std::string_view text);
 std::optional<double> parse_double(std::string_view text);
 /// The whole text as a decimal integer, or nothing (also when it does not fit).
 std::optional<std::int64_t> parse_integer(std::string_view text);
-/// All words as numbers, or nothing when one of them is none.
+/// All words as numbers, or nothing if one of them is no number.
 std::optional<std::vector<double>> parse_doubles(std::string_view text);
 std::optional<std::vector<std::int64_t>> parse_integers(std::string_view text);
 
@@ -32,8 +32,8 @@ std::string number_text(double value);
 /// At most 60 characters of file content in quotes, unprintable ones replaced by '?'.
 std::string in_quotes(std::string_view text);
 
-/// One line starting at `at`, without its line end (\n or \r\n); `at` moves behind it.
-/// Nothing when the data are over. `ended` tells whether a line end was there.
+/// One line starting at `at`, without its line end (\n or \r\n); `at` moves behind it. Nothing at the end of
+/// the data. `ended` tells whether there was a line end.
 std::optional<std::string_view> next_line(std::span<const std::uint8_t> bytes, std::size_t& at, bool& ended);
 
 }  // namespace voxtet

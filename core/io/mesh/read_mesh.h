@@ -22,7 +22,7 @@ namespace voxtet {
 /// `arrays`, where given, takes the other cell arrays of VTU; what stands beside the files of other formats
 /// is not read. Errors: kBadInput naming file, line or field.
 Result<TetMesh> read_tet_mesh(const VolumeFile& file, MeshArrays* arrays = nullptr);
-/// `path` may also be a.carp: a.elem with a.pts.
+/// `path` may also be a.carp, for a.elem with a.pts.
 Result<TetMesh> read_tet_mesh_file(const std::string& path, MeshArrays* arrays = nullptr);
 
 }  // namespace voxtet

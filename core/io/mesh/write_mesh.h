@@ -26,7 +26,8 @@ namespace voxtet {
 Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat format,
                                                const WriteMeshOptions& options);
 
-/// The files that write_files() always makes of a mesh for a path; any other path is one file.
+/// The files that write_files() always writes for a mesh with this path; for most formats only the path
+/// itself.
 std::vector<std::string> files_of_mesh(const std::string& path);
 
 /// STL, PLY, VTU (triangles with cell arrays `label_behind`, `label_front`) of a surface. Errors: kUsage for

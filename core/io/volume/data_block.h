@@ -1,4 +1,4 @@
-// The voxel data of text-headed formats: attached or in a sibling file, raw, deflated or as text.
+// The voxel data of formats with text headers: attached or in a sibling file; raw, deflated or as text.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,17 @@ enum class Packing { kRaw, kDeflated, kText };
 struct DataBlock {
   Packing packing = Packing::kRaw;
   std::int64_t skip_lines = 0;  ///< lines before the data, never inflated
-  std::int64_t skip_bytes = 0;  ///< after the lines, of the inflated data; -1: raw data end the file
+  std::int64_t skip_bytes = 0;  ///< after the lines, counted in inflated data; -1: raw data are at the end of
+                                ///< the file
   std::string skip_field;       ///< the header's name for `skip_bytes`
 };
 
-/// Reads a sibling named by `field`. Absolute names and names that leave the folder are refused.
+/// Reads the sibling that the header's `field` names. Absolute names and names that leave the folder are
+/// refused.
 Result<Bytes> read_sibling(const VolumeFile& file, const std::string& stage, const std::string& field,
                            const std::string& name);
 
-/// `data` starts right behind the header, or is the whole sibling. Errors: kBadInput.
+/// `data` starts directly after the header, or is the whole sibling. Errors: kBadInput.
 Result<std::vector<Label>> read_data_block(std::span<const std::uint8_t> data, const DataBlock& block,
                                            const VoxelLayout& layout);
 

@@ -32,8 +32,8 @@ struct VoxelLayout {
   }
 };
 
-/// Each extent in 1..2^31-1, and the bytes of all values representable in memory. `field` is blamed in the
-/// error.
+/// Checks that each extent is in 1..2^31-1 and that the bytes of all values fit into memory. The error names
+/// `field`.
 Status check_extents(const VoxelLayout& layout, const std::string& field);
 
 /// Reads exactly the values of a checked layout, to the end of the source. Unscaled values must be whole;
@@ -42,14 +42,14 @@ Status check_extents(const VoxelLayout& layout, const std::string& field);
 /// to). Errors: kBadInput naming the first offending voxel, or too few or too many bytes.
 Result<std::vector<Label>> read_labels(ByteSource& source, const VoxelLayout& layout);
 
-/// The same for any values, not a number and infinity among them.
+/// The same for any values, NaN and infinity included.
 Result<std::vector<float>> read_scalars(ByteSource& source, const VoxelLayout& layout);
 
-/// Labels from whole numbers written in decimal, apart by white space. White space must also follow the
+/// Labels from whole numbers written in decimal, separated by white space. White space must also follow the
 /// last one: without it a number that was cut could not be told from a whole one.
 Result<std::vector<Label>> read_text_labels(std::span<const std::uint8_t> text, const VoxelLayout& layout);
 
-/// Finite, not singular, voxels of 1e-6 to 1e6 mm. `field` is blamed in the error.
+/// Checks that it is finite, not singular, with voxels of 1e-6 to 1e6 mm. The error names `field`.
 Status check_affine(const std::string& stage, const std::string& field, const Eigen::Matrix4d& index_to_mm);
 
 /// Puts checked parts together.

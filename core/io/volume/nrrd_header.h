@@ -33,7 +33,7 @@ struct NrrdHeader {
   }
 };
 
-/// Errors: kBadInput for an unknown or repeated field, or a header that just stops.
+/// Errors: kBadInput for an unknown or repeated field, or a header without an end.
 Result<NrrdHeader> parse_nrrd_header(std::span<const std::uint8_t> bytes);
 
 /// Where the voxels are: which axes of the file are spatial, and the affine in RAS, mm.

@@ -24,15 +24,16 @@ struct NrrdSegment {
 Result<std::vector<NrrdSegment>> parse_segments(const std::map<std::string, std::string>& key_values,
                                                 std::int64_t layers);
 
-/// One label a voxel from `layers` values a voxel: where segments overlap the later one wins, and `warnings`
-/// gets a line for each pair that does. Errors: kBadInput for a value other than 0 that no segment claims
-/// (`size` only names the voxel in it), and for segments that lose all their voxels to later ones.
+/// One label per voxel from `layers` values per voxel. Where segments overlap the later one wins, and
+/// `warnings` gets a line for each pair that overlaps. Errors: kBadInput for a value other than 0 that
+/// belongs to no segment (`size` is only used to name the voxel), and for segments that lose all their voxels
+/// to later ones.
 Result<std::vector<Label>> flatten_layers(const std::vector<Label>& values, std::int64_t layers,
                                           const std::vector<NrrdSegment>& segments,
                                           const std::array<std::int64_t, 3>& size,
                                           std::vector<std::string>& warnings);
 
-/// A line for each segment of which `labels` hold no voxel.
+/// Adds a warning for each segment without a voxel in `labels`.
 void warn_of_empty_segments(const std::vector<Label>& labels, const std::vector<NrrdSegment>& segments,
                             std::vector<std::string>& warnings);
 

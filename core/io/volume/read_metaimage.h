@@ -14,10 +14,10 @@ namespace voxtet {
 bool looks_like_metaimage(std::span<const std::uint8_t> bytes);
 
 /// NDims 3, or 4 with one frame; every integer type, MET_FLOAT, MET_DOUBLE; binary (zlib or gzip when
-/// compressed) or ASCII. TransformMatrix, Offset and ElementSpacing give the affine in LPS, turned into RAS;
-/// absent ones are identity, zero and one, BinaryData absent is True. Unknown fields are allowed, as MetaIO
-/// does, unless they are one character away from a field that decides where or what the voxels are. Data
-/// files in lists or patterns, and intensity rescaling, are refused. Errors: kBadInput naming the field.
+/// compressed) or ASCII. TransformMatrix, Offset and ElementSpacing give the affine in LPS, turned into RAS.
+/// Defaults: identity, zero and one; BinaryData True. Unknown fields are allowed, as in MetaIO, unless they
+/// are one character away from a field that decides where or what the voxels are. Data files in lists or
+/// patterns, and intensity rescaling, are refused. Errors: kBadInput naming the field.
 Result<LabelVolume> read_metaimage(const VolumeFile& file);
 
 }  // namespace voxtet

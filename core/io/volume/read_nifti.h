@@ -12,7 +12,7 @@
 
 namespace voxtet {
 
-/// Size of the longer (NIfTI-2) header: what `looks_like_nifti` wants to see of a file that is long enough.
+/// Size of the longer (NIfTI-2) header: `looks_like_nifti` needs as many bytes, if the file has them.
 inline constexpr std::size_t kNiftiHeaderBytes = 540;
 
 /// Whether `start` carries the header size or the magic of NIfTI (of ANALYZE too), in either byte order.
@@ -26,7 +26,7 @@ bool looks_like_nifti(std::span<const std::uint8_t> start);
 /// naming the header field.
 Result<LabelVolume> read_nifti(ByteSource& source);
 
-/// The same for an image of any numbers.
+/// The same for a scalar image.
 Result<ScalarVolume> read_nifti_scalars(ByteSource& source);
 
 }  // namespace voxtet

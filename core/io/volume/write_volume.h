@@ -1,4 +1,4 @@
-// Label volume or image of numbers -> NIfTI-1 bytes.
+// Label volume or scalar image -> NIfTI-1 bytes.
 #pragma once
 
 #include "io/bytes/bytes.h"
@@ -13,7 +13,7 @@ namespace voxtet {
 /// Errors: kUsage for sizes above 32767 per axis.
 Result<Bytes> write_nifti(const LabelVolume& volume, bool gzip);
 
-/// The same for an image of numbers, float32.
+/// The same for a scalar image, float32.
 Result<Bytes> write_nifti(const ScalarVolume& volume, bool gzip);
 
 }  // namespace voxtet

@@ -1,4 +1,4 @@
-// Image of numbers -> VTK ImageData bytes (.vti).
+// Scalar image -> VTK ImageData bytes (.vti).
 #pragma once
 
 #include <string>

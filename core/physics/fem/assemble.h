@@ -14,7 +14,7 @@ namespace voxtet::fem {
 // phi_i is the function that is linear on every tetrahedron, 1 at point i and 0 at all others. Every matrix
 // has an entry for each pair of points of a common tetrahedron, summed in the order of the tetrahedra, and is
 // symmetric to the last bit.
-// All functions return kInternal for a coefficient too many or too few, and kBadInput, with its place, for a
+// All functions return kInternal if the number of coefficients is wrong, and kBadInput, with its place, for a
 // tetrahedron without a positive volume.
 
 /// Zeros where two points have a tetrahedron in common: what matrices are added to.

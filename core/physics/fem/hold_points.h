@@ -7,9 +7,9 @@
 
 namespace voxtet::fem {
 
-/// Sets the rows and columns of held points to zero, but for the diagonal, which stays; `held` has one entry
-/// for each point. The matrix stays symmetric, and positive definite if it was. With zeros at the held points
-/// of the right-hand side the solution is the change that leaves them as they are.
+/// Sets the rows and columns of held points to zero, except for the diagonal; `held` has one entry for each
+/// point. The matrix stays symmetric, and positive definite if it was. If the right-hand side is zero at the
+/// held points, the solution is a change that leaves their values as they are.
 void hold_points(SparseMatrix& matrix, const std::vector<bool>& held);
 
 }  // namespace voxtet::fem

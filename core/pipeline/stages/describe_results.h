@@ -1,4 +1,4 @@
-// What reports and viewers hear of each stage's result: numbers, arrays, and its digest.
+// What reports and viewers get of each stage's result: numbers, arrays, and its digest.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,7 +10,7 @@
 
 namespace voxtet {
 
-/// {counts} of a report.
+/// The `counts` of a stage in the report.
 nlohmann::json counts_of(const VolumeResult& result);   ///< volume_json, and the prepared grid
 nlohmann::json counts_of(const SurfaceMesh& surface);   ///< {points, triangles}
 nlohmann::json counts_of(const TetMesh& mesh);          ///< {points, tets, faces}
@@ -21,7 +21,7 @@ nlohmann::json counts_of(const LabelTransfer& found);   ///< {labels}
 nlohmann::json counts_of(const QualityReport& report);  ///< {}: the report has it all elsewhere
 nlohmann::json counts_of(const Trajectory& result);     ///< {frames, end_ms}
 
-/// The arrays that a viewer may ask for, beside those of stage_arrays.h.
+/// The arrays that a viewer may ask for, besides those of stage_arrays.h.
 void add_arrays(const VolumeResult& result, StageArrays& out);
 void add_arrays(const WallsResult& result, StageArrays& out);
 void add_arrays(const SizingField& field, StageArrays& out);
@@ -32,7 +32,7 @@ void add_arrays(const Trajectory& result, StageArrays& out);  ///< of the last f
 std::string digest_of(const VolumeResult& result);  ///< of the prepared volume
 std::string digest_of(const Trajectory& result);    ///< of all frames
 
-// Of a mesh with layers the mesh without them is what others see.
+// Of a mesh with layers, others see only the mesh without them.
 template <class Mesh>
 nlohmann::json counts_of(const Layered<Mesh>& result) {
   return counts_of(result.mesh);

@@ -1,4 +1,4 @@
-// Heat diffusion as a stage: the small tenant that shows how a result lives in time.
+// Heat diffusion as a stage: a small example of a result that changes with time.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace voxtet {
 
-/// The recipe's physics.diffusion on the optimised tetrahedra; gives a Trajectory. Errors: kUsage for a
-/// recipe without it; those of Diffusion::start.
+/// Solves the recipe's physics.diffusion on the optimised tetrahedra; its value is a Trajectory. Errors:
+/// kUsage for a recipe without it; those of Diffusion::start.
 Result<std::unique_ptr<StageTask>> start_diffusion(const StageInputs& in, const Recipe& recipe);
 
 }  // namespace voxtet

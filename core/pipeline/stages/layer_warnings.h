@@ -1,4 +1,4 @@
-// What is said of walls whose layers are not what was asked for.
+// Warnings about walls whose layers differ from what was asked for.
 #pragma once
 
 #include "sizing/build_sizing_field.h"
@@ -7,8 +7,8 @@
 
 namespace voxtet {
 
-/// Warns where layers could not be counted, and where fewer than nearly all of a wall has the exact layers
-/// that were asked for. `wall`: number of the wall in sizing.thickness.
+/// Warns if layers could not be counted, and if less than 95 % of a wall's area has the exact layers that
+/// were asked for. `wall`: index of the wall in sizing.thickness.
 void warn_about_layers(std::size_t wall, Layering layering, const LayerCount& found, const RunContext& ctx);
 
 }  // namespace voxtet

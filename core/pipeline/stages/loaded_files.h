@@ -1,4 +1,4 @@
-// The files that a case names, as they were read: a volume, and masks and images of sizes beside it.
+// The files that a case names, as they were read: the volume, and masks and images of edge lengths.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace voxtet {
 
-/// A volume beside the one that is meshed, and the digest of it.
+/// A volume other than the one that is meshed, with its digest.
 template <class Volume>
 struct SideVolume {
   Volume volume;

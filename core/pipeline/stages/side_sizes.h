@@ -1,4 +1,4 @@
-// The sizing field with the files that the recipe names for it.
+// The sizing field, made with the files that the recipe names for it.
 #pragma once
 
 #include "pipeline/stages/loaded_files.h"
@@ -9,7 +9,7 @@
 namespace voxtet {
 
 /// build_sizing_field with the masks and images that `sizing` names. Errors: its own, and kBadInput for a
-/// file that was not loaded, or is another than the recipe's.
+/// file that was not loaded or is not the one that the recipe means.
 Result<SizingField> build_sizing_field_of(const LoadedFiles& files, const SizingParams& sizing,
                                           const LabelVolume& volume, const SurfaceMesh& smooth,
                                           const Walls& walls, RunContext& ctx);

@@ -1,4 +1,4 @@
-// The stages in their order, and the table that says what each is.
+// The stages in their order, and the table that describes them.
 #pragma once
 
 #include <any>
@@ -35,10 +35,10 @@ enum class Stage {
 };
 inline constexpr int kStageCount = 12;
 
-/// Of each stage the digest of everything that it depends on.
+/// For each stage, the digest of everything that it depends on.
 using StageKeys = std::array<std::string, kStageCount>;
 
-/// The results that a stage reads: those that its row names, and no others.
+/// The results that a stage reads: those named in its row of stage_table(), and no others.
 class StageInputs {
  public:
   explicit StageInputs(const LoadedFiles& files) : files(files) {}
@@ -60,7 +60,7 @@ class StageInputs {
   std::array<std::any, kStageCount> values_;
 };
 
-/// What a stage gives.
+/// The result of a stage.
 class StageOutput {
  public:
   template <class T>
@@ -73,37 +73,37 @@ class StageOutput {
   std::size_t bytes = 0;
 };
 
-/// Work that is done in short steps, so that between them its caller hears what else is wanted.
+/// Work that is done in short steps, so that its caller can handle other requests between them.
 class StageTask {
  public:
   virtual ~StageTask() = default;
-  /// Some milliseconds of work; true when all is done. Emits frames by ctx.snapshot.
+  /// Works for some milliseconds; true when all is done. Emits frames by ctx.snapshot.
   virtual Result<bool> step(RunContext& ctx) = 0;
-  virtual double fraction() const = 0;  ///< of the work that is done
+  virtual double fraction() const = 0;  ///< part of the work that is done
   virtual void finish(StageOutput& out) = 0;
 };
 
-/// Everything that the pipeline knows of a stage. What it names as inputs, and the fields and files that it
-/// reads, are its key: with the same key its result is the same.
+/// Everything that the pipeline knows about a stage. Its key is made of its inputs and of the fields and
+/// files that it reads: with the same key its result is the same.
 struct StageSpec {
   Stage stage;
   std::string_view name;   ///< as it stands in reports, recipes and links
   std::string_view title;  ///< for people
-  bool shown = true;       ///< of its own in the app; else it runs by itself before one that is
+  bool shown = true;       ///< shown in the app; one that is not runs automatically before the next that is
   std::vector<Stage> inputs;
   /// Fields of the recipe by their path; "list[].field" is that field of each entry of a list.
   std::vector<std::string_view> reads;
-  /// Adds the digests of files that it reads. Null: it reads none.
+  /// Adds the digests of files that the stage reads. Null: it reads none.
   void (*add_files)(const LoadedFiles&, const Recipe&, std::string& key) = nullptr;
-  /// All at once. One of `run` and `start` is given.
+  /// Runs the stage at once. One of `run` and `start` is given.
   Status (*run)(const StageInputs&, const Recipe&, StageOutput&, RunContext&) = nullptr;
-  /// In steps. The inputs' values outlive the task.
+  /// Starts a stage that runs in steps. The inputs' values outlive the task.
   Result<std::unique_ptr<StageTask>> (*start)(const StageInputs&, const Recipe&) = nullptr;
-  /// {counts} of the report, from the stage's value.
+  /// Makes {counts} of the report from the stage's value.
   nlohmann::json (*counts)(const std::any& value) = nullptr;
   /// Adds the arrays that a viewer may ask for. Null: there are none.
   void (*arrays)(const std::any& value, StageArrays& out) = nullptr;
-  /// Digest of the stage's value. Null: its key stands for it.
+  /// Digest of the stage's value. Null: its key is used instead.
   std::string (*digest)(const std::any& value) = nullptr;
 };
 
@@ -115,12 +115,12 @@ inline std::string name_of(Stage stage) {
   return std::string(spec_of(stage).name);
 }
 
-/// Stage of a name. Errors: kUsage listing the names.
+/// The stage with this name. Errors: kUsage, with a list of the names.
 Result<Stage> stage_of(std::string_view name);
 
 /// The key of every stage for a recipe and the files that were loaded.
 StageKeys keys_of(const Recipe& recipe, const LoadedFiles& files);
-/// What stands in a recipe's JSON at these paths (StageSpec::reads), as text.
+/// The part of a recipe's JSON at these paths (StageSpec::reads), as text.
 std::string fields_text(const nlohmann::json& recipe, const std::vector<std::string_view>& paths);
 
 /// {name, title, shown, inputs, reads, in_steps} of every stage, in order.

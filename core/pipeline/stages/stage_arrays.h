@@ -23,7 +23,7 @@ struct StageArray {
   std::variant<std::span<const float>, std::span<const std::uint32_t>, std::span<const std::uint16_t>,
                std::span<const Eigen::Vector3d>>
       values;
-  std::optional<Field> field{};  ///< what is said of it, its own values left out; none for what is geometry
+  std::optional<Field> field{};  ///< its description, without values; none for geometry
 };
 using StageArrays = std::vector<StageArray>;
 
@@ -31,8 +31,8 @@ void add_arrays(const SurfaceMesh& surface, StageArrays& out);  ///< points, tri
 void add_arrays(const TetMesh& mesh, StageArrays& out);         ///< points, tets, labels, faces, face_sides
 void add_arrays(const std::vector<Field>& fields, StageArrays& out);
 
-/// {name, type ("float32", "uint32", "uint16"), components, count}; of a field also {title, unit, on, scale,
-/// range}, the range being its least and largest finite value, or null where there is none.
+/// {name, type ("float32", "uint32", "uint16"), components, count}; for a field also {title, unit, on, scale,
+/// range}. `range` holds its smallest and largest finite value; null if there is none.
 nlohmann::json array_json(const StageArray& array);
 /// {time_ms, fields: [array_json]}.
 nlohmann::json snapshot_json(const Snapshot& snapshot);

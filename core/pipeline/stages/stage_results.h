@@ -1,4 +1,4 @@
-// What each stage gives: the types that pass between stages, beside those of types/.
+// What each stage returns: the types that pass between stages, besides those of types/.
 #pragma once
 
 #include <memory>
@@ -33,28 +33,28 @@ struct WallsResult {
   std::vector<Field> fields;
 };
 
-/// The sheets of the walls whose layers are to be exact. They refer to `walls`.
+/// The sheets of the walls whose layers shall be exact. They refer to `walls`.
 struct LayersResult {
   std::shared_ptr<const WallsResult> walls;
-  std::vector<std::size_t> exact;  ///< numbers of the walls whose layers are to be exact
+  std::vector<std::size_t> exact;  ///< indices of the walls whose layers shall be exact
   WallLayers layers;
 };
 
-/// A mesh of the volume's labels; beside it, where layers are exact, the same with a label for each layer.
+/// A mesh of the volume's labels and, where layers are exact, the same mesh with a label for each layer.
 template <class Mesh>
 struct Layered {
   Mesh mesh;
   std::optional<Mesh> with_layers;
 };
 
-/// A result that lives in time: of its frames the last one, and a digest over all of them.
+/// A result that changes with time: its last frame, and a digest over all frames.
 struct Trajectory {
   std::vector<double> times_ms;
   Snapshot last;
   std::string frames_digest;
 };
 
-/// Bytes that a result holds, but for what it shares with others.
+/// Bytes that a result holds, without those that it shares with others.
 std::size_t memory_bytes(const VolumeResult& result);
 std::size_t memory_bytes(const SurfaceMesh& surface);
 std::size_t memory_bytes(const TetMesh& mesh);

@@ -1,4 +1,4 @@
-// Passes over a whole complex, of which the schedules of adaptation are made.
+// Passes over a whole complex; the schedules of adaptation are made of them.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace voxtet::remesh {
 /// Cosine by Taylor's series: the same on every platform, as std::cos is not.
 double cosine_of_deg(double deg);
 
-/// Each pass goes through vertices, edges or triangles in their order; those that return bool are false when
+/// Each pass visits vertices, edges or triangles in their order. Passes that return bool return false when
 /// cancelled. Lengths are in target edge lengths.
 class AdaptPasses {
  public:
@@ -35,15 +35,16 @@ class AdaptPasses {
   static constexpr double kShortest = 4.0 / 5, kLongest = 4.0 / 3;  ///< Botsch and Kobbelt 2004
   static constexpr double kLongestPolished = 1.7;                   ///< where shape is at stake
 
-  /// Cells of the search twice as large as edges are long, as long as they are not much longer or shorter
-  /// than at the last call: measured, the quickest.
+  /// Sets the cells of the triangle search to twice the edge length (fastest, as measured), unless edges are
+  /// about as long as at the last call.
   void fit_cells();
   struct Near {
     double length;
     std::uint32_t v;
   };
-  /// Each vertex goes to one of its neighbours nearer than `shortest`, if there are any:
-  /// collapse_to_one(v, neighbours, longest), the nearest first, `longest` a bound on edges.
+  /// For each vertex v, calls collapse_to_one(v, neighbours, longest), which may collapse it onto one of
+  /// these: its neighbours nearer than `shortest`, the nearest first; there may be none. `longest` is a bound
+  /// on edges.
   template <class CollapseToOne>
   bool coarsen(double shortest, CollapseToOne&& collapse_to_one);
   /// ComplexEditor::set_coarsest.
@@ -56,17 +57,17 @@ class AdaptPasses {
   bool relocate_all();
   /// Triangles with smaller planar angles than the limit: see open_angle.
   bool open_angles(double limit_cosine);
-  /// Flips away the longest edges, moves corners, or closes the triangle; whether anything was done.
+  /// Flips the longest edge away, moves corners, or closes the triangle; returns whether anything was done.
   bool open_angle(std::uint32_t t);
   /// Each edge once, ascending by its ends.
   std::vector<Edge> edges() const;
-  /// Cosine of the sharpest fold at an edge; `around` becomes the corners opposite to it.
+  /// Cosine of the sharpest dihedral angle at an edge; `around` receives the corners opposite to it.
   double sharpest_fold(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& around) const;
-  /// Edges folded more sharply than the limits: whatever opens them.
+  /// Tries to open edges whose dihedral angle is sharper than the limits.
   bool open_folds();
-  /// Flips the edge away, moves corners, or closes triangles; whether anything was done.
+  /// Flips the edge away, moves corners, or closes triangles; returns whether anything was done.
   bool open_fold(std::uint32_t a, std::uint32_t b, const std::vector<std::uint32_t>& around);
-  /// Relocation puts sheets where the labels have the reference's volumes, to first order.
+  /// Lets relocation offset sheets so that the labels have the reference's volumes, to first order.
   void offset_towards_volumes();
 
   bool alive(std::uint32_t v) const { return !editor_.mesh().star(v).empty(); }
@@ -83,12 +84,12 @@ class AdaptPasses {
   LocalOperations operations_;
 
  private:
-  /// How near the nearest vertex was that a vertex may go to, when it was last looked at.
+  /// Result of the last search for the nearest vertex that a vertex may collapse onto.
   struct Nearest {
     double length = 0;
-    std::uint32_t at = 0;  ///< after which attempt of the editor
+    std::uint32_t at = 0;  ///< the number of the editor's attempts at that time
   };
-  /// Whether v has no neighbour to go to that is nearer than `shortest`, as was seen before.
+  /// Whether it is known from before that v has no such neighbour nearer than `shortest`.
   bool known_apart(std::uint32_t v, double shortest) const {
     return nearest_[v].length >= shortest && editor_.changed_at(v) <= nearest_[v].at;
   }
@@ -96,7 +97,7 @@ class AdaptPasses {
   const std::vector<double> volumes_;  ///< of the reference, by label
   std::vector<Nearest> nearest_;       ///< by vertex; length 0 where it was not looked at
   double cell_mm_ = 0;
-  std::uint32_t fitted_at_ = 0;  ///< after which attempt of the editor
+  std::uint32_t fitted_at_ = 0;  ///< the number of the editor's attempts at that time
 };
 
 template <class CollapseToOne>

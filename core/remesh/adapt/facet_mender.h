@@ -1,4 +1,5 @@
-// Single facets of an adapted surface brought nearer to the reference, and folds between them opened.
+// Brings single facets of an adapted surface nearer to the reference, and opens sharp dihedral angles between
+// them.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +9,22 @@
 
 namespace voxtet::remesh {
 
-/// Each pass is false when cancelled.
+/// Each pass returns false when cancelled.
 class FacetMender : public HealingPasses {
  public:
   using HealingPasses::HealingPasses;
 
  protected:
-  /// Facets beyond the envelope; in a narrow one only those that are far. Again around what changed: what
-  /// could not be done may be possible then, and an operation may have taken another facet as far as its own
-  /// was. Where it failed twice it is not tried again: among rough voxels it takes most of the time, in vain.
+  /// Brings facets beyond the envelope nearer; in a narrow envelope only those that are far beyond it.
+  /// Repeated around what changed: operations that failed may succeed then, and an operation may have moved
+  /// another facet out of the envelope. A facet that failed twice is not tried again: among rough voxels
+  /// these take most of the time, in vain.
   bool come_nearer();
-  /// Edges that open_folds() left folded more sharply than the limits, again as long as that helps.
+  /// Opens edges that open_folds() left sharper than the limits; repeated as long as that helps.
   bool unfold();
-  /// Whether all that a trial made is.
+  /// Whether everything that a trial made is within this squared distance.
   bool is_within(double distance2);
-  /// How near facets are to come, as far as samples show.
+  /// The distance to which facets are to be brought, as measured at samples.
   double aim_mm() const;
 
  private:
@@ -31,14 +33,14 @@ class FacetMender : public HealingPasses {
   bool split_and_shift(std::uint32_t v, const Eigen::Vector3d& by);
   bool unfold(std::uint32_t a, std::uint32_t b);
   bool is_flatter(double sharpest);
-  /// How often nothing brought a triangle, or what stood in its slot before, nearer.
+  /// How often it failed to bring the triangle of a slot, or an earlier one in the same slot, nearer.
   std::uint8_t& failures_of(std::uint32_t t) {
     if (t >= failures_.size()) failures_.resize(editor_.mesh().slot_count());
     return failures_[t];
   }
 
   std::vector<std::uint8_t> failures_;
-  std::uint32_t looked_at_ = 0;  ///< after which attempt come_nearer() has last begun a pass
+  std::uint32_t looked_at_ = 0;  ///< the number of attempts when come_nearer() last began a pass
 };
 
 }  // namespace voxtet::remesh

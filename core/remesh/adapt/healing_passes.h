@@ -1,4 +1,4 @@
-// Operations that are tried, healed where they leave poor angles, and taken back where that fails.
+// Operations that are tried, then repaired if they leave poor angles, and taken back if the repair fails.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace voxtet::remesh {
 
-/// How far an operation may go: it keeps the angles; it may leave poorer ones, if they can be opened again;
-/// it may do so by more points.
+/// What an operation may do. kNone: it keeps the angles. kAngles: it may leave poorer angles if these can be
+/// opened again. kPoints: points may be added for that.
 enum class Healing : std::uint8_t { kNone, kAngles, kPoints };
 inline constexpr std::array<Healing, 3> kHealings{Healing::kNone, Healing::kAngles, Healing::kPoints};
 
@@ -19,8 +19,8 @@ class HealingPasses : public AdaptPasses {
   using AdaptPasses::AdaptPasses;
 
  protected:
-  /// Whether the operation was done, and what is demanded holds after it; else it is taken back. Where points
-  /// may be added facets need not stay Delaunay.
+  /// Does the operation and checks what is demanded after it; takes it back if this does not hold. Returns
+  /// whether it was done. Where points may be added, facets need not stay Delaunay.
   template <class Operation, class Demanded>
   bool attempt(Operation&& operation, Demanded&& demanded, Healing healing);
 

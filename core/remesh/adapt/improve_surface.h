@@ -1,4 +1,4 @@
-// Local operations on a surface that is adapted already, where sizes, shapes or distances are poor.
+// Local operations on an already adapted surface, where sizes, shapes or distances are poor.
 #pragma once
 
 #include "remesh/adapt/adapt_complex.h"
@@ -9,13 +9,13 @@
 
 namespace voxtet::remesh {
 
-/// Mends `surface` (conforming, closed for every label, free of self-intersections) where refinement left it
-/// finer than `sizing` asks, folded, or farther from `reference` than the envelope: edges are collapsed,
-/// tubes of three edges around get fewer rings, vertices of junction curves and around what changed are
-/// relocated, facets brought nearer. Each operation is one of adapt_complex's transactions, so topology is
-/// kept and nothing intersects; one that leaves planar angles below params.min_angle_deg is followed by
-/// others that open them, or taken back. Where the surface breaks a limit already it does not become worse.
-/// params.schedule does not matter.
+/// Improves `surface` (conforming, closed for every label, free of self-intersections) where refinement left
+/// it finer than `sizing` asks, folded, or farther from `reference` than the envelope: edges are collapsed,
+/// tubes with three edges around get fewer rings, vertices of junction curves and near changes are relocated,
+/// facets are brought nearer. Each operation is one of adapt_complex's transactions, so topology is kept and
+/// nothing intersects. An operation that leaves planar angles below params.min_angle_deg is followed by
+/// others that open them, or taken back. Where the surface already breaks a limit it does not become worse.
+/// params.schedule is not used.
 ///
 /// Deterministic. Errors: kCancelled, kOutOfMemory.
 Result<SurfaceMesh> improve_surface(const SurfaceMesh& surface, const SurfaceMesh& reference,

@@ -17,22 +17,22 @@ class LocalOperations {
       : offsets(editor.mesh().sides().size(), 0), editor_(editor) {}
 
   double shape_weight = 0.7;
-  std::vector<double> offsets;  ///< by pair of labels: how far above the reference its sheets shall be, mm
+  std::vector<double> offsets;  ///< by pair of labels: normal offset of its sheets from the reference, mm
   std::array<std::uint64_t, 4> accepted{};  ///< splits, collapses, flips, relocations
 
-  /// A new vertex in the middle, on the reference.
+  /// Puts a new vertex in the middle of the edge, on the reference.
   bool split(std::uint32_t a, std::uint32_t b, Demand demand = Demand::kAllowed);
-  /// a goes to b, or both to their middle where a may do so. No edge becomes longer than `longest` target
+  /// Moves a to b, or both to their middle if a may move there. No edge becomes longer than `longest` target
   /// lengths, or than it was before.
   bool collapse(std::uint32_t a, std::uint32_t b, double longest, Demand demand = Demand::kAllowed);
   bool flip(std::uint32_t a, std::uint32_t b, Demand demand);
   bool relocate(std::uint32_t v);
-  /// To another place; not on the reference by itself.
+  /// Moves v by a vector, without projecting it onto the reference.
   bool shift(std::uint32_t v, const Eigen::Vector3d& by, Demand demand);
-  /// The same with the poorest triangles first, in smaller and smaller steps until the demand is met.
+  /// Moves v to help the poorest triangles first, in smaller and smaller steps until the demand is met.
   bool open(std::uint32_t v, Demand demand);
 
-  /// How much a flip of the edge would bring the valences nearer to six; vertices on curves do not count.
+  /// By how much a flip of the edge would bring the valences nearer to six; vertices on curves do not count.
   int valence_gain(std::uint32_t a, std::uint32_t b) const;
   /// Neighbours of v, each once.
   const std::vector<std::uint32_t>& neighbours(std::uint32_t v);

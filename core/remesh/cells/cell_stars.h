@@ -8,7 +8,7 @@
 
 namespace voxtet::remesh {
 
-/// Refers to a complex whose labels may change, but not its cells.
+/// Refers to a complex. Its labels may change, but not its cells.
 class CellStars {
  public:
   using Cells = std::vector<std::uint32_t>;
@@ -18,12 +18,13 @@ class CellStars {
   /// The labels of the cells around a point, ascending.
   std::vector<Label> labels_at(std::uint32_t point) const;
 
-  /// The groups into which the cells around a point fall that are (or, `outside`, are not) of a label,
-  /// connected over facets at that point; small ones first.
+  /// The cells around a point that have a label (or, with `outside`, do not have it), in groups connected
+  /// over facets at that point; small groups first.
   std::vector<Cells> groups_at(std::uint32_t point, Label label, bool outside) const;
 
   /// Around a point of a 2-manifold boundary the cells of a label form one group, and so do all others.
-  /// Surplus groups over all labels at a point, background's too; 0 where all boundaries are 2-manifolds.
+  /// Returns the number of surplus groups at a point over all labels, background's too; 0 where all
+  /// boundaries are 2-manifolds.
   std::size_t defects(std::uint32_t point) const;
   /// The same over several points.
   std::size_t defects(const Cells& points) const;

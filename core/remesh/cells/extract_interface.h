@@ -6,8 +6,8 @@
 
 namespace voxtet::remesh {
 
-/// Triangles between cells of different labels, with SurfaceMesh's conventions, along Morton's curve; points
-/// keep the complex's order.
+/// Triangles between cells of different labels, with SurfaceMesh's conventions, in the order of Morton's
+/// curve; points keep the complex's order.
 SurfaceMesh extract_interface(const LabelledCells& cells);
 
 }  // namespace voxtet::remesh

@@ -27,12 +27,13 @@ InterfaceEdges find_interface_edges(const LabelledCells& cells);
 /// Where the boundary of a label touches itself.
 struct Pinches {
   InterfaceEdges edges;
-  std::vector<std::uint32_t> at_edges;  ///< at which some label has more than two boundary facets, ascending
+  std::vector<std::uint32_t> at_edges;  ///< edges at which some label has more than two boundary facets,
+                                        ///< ascending
   /// Points at which the boundary facets of some label form more than one fan, ascending. A point at the end
   /// of a pinched edge is not counted for that alone.
   std::vector<std::uint32_t> at_points;
 
-  /// These and the ends of pinched edges, each once, ascending.
+  /// The points at_points and the ends of pinched edges, each once, ascending.
   std::vector<std::uint32_t> points() const;
 };
 

@@ -1,4 +1,4 @@
-// Removes the small components of labels that a coarse triangulation leaves beside an interface.
+// Removes small components of labels that a coarse triangulation leaves beside an interface.
 #pragma once
 
 #include <cstddef>
@@ -18,12 +18,13 @@ struct VoxelPieces {
 };
 VoxelPieces find_pieces(const LabelField& field);
 
-/// Facet-connected groups of cells of one label that are no piece of the label on their own take the label
-/// that most facets of their rim lead to: those that hold no voxel centre of the label, and those that hold
-/// fewer than kIslandVoxels and belong to a larger piece of the voxels. Groups of more than a few hundred
-/// cells and the largest of each label stay. Returns how many cells changed.
-/// `torn` receives where those that hold voxel centres were torn off: their facets towards a few cells beyond
-/// which the label goes on, for example at the mouths of a channel.
+/// Relabels islands: facet-connected groups of cells that are no separate piece of their label in the voxels.
+/// These are groups without any voxel centre of the label, and groups with fewer than kIslandVoxels of them
+/// that belong to a larger piece of the voxels. An island gets the label to which most of its outer facets
+/// lead. Groups of more than a few hundred cells and the largest one of each label stay. Returns how many
+/// cells changed.
+/// `torn` receives, for islands with voxel centres, the places where they were torn off: their facets towards
+/// a few cells beyond which the label goes on, for example at the mouths of a channel.
 std::size_t remove_islands(LabelledCells& cells, const LabelField& field, const VoxelPieces& pieces,
                            std::vector<InterfaceFacet>* torn = nullptr);
 

@@ -7,7 +7,7 @@
 
 namespace voxtet::remesh {
 
-/// Volume by label, mm^3, relative to one point of the complex; entry 0 (background) means nothing.
+/// Volume by label, mm^3, relative to one point of the complex; entry 0 (background) has no meaning.
 std::vector<double> label_volumes(const ComplexMesh& mesh);
 
 /// Area by pair of labels, mm^2.

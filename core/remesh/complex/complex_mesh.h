@@ -1,4 +1,4 @@
-// A labelled triangle complex that can be edited: triangles come and go, stars stay known.
+// A labelled triangle complex for editing: triangles can be added and removed, and stars are kept up to date.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,7 +34,7 @@ struct Facet {
 class ComplexMesh {
  public:
   explicit ComplexMesh(const SurfaceMesh& surface) : ComplexMesh(surface, surface.sides) {}
-  /// `sides`: every pair of labels that may come, in any order; the surface's among them.
+  /// `sides`: every pair of labels that may occur, in any order; it contains those of the surface.
   ComplexMesh(const SurfaceMesh& surface, std::vector<Sides> sides);
 
   std::size_t vertex_count() const { return points_.size(); }
@@ -51,7 +51,7 @@ class ComplexMesh {
     return {pool_.data() + rows_[v].first, rows_[v].count};
   }
   std::uint32_t edge_degree(std::uint32_t a, std::uint32_t b) const;
-  /// True when the edge has other than two triangles.
+  /// True unless the edge has exactly two triangles.
   bool is_curve(std::uint32_t a, std::uint32_t b) const {
     return strata_[a] != Stratum::kSurface && strata_[b] != Stratum::kSurface && edge_degree(a, b) != 2;
   }
@@ -60,13 +60,13 @@ class ComplexMesh {
   std::uint32_t add_vertex(const Eigen::Vector3d& p, Stratum stratum);
   /// Takes the last vertex back; it must have no triangles.
   void drop_last_vertex();
-  /// Another facet in the slot.
+  /// Puts another facet into the slot.
   void replace(std::uint32_t t, const Facet& facet);
   void remove(std::uint32_t t);
   /// Returns the slot.
   std::uint32_t add(const Facet& facet);
 
-  /// What is alive, renumbered in order.
+  /// Everything that is alive, renumbered in order.
   SurfaceMesh to_surface() const;
 
  private:
@@ -78,11 +78,11 @@ class ComplexMesh {
   void attach(std::uint32_t v, std::uint32_t t);
   void detach(std::uint32_t v, std::uint32_t t);
   void classify();
-  /// An edge at the vertex at hand, with how many triangles it has.
+  /// An edge at the current vertex, with the number of its triangles.
   struct Spoke {
     std::uint32_t end, degree;
   };
-  /// `spokes` is room to work in.
+  /// `spokes` is work memory.
   Stratum stratum_of(std::uint32_t v, std::vector<Spoke>& spokes) const;
   bool is_one_fan(std::uint32_t v) const;
   bool is_book(std::uint32_t v, std::uint32_t from, std::uint32_t to) const;

@@ -12,13 +12,13 @@ namespace voxtet::remesh {
 
 using CurveEdge = std::array<std::uint32_t, 2>;
 
-/// Triangles give way to facets that cover the same part of the surface; facet i lies about where triangle i
-/// was. Vectors keep their memory from edit to edit.
+/// Removed triangles are replaced by facets that cover the same part of the surface; facet i lies about where
+/// triangle i was. Vectors keep their memory from edit to edit.
 struct Edit {
   std::vector<std::uint32_t> removed;
   std::vector<Facet> added;
   std::vector<CurveEdge> curves_removed, curves_added;
-  std::uint32_t moved = kNone;  ///< vertex with another position, if any
+  std::uint32_t moved = kNone;  ///< a vertex that gets another position, if any
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
 
   void clear() {

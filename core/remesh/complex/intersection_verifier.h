@@ -1,5 +1,4 @@
-// A second opinion on every edit of a complex: another search and other predicates than those of the
-// editor.
+// Checks every edit of a complex a second time, with another search and other predicates than the editor.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,13 +10,14 @@
 
 namespace voxtet::remesh {
 
-/// Knows where every triangle has been, in columns along z. It forgets none, so that what is taken back is
-/// found again; what is no longer there is told by the complex.
+/// Stores where every triangle has been, in columns along z. It forgets none, so that triangles that come
+/// back are found again; the complex tells which are still there.
 class IntersectionVerifier {
  public:
   explicit IntersectionVerifier(const ComplexMesh& mesh);
 
-  /// Pairs of triangles that meet beyond their common corners, exact, among all around these new ones.
+  /// Number of pairs of triangles, at least one of them in `triangles`, that meet beyond their common
+  /// corners. Exact.
   std::size_t intersections_around(const ComplexMesh& mesh, const std::vector<std::uint32_t>& triangles);
 
  private:
@@ -26,7 +26,7 @@ class IntersectionVerifier {
   void for_columns(const Eigen::AlignedBox3d& box, Visit&& visit);
 
   Eigen::Vector3d low_;
-  double per_mm_;  ///< columns
+  double per_mm_;  ///< columns per mm
   std::vector<std::vector<std::uint32_t>> columns_;
 };
 

@@ -1,4 +1,4 @@
-// Which triangles may be near a box: levels of hashed grids.
+// Finds the triangles that may be near a box, by hashed grids on several levels.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -23,11 +23,11 @@ struct FloatBox {
 FloatBox box_of(const Corners& t);
 
 /// Spatial hashing (Teschner et al., "Optimized spatial hashing for collision detection of deformable
-/// objects", 2003) with one entry a triangle: it stands in the cell of its box's centre, on the level whose
-/// cells are just larger than the box, so that a search looks half a cell beyond its own box.
+/// objects", 2003) with one entry per triangle. The entry is in the cell of its box's centre, on the level
+/// whose cells are just larger than the box; so a search must look half a cell beyond its own box.
 class TriangleHash {
  public:
-  /// `cell_mm`: of the finest level; smaller triangles stand there too.
+  /// `cell_mm`: cell size of the finest level, which also holds all smaller triangles.
   TriangleHash(const ComplexMesh& mesh, double cell_mm);
 
   void insert(std::uint32_t t, const Corners& corners);
@@ -41,7 +41,7 @@ class TriangleHash {
   struct Entry {
     FloatBox box;
     std::uint32_t next = kNone;
-    std::uint32_t found_by = 0;  ///< the search that met it last
+    std::uint32_t found_by = 0;  ///< the last search that met it
   };
   static constexpr int kLevels = 16;
   std::uint32_t bucket(int level, int i, int j, int k) const;

@@ -30,21 +30,21 @@ class DelaunayRefiner {
   DelaunayRefiner(const LabelField& field, const SizingField& sizing, const RefineCriteria& criteria);
   ~DelaunayRefiner();
 
-  /// Adds points as they are, apart from those closer than `separation_mm` to one that is there: facets
-  /// around an edge much shorter than the others would become as small. Returns how many were added.
+  /// Adds points as they are, except those closer than `separation_mm` to an existing one: facets around an
+  /// edge much shorter than the others would become as small. Returns how many were added.
   std::size_t insert(const std::vector<Eigen::Vector3d>& points, double separation_mm);
 
   /// Refines until no facet is bad. False when cancelled.
   bool refine(RunContext& ctx, double predicted_vertices);
 
-  /// Marks the facet opposite `corner` of a cell of the last cells(), since which nothing was inserted, for
-  /// refinement, unless its surface ball is smaller than `least_radius_mm` already. Returns whether it was
-  /// marked; refine() does it.
+  /// Marks a facet for refinement by refine(): the one opposite `corner` of a cell of the last cells(), after
+  /// which nothing may have been inserted. Returns false, and marks nothing, if its surface ball is already
+  /// smaller than `least_radius_mm`.
   bool request(std::uint32_t cell, std::uint32_t corner, double least_radius_mm);
 
-  /// Points on interfaces that cells have passed over: where the label changes between the circumcentre of a
-  /// cell, whose label the cell has, and its centroid, if that lies at least `depth_mm` deep in another
-  /// label. In the order of cells().
+  /// Points on interfaces that cells have missed. A cell has the label of its circumcentre; if its centroid
+  /// lies at least `depth_mm` deep in another label, the point is where the label changes between the two. In
+  /// the order of cells().
   std::vector<Eigen::Vector3d> passed_over(double depth_mm) const;
 
   std::size_t vertex_count() const;

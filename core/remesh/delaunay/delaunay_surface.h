@@ -13,15 +13,15 @@ namespace voxtet::remesh {
 struct DelaunayParams {
   double facet_angle_deg = 30;
   double max_distance_voxels = 0.5;
-  double missed_voxels = 0.5;  ///< a reference farther than this from the surface was missed
+  double missed_voxels = 0.5;  ///< places of the reference farther than this from the surface were missed
 };
 
-/// Seeds every interface, refines, then mends what a triangulation of finite size gets wrong at junctions
-/// (islands, needle wedges, pinches), fits the points to the field, and adds points wherever `reference`,
-/// the label surface the field was made of, was missed, for a few rounds: ever closer ones, regardless of the
-/// sizing field, while the topology of the surface is not `wanted`, that of the reference. Facets are a
-/// subset of one Delaunay triangulation until the fit, which is taken back where it would make them
-/// intersect. Errors: kCancelled.
+/// Seeds every interface, refines, then repairs what a triangulation of finite size gets wrong at junctions
+/// (islands, needle wedges, pinches), and fits the points to the field. For a few rounds it adds points where
+/// `reference`, the label surface that the field was made of, was missed. As long as the topology of the
+/// surface is not `wanted`, that of the reference, these get closer and closer, regardless of the sizing
+/// field. Facets are a subset of one Delaunay triangulation until the fit, which is taken back where it would
+/// make them intersect. Errors: kCancelled.
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
                                      const TopologyLedger& wanted, const SizingField& sizing,
                                      const DelaunayParams& params, RunContext& ctx);

@@ -1,4 +1,4 @@
-// Points of an adapted surface spread along it.
+// Tangential relaxation of an adapted surface.
 #pragma once
 
 #include "types/sizing_field.h"
@@ -6,10 +6,10 @@
 
 namespace voxtet::remesh {
 
-/// Moves points inside the patches between two labels along their tangent planes, a few rounds one after the
-/// other, towards the target sizes and equilateral triangles. No triangle becomes thinner than the thinnest
-/// around its point or than 29 degrees, none turns by more than 11 degrees at once; points where the surface
-/// is sharply bent stay, as do those of junctions. Intersections are not looked for.
+/// Moves points inside the patches between two labels along their tangent planes, in a few sequential rounds,
+/// towards the target sizes and equilateral triangles. No triangle becomes thinner than the thinnest around
+/// its point or than 29 degrees, and none turns by more than 11 degrees in one move. Points where the surface
+/// is sharply bent and points of junctions stay. Intersections are not checked.
 void relax_surface(SurfaceMesh& surface, const SizingField& sizing);
 
 }  // namespace voxtet::remesh

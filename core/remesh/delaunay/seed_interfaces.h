@@ -15,17 +15,18 @@ struct Seeds {
   double predicted_vertices = 0;        ///< rough size of the finished surface, for progress
 };
 
-inline constexpr double kSeedSpacing = 2.5;          ///< of one interface's seeds, in target edge lengths
-inline constexpr std::size_t kSeedsOfInterface = 8;  ///< at least, where the lattice offers as many
+inline constexpr double kSeedSpacing = 2.5;  ///< spacing of the seeds of one interface, in target edge
+                                             ///< lengths
+inline constexpr std::size_t kSeedsOfInterface = 8;  ///< least number, where the lattice offers as many
 
 /// Points along the junctions of `reference` (the smoothed label surface), then Poisson-spaced ones on the
-/// interface of every pair of touching 6-connected components. All keep half an edge length apart, because
-/// facets around a short edge become as small; those of pairs that would get too few come closer. Fixed
-/// order.
+/// interface of every pair of touching 6-connected components. All are at least half an edge length apart,
+/// because facets around a short edge become as small; seeds of pairs that would get too few may be closer.
+/// Fixed order.
 Seeds seed_interfaces(const LabelField& field, const SurfaceMesh& reference, const SizingField& sizing);
 
-/// Poisson-spaced points alone, `spacing` target edge lengths apart, and only between these labels of the
-/// volume (ascending, the higher label of each pair first).
+/// Only the Poisson-spaced points, `spacing` target edge lengths apart, and only between these pairs of
+/// labels of the volume (ascending, the higher label of each pair first).
 std::vector<Eigen::Vector3d> seed_between(const LabelField& field, const SizingField& sizing, double spacing,
                                           const std::vector<Sides>& between);
 

@@ -10,7 +10,7 @@
 
 namespace voxtet::remesh {
 
-/// Looks at the segments from voxel centres to their neighbours, the edges of the Kuhn tetrahedra, and where
+/// Examines the segments from voxel centres to their neighbours (the edges of the Kuhn tetrahedra), and where
 /// surfaces cross them. Refers to the reference and the field.
 class SuspectVoxels {
  public:
@@ -27,14 +27,14 @@ class SuspectVoxels {
                        const std::vector<Eigen::Vector3d>& touching) const;
 
  private:
-  /// Calls visit(voxel, segment, share of the segment, triangle) for every triangle on a segment forwards
-  /// from a voxel for which wanted(voxel) holds.
+  /// Calls visit(voxel, segment, share of the segment, triangle) for every triangle that crosses a forward
+  /// segment of a voxel for which wanted(voxel) holds.
   template <class Wanted, class Visit>
   void for_each_crossing(const SurfaceMesh& surface, const Wanted& wanted, const Visit& visit) const;
-  /// Whether the voxel, whatever it is itself, can join or leave a label without a change of topology.
+  /// Whether the voxel, whatever its own label, can join or leave `label` without a change of topology.
   template <class LabelAt>
   bool stays_simple(std::uint64_t voxel, Label label, const LabelAt& label_at) const;
-  /// Those of the segments (voxel * segments + segment) that no triangle of the reference crosses, ascending.
+  /// The segments (voxel * segments + segment) that no triangle of the reference crosses, ascending.
   std::vector<std::uint64_t> not_of_reference(std::vector<std::uint64_t> segments) const;
   std::uint64_t end_of(std::uint64_t voxel, std::size_t segment) const;
   Eigen::Vector3i voxel_of(std::uint64_t offset) const;
@@ -44,7 +44,7 @@ class SuspectVoxels {
   const SurfaceMesh& reference_;
   const LabelField& field_;
   std::size_t segments_;
-  Eigen::Vector3i last_;  ///< voxel of the grid
+  Eigen::Vector3i last_;  ///< last voxel of the grid
 };
 
 }  // namespace voxtet::remesh

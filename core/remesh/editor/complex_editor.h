@@ -21,26 +21,26 @@
 
 namespace voxtet::remesh {
 
-/// EditLimits::turn_cosine where slivers are to go, whose normals say little.
+/// EditLimits::turn_cosine for the removal of slivers, whose normals say little.
 inline constexpr double kTurnCosineOfSlivers = -0.3;
 
 struct EditLimits {
   double reach_mm = 0.5;  ///< envelope, both directions
-  double nearer_mm = 0;   ///< the envelope for Demand::kNearer, if it is wider
+  double nearer_mm = 0;   ///< the envelope for Demand::kNearer, if this is wider
   double lattice_mm = 1;  ///< spacing of the points at which new facets are compared with the reference
-  /// If positive: where a facet may be farther than this between the points of that lattice, a closer one is
-  /// looked at.
+  /// If positive: where a facet may be farther than this between the lattice points, it is examined on a
+  /// closer lattice.
   double sure_mm = 0;
-  double angle_cosine = 0.95;    ///< planar angles
-  double crease_cosine = 0.5;    ///< angles between two facets inside a surface
-  double junction_cosine = 0.9;  ///< angles between two facets where curves run
-  double turn_cosine = 0.5;      ///< of a facet against the reference, and in one edit
+  double angle_cosine = 0.95;    ///< largest cosine of planar angles
+  double crease_cosine = 0.5;    ///< largest cosine of the dihedral angle inside a surface
+  double junction_cosine = 0.9;  ///< largest cosine of the dihedral angle where curves run
+  double turn_cosine = 0.5;      ///< least cosine of a facet's turn against the reference, and in one edit
   double gap_share = 0;          ///< least distance of sheets that face each other, in target edge lengths
-  /// The complex is adapted already: it may be beyond its reach somewhere, where it must not go farther, and
-  /// where sheets are nearer than the gap edges grow no faster than it.
+  /// The complex is already adapted. Where it is beyond its envelope it must not go farther. Where sheets are
+  /// nearer than the gap, edges may not grow faster than the gap.
   bool adapted = false;
-  /// Facets that may be Delaunay stay so, unless that is demanded that brings facets nearer: tetrahedra
-  /// between sheets that are near each other need no other points then.
+  /// Facets that can be Delaunay stay so, except under Demand::kNearer. Then tetrahedra between sheets that
+  /// are near each other need no additional points.
   bool keeps_delaunay = false;
   bool verify = false;
 };
@@ -52,8 +52,8 @@ enum class Demand : std::uint8_t {
   kNearer,       ///< and everything is within nearer_mm
 };
 
-/// Holds the complex, what it is compared with, and where its triangles are. The complex stays free of
-/// self-intersections and within the envelope after every accepted edit, if it was so before.
+/// Holds the complex, the reference, and the places of the triangles. After every accepted edit the complex
+/// is free of self-intersections and within the envelope, if it was so before.
 class ComplexEditor {
  public:
   /// Both complexes have the same table of sides.
@@ -68,9 +68,9 @@ class ComplexEditor {
   const Eigen::Vector3d& normal(std::uint32_t t) const { return normals_[t]; }
   /// Target edge length at a vertex.
   double size(std::uint32_t v) const { return std::max(floor_, sizes_[v]); }
-  /// Every target edge length as large as the largest.
+  /// Makes every target edge length as large as the largest.
   void set_coarsest(bool on) { floor_ = on ? *std::max_element(sizes_.begin(), sizes_.end()) : 0; }
-  /// Cosine of the sharpest fold allowed at an edge.
+  /// Cosine of the sharpest dihedral angle allowed at an edge.
   double fold_limit(std::uint32_t u, std::uint32_t w) const {
     return on_curves(u, w) ? limits.junction_cosine : limits.crease_cosine;
   }
@@ -78,9 +78,9 @@ class ComplexEditor {
   double metric_length(std::uint32_t a, std::uint32_t b) const {
     return (mesh_.point(a) - mesh_.point(b)).norm() * 0.5 * (1 / size(a) + 1 / size(b));
   }
-  /// A vertex of the reference near v, on a sheet or curve of v's; kNone if there is none.
+  /// A vertex of the reference near v, on one of v's sheets or curves; kNone if there is none.
   std::uint32_t hint(std::uint32_t v) const { return hints_[v]; }
-  /// New cells for the search of near triangles.
+  /// New cells for the search for near triangles.
   void set_cell(double cell_mm) { hash_.emplace(mesh_, cell_mm); }
 
   std::uint32_t add_vertex(const Eigen::Vector3d& p, Stratum stratum, std::uint32_t hint);
@@ -89,36 +89,37 @@ class ComplexEditor {
   bool attempt(const Edit& edit, Demand demand, std::uint32_t hint = kNone);
   /// Changes attempted so far.
   std::uint32_t attempts() const { return attempt_; }
-  /// Which attempt last changed triangles of v, or ended a trial that did; 0 if none. What was taken back
-  /// does not count.
+  /// The last attempt that changed triangles of v, or ended a trial that did; 0 if none. Edits that were
+  /// taken back do not count.
   std::uint32_t changed_at(std::uint32_t v) const { return v < changed_at_.size() ? changed_at_[v] : 0; }
-  /// From here on edits can be taken back, until keep_trial or undo_trial.
+  /// From here on edits can be taken back, until keep_trial() or undo_trial().
   void begin_trial();
   void keep_trial();
-  /// Takes back what was accepted since begin_trial; vertices that were added stay without triangles.
+  /// Takes back all edits accepted since begin_trial(); vertices that were added stay, without triangles.
   void undo_trial();
-  /// Cosine of the smallest planar angle of what stood there before the trial.
+  /// Cosine of the smallest planar angle of the triangles that the trial replaced.
   double trial_cosine_before() const { return trial_cosine_; }
-  /// Triangles that the trial has put there, each at least once.
+  /// Triangles that the trial made, each at least once.
   template <class Visit>
   void for_trial_triangles(Visit&& visit) const {
     for (const Accepted& step : trial_)
       for (const std::uint32_t t : step.back.removed)
         if (mesh_.alive(t)) visit(t);
   }
-  /// Squared distance where nothing of the reference is known to be near.
+  /// Squared distance if nothing of the reference is known to be near.
   static constexpr double kNowhere = 1e300;
-  /// Where a triangle is farthest from the reference, or a sample that it or its curve edges host from it.
+  /// Where a triangle is farthest from the reference, or a sample hosted by it or its curve edges is farthest
+  /// from it.
   struct Deviation {
     double distance2 = 0;
     Eigen::Vector3d toward = Eigen::Vector3d::Zero();   ///< from the triangle to the reference
-    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< of the corners at the triangle's end
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< barycentric weights of the place on the triangle
   };
   Deviation farthest(std::uint32_t t) const;
   /// Whether the triangle lies inside a sheet that is not folded there and hosts samples for most of its
   /// area, none farther than `reach_mm`.
   bool well_sampled(std::uint32_t t, double reach_mm) const;
-  /// Books a refusal found before the edit was described in full.
+  /// Counts a refusal that was found before the edit was described in full.
   bool refuse(Refusal refusal) {
     ++refusals_[static_cast<std::size_t>(refusal)];
     return false;
@@ -173,15 +174,16 @@ class ComplexEditor {
   std::vector<double> sizes_;
   std::vector<std::uint32_t> hints_, changed_at_;
   std::vector<Eigen::Vector3d> normals_;
-  std::vector<GabrielBalls> balls_;  ///< by slot, before any other vertex is known
+  std::vector<GabrielBalls> balls_;  ///< by slot, before other vertices are considered
   std::array<std::uint64_t, kRefusalCount> refusals_{};
   std::optional<IntersectionVerifier> verifier_;
   std::uint64_t violations_ = 0;
-  /// Of triangles as they are, by slot, on the lattice of that spacing; distance2 < 0 where not known.
+  /// By slot: deviations of the present triangles, found with this lattice spacing; distance2 < 0 if not
+  /// known.
   mutable std::vector<Deviation> deviations_;
   mutable double deviations_lattice_mm_ = 0;
 
-  // Of the edit under way.
+  // State of the current edit.
   const Edit* edit_ = nullptr;
   Demand demand_ = Demand::kAllowed;
   std::uint32_t attempt_ = 0;
@@ -191,14 +193,14 @@ class ComplexEditor {
   std::vector<FloatBox> new_boxes_, wide_boxes_;
   double gap_mm_ = 0, gap_growth_ = 1, reach_mm_ = 0;
   std::vector<std::uint32_t> near_, slots_, near_vertices_;
-  std::vector<std::uint32_t> met_in_;  ///< by vertex: the attempt in which it was last near
+  std::vector<std::uint32_t> met_in_;  ///< by vertex: the last attempt in which it was near
   std::vector<Eigen::Vector3d> near_points_;
 
-  /// What takes an accepted edit back.
+  /// Everything needed to take an accepted edit back.
   struct Accepted {
     Edit back;
-    std::vector<Deviation> deviations;  ///< of what it adds, where known
-    double size = 0;                    ///< of the moved vertex
+    std::vector<Deviation> deviations;  ///< of the triangles that it adds, if known
+    double size = 0;                    ///< target edge length of the moved vertex
     std::uint32_t hint = kNone;
   };
   std::vector<Accepted> trial_;

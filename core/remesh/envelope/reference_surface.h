@@ -1,4 +1,5 @@
-// The surface that the adapted one has to stay near: closest points by walking, without a search tree.
+// The surface that the adapted one has to stay near. Closest points are found by walking, without a search
+// tree.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +14,7 @@
 namespace voxtet::remesh {
 
 /// A copy of the complex before the first edit; vertices and triangles keep their indices. Its vertices are
-/// the samples by which distances are judged: those on a surface have a normal and a share of its area.
+/// the samples at which distances are measured: those on a surface have a normal and a share of its area.
 class ReferenceSurface {
  public:
   explicit ReferenceSurface(const ComplexMesh& mesh);
@@ -22,14 +23,14 @@ class ReferenceSurface {
   const Eigen::Vector3d& point(std::uint32_t r) const { return points_[r]; }
   const Eigen::Vector3d& normal(std::uint32_t r) const { return normals_[r]; }
   double area(std::uint32_t r) const { return areas_[r]; }
-  /// Squared distance below which walks end at the first star.
+  /// Squared distance below which a walk ends at the first star.
   double near2() const { return near2_; }
   Stratum stratum(std::uint32_t r) const { return strata_[r]; }
   bool beside(std::uint32_t r, PairId pair) const {
     if (only_pair_[r] != kNone) return only_pair_[r] == pair;
     return std::any_of(star(r).begin(), star(r).end(), [&](std::uint32_t t) { return pairs_[t] == pair; });
   }
-  /// Vertices that share a triangle of the pair with r, on junction curves some more than once.
+  /// Visits the vertices that share a triangle of the pair with r; on junction curves some more than once.
   template <class Visit>
   void for_neighbours(std::uint32_t r, PairId pair, Visit&& visit) const {
     if (only_pair_[r] != kNone) {
@@ -44,11 +45,11 @@ class ReferenceSurface {
   }
 
   /// A near point on the sheets of `pair`, found by walking downhill from vertex `hint`, which must have a
-  /// triangle of the pair; `hint` becomes the vertex reached. It stays on the sheet where it starts, so it
-  /// never jumps across a thin wall; its distance bounds the true one from above. Looks for none nearer than
-  /// `enough2`, a squared distance.
+  /// triangle of the pair; `hint` becomes the vertex reached. The walk stays on the sheet where it starts, so
+  /// it never jumps across a thin wall. The distance found is an upper bound of the true one. The walk ends
+  /// once the squared distance is below `enough2`.
   Eigen::Vector3d walk(const Eigen::Vector3d& p, PairId pair, std::uint32_t& hint, double enough2 = 0) const;
-  /// The same along the curve of `hint`. A corner as a hint stands for a curve of one edge: p itself is
+  /// The same along the curve of `hint`. If `hint` is a corner, the curve has only one edge: p itself is
   /// returned.
   Eigen::Vector3d walk_curve(const Eigen::Vector3d& p, std::uint32_t& hint) const;
 
@@ -58,7 +59,8 @@ class ReferenceSurface {
     double distance2;
     std::uint32_t triangle;
   };
-  /// From vertex `at` on to neighbours nearer to p, while there are any; the squared distance reached.
+  /// Walks from vertex `at` to neighbours nearer to p while there are any; returns the squared distance
+  /// reached.
   template <class VisitNeighbours>
   double walk_downhill(const Eigen::Vector3d& p, std::uint32_t& at, VisitNeighbours&& visit_neighbours) const;
   void add_ring(std::uint32_t r);

@@ -12,29 +12,31 @@
 
 namespace voxtet::remesh {
 
-/// Of edit.removed, as they were.
+/// The triangles of edit.removed, as they were before.
 struct RemovedFacets {
   const std::vector<Corners>& corners;
   const std::vector<Eigen::Vector3d>& normals;
 };
 
-/// Samples on surfaces are hosted by triangles, samples on curves by curve edges, corners by nothing (they
-/// stay). An edit moves the samples of what it removes to what it adds, or to triangles beside it.
+/// Every sample has a host near it: samples on surfaces a triangle, samples on curves a curve edge; corners
+/// have none (they stay). An edit moves the samples of what it removes to what it adds, or to triangles
+/// beside it.
 class ReverseEnvelope {
  public:
   ReverseEnvelope(const ComplexMesh& mesh, const ReferenceSurface& reference,
                   const Correspondence& correspondence);
 
-  /// Finds new hosts for the samples of the edit's triangles, within `reach_mm` or no farther than before,
-  /// and facets whose normals have at least `least_cosine` with the samples', or more than before. kNo,
-  /// kReverse or kNormal. `mesh` has the new positions, `new_normals` belong to edit.added.
+  /// Finds new hosts for the samples of the edit's triangles. They must be within `reach_mm`, or no farther
+  /// than before; the cosine between the normals of host and sample must be at least `least_cosine`, or more
+  /// than before. Returns kNo, kReverse or kNormal. `mesh` has the new positions, `new_normals` belong to
+  /// edit.added.
   Refusal try_surface(const ComplexMesh& mesh, const Edit& edit, double reach_mm, double least_cosine,
                       const RemovedFacets& old, const std::vector<Eigen::Vector3d>& new_normals);
-  /// The same for the samples of the edit's curve edges; `before`: where the moved vertex was. kNo or
+  /// The same for the samples of the edit's curve edges; `before`: where the moved vertex was. Returns kNo or
   /// kCurve.
   Refusal try_curves(const ComplexMesh& mesh, const Edit& edit, double reach_mm,
                      const Eigen::Vector3d& before);
-  /// Does what the last two tries found. `slots`: the triangle that each added facet became.
+  /// Carries out what the last two tries found. `slots`: the triangle that each added facet became.
   void commit(const Edit& edit, const std::vector<std::uint32_t>& slots);
 
   template <class Visit>

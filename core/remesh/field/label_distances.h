@@ -10,10 +10,11 @@
 
 namespace voxtet::remesh {
 
-/// Per voxel centre, the labels among its 26 neighbours with the signed distance to each label's boundary in
-/// units of the smallest spacing: positive for the voxel's own label alone, absolute value within
-/// [kNearest, kFarthest], at thin voxels (thin_voxels.h) at least kNearestThin, so that sheets and wires are
-/// wide enough to be followed. A voxel among its like has an empty list.
+/// For each voxel centre, the labels among its 26 neighbours with the signed distance to each label's
+/// boundary, in units of the smallest spacing. It is positive only for the voxel's own label. Its absolute
+/// value is within [kNearest, kFarthest], at thin voxels (thin_voxels.h) at least kNearestThin, so that
+/// sheets and wires are wide enough to be followed. The list is empty if all neighbours have the voxel's own
+/// label.
 struct LabelDistances {
   static constexpr float kNearest = 0.05F, kNearestThin = 0.3F, kFarthest = 2.0F;
 
@@ -23,8 +24,9 @@ struct LabelDistances {
 };
 
 /// `volume`: its outermost layers are background. `surface`: boundary complex of its labels, within about
-/// half a voxel of the voxels' faces; points in mm. The sign is the voxel's own label, also where the surface
-/// has passed its centre. Exact where the closest point lies at the closest vertex's triangles. Linear time.
+/// half a voxel of the voxels' faces; points in mm. The sign follows from the voxel's own label, even where
+/// the surface has passed its centre. Exact if the closest point lies on a triangle of the closest vertex.
+/// Linear time.
 LabelDistances label_distances(const LabelVolume& volume, const SurfaceMesh& surface);
 
 }  // namespace voxtet::remesh

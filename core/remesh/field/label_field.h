@@ -34,7 +34,8 @@ class LabelField {
 
   /// `surface`: the smoothed boundary complex of the labels of `volume` (mm), each vertex within half a voxel
   /// or so of where it was extracted. The labels at voxel centres are those of the volume. Labels that have
-  /// `layers`, which must outlive this, give way to them: with these the field goes on inside of walls.
+  /// `layers` are replaced by these, so that the field also has the sheets inside of walls. `layers` must
+  /// outlive this.
   LabelField(const LabelVolume& volume, const SurfaceMesh& surface, const WallLayers& layers = kNoLayers);
 
   /// Label at a patient-space point (mm).
@@ -42,14 +43,14 @@ class LabelField {
   /// Label of the volume, without layers, at a continuous index of the padded grid.
   Label at_index(const Eigen::Vector3d& index) const;
 
-  /// A point where the label changes on the segment from `a` to `b` (mm), nearest to `a` as far as bisection
-  /// sees. Needs at(a) == label_a, at(b) == label_b and label_a != label_b. The point lies within 1e-4 voxel
-  /// of the interface, on the side of label_a; `other` is the label behind it.
+  /// A point where the label changes on the segment from `a` to `b` (mm): the one nearest to `a`, as far as
+  /// bisection can tell. Needs at(a) == label_a, at(b) == label_b and label_a != label_b. The point lies
+  /// within 1e-4 voxel of the interface, on the side of label_a; `other` is the label behind it.
   Eigen::Vector3d crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b, Label label_b,
                            Label& other) const;
 
-  /// Direction in mm along which label `a` gains most on label `b` at a point; zero where one of the two
-  /// cannot win in that cell. Not normalised.
+  /// Direction in mm in which the distance of label `a` grows most against that of label `b` at a point; zero
+  /// where one of the two cannot win in that cell. Not normalised.
   Eigen::Vector3d gradient(const Eigen::Vector3d& mm, Label a, Label b) const;
 
   /// Signed distance in mm, to first order, from a point to the interface of labels `a` and `b`: positive on
@@ -72,7 +73,7 @@ class LabelField {
 
   Eigen::Vector3d to_index(const Eigen::Vector3d& mm) const { return grid_.to_index(mm); }
   Eigen::Vector3d to_mm(const Eigen::Vector3d& index) const { return grid_.to_mm(index); }
-  /// Around the centres of all voxels, mm.
+  /// A box around the centres of all voxels, mm.
   Eigen::AlignedBox3d box() const;
 
  private:
@@ -88,10 +89,11 @@ class LabelField {
     bool mixed;
   };
 
-  /// crossing() of labels of the volume.
+  /// crossing() for labels of the volume.
   Eigen::Vector3d parent_crossing(const Eigen::Vector3d& a, Label label_a, const Eigen::Vector3d& b,
                                   Label label_b, Label& other) const;
-  /// Whether two labels are layers of one label, or one of them is what is left of it outside of the wall.
+  /// Whether two labels are layers of one label, or one of them is the rest of that label outside of the
+  /// wall.
   bool share_parent(Label a, Label b) const { return layers_.parent(a) == layers_.parent(b); }
   bool both_layers(Label a, Label b) const { return layers_.is_layer(a) && layers_.is_layer(b); }
 
@@ -99,7 +101,7 @@ class LabelField {
   /// The code of a cell in which more than one label can win.
   std::int32_t store_mixed_cell(const LabelDistances& distances, const std::array<std::size_t, 8>& corners);
   std::int32_t code_at(const Eigen::Vector3d& index, std::array<double, 3>& t) const;
-  /// Corner values of a's distance less b's in the cell of a point, and the place in the cell.
+  /// Corner values of a's distance minus b's in the cell of a point, and the point's place in the cell.
   bool corner_differences(const Eigen::Vector3d& mm, Label a, Label b, std::array<double, 8>& difference,
                           std::array<double, 3>& t) const;
   double margin(const Eigen::Vector3d& index, Label wanted, Sample& sample) const;

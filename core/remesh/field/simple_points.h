@@ -1,4 +1,4 @@
-// Pieces of a voxel's neighbours.
+// Connected pieces of a voxel's neighbours.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 
 namespace voxtet::remesh {
 
-/// By neighbour, those that are next to it, as bits.
+/// For each neighbour, the others next to it, as bits.
 template <std::size_t kCount>
 using NeighbourRings = std::array<std::uint32_t, kCount>;
 
-/// All of `within` that is joined with `piece`, a part of it.
+/// Everything in `within` that is connected with `piece`, a part of it.
 template <std::size_t kCount>
 constexpr std::uint32_t grow_piece(std::uint32_t piece, std::uint32_t within,
                                    const NeighbourRings<kCount>& rings) {

@@ -1,5 +1,5 @@
-// A voxel's 26 neighbours and what its topology depends on where a label is joined through faces alone, and
-// what is not of it along diagonals of faces too.
+// A voxel's 26 neighbours, and simple points for a label that is connected through faces only while its
+// complement is connected along diagonals of faces too.
 #pragma once
 
 #include <array>
@@ -18,7 +18,8 @@ constexpr std::array<int, 3> cube_step(std::size_t neighbour) {
   return {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
 }
 
-/// By neighbour, the others in the cube next to it, as bits: those apart along `axes` of the three or fewer.
+/// For each neighbour, the others in the cube next to it, as bits: those that differ along at most `axes`
+/// axes.
 constexpr NeighbourRings<kCube> cube_rings(int axes) {
   NeighbourRings<kCube> rings{};
   for (std::size_t a = 0; a < kCube; ++a)
@@ -36,7 +37,7 @@ constexpr NeighbourRings<kCube> cube_rings(int axes) {
 }
 inline constexpr NeighbourRings<kCube> kFaceRings = cube_rings(1), kEdgeRings = cube_rings(2);
 
-/// How many pieces of `cube` touch the middle.
+/// How many connected pieces of `cube` touch the middle.
 constexpr int pieces_at_middle(std::uint32_t cube, const NeighbourRings<kCube>& rings) {
   int pieces = 0;
   for (std::uint32_t touching = cube & rings[kCubeMiddle]; touching != 0; ++pieces)
@@ -44,8 +45,8 @@ constexpr int pieces_at_middle(std::uint32_t cube, const NeighbourRings<kCube>& 
   return pieces;
 }
 
-/// Whether the middle can be taken from or added to a set without a change of topology, by those of the cube
-/// that are in the set (bits; Bertrand 1994 for the connectivities 6+ and 18).
+/// Whether the middle can be removed from or added to a set without a change of topology. `in_set`: the
+/// members of the cube that are in the set, as bits (Bertrand 1994 for the connectivities 6+ and 18).
 constexpr bool is_simple_in_cube(std::uint32_t in_set) {
   constexpr std::uint32_t kAll = ((1U << kCube) - 1) & ~(1U << kCubeMiddle);
   return pieces_at_middle(in_set & kAll, kFaceRings) == 1 &&

@@ -1,4 +1,4 @@
-// A voxel's neighbours along the edges of the Kuhn tetrahedra, and what its topology depends on.
+// A voxel's neighbours along the edges of the Kuhn tetrahedra, and simple points for this connectivity.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace voxtet::remesh {
 
-/// Seven up, by the bits of their number plus one, and those opposite.
+/// Seven upward steps, whose axes are the bits of their number plus one, then the seven opposite ones.
 constexpr std::size_t kUp = 7, kNeighbours = 14;
 
 constexpr std::array<int, 3> step_to(std::size_t neighbour) {
@@ -17,7 +17,7 @@ constexpr std::array<int, 3> step_to(std::size_t neighbour) {
   return {sign * (bits & 1), sign * (bits >> 1 & 1), sign * (bits >> 2)};
 }
 
-/// By neighbour, those of the others that are neighbours of it, as bits: a ring around the edge to it.
+/// For each neighbour, the others that are neighbours of it, as bits: a ring around the edge to it.
 inline constexpr NeighbourRings<kNeighbours> kRings = [] {
   NeighbourRings<kNeighbours> rings{};
   for (std::size_t a = 0; a < kNeighbours; ++a)
@@ -33,13 +33,13 @@ inline constexpr NeighbourRings<kNeighbours> kRings = [] {
   return rings;
 }();
 
-/// Whether neighbours, as bits, are joined with each other; so are none.
+/// Whether these neighbours (bits) are connected with each other; true for none.
 constexpr bool are_joined(std::uint32_t neighbours) {
   return grow_piece(neighbours & -neighbours, neighbours, kRings) == neighbours;
 }
 
-/// Whether a voxel can be taken from or added to a set without a change of topology, by those neighbours that
-/// are in it (Bertrand 1994): they and the others are both of one piece.
+/// Whether a voxel can be removed from or added to a set without a change of topology. `in_set`: its
+/// neighbours in the set (Bertrand 1994). True if these and the other neighbours form one piece each.
 constexpr bool is_simple(std::uint32_t in_set) {
   constexpr std::uint32_t kAll = (1U << kNeighbours) - 1;
   return in_set != 0 && in_set != kAll && are_joined(in_set) && are_joined(kAll & ~in_set);

@@ -1,4 +1,4 @@
-// The step of a vertex along its surface to better sizes and shapes of the triangles around it.
+// The step of a vertex along its surface that improves sizes and shapes of the triangles around it.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,13 +14,14 @@ struct RingTriangle {
 };
 
 struct TangentialStep {
-  Eigen::Vector3d normal;  ///< mean of the triangles', by area; of length 1
+  Eigen::Vector3d normal;  ///< area-weighted mean of the triangles' normals; of length 1
   Eigen::Vector3d step;    ///< perpendicular to it
 };
 
-/// From `x` to a place between that which gives the triangles their target shares of the area (Surazhsky and
-/// Gotsman, "Explicit surface remeshing", 2003: least squares, areas being linear in the tangent plane) and
-/// the mean of the apexes that would make each triangle equilateral; `shape_weight` is that of the latter.
+/// The step from `x` to a weighted mean of two places. The first gives the triangles their target shares of
+/// the area (Surazhsky and Gotsman, "Explicit surface remeshing", 2003: least squares, areas being linear in
+/// the tangent plane). The second, with `shape_weight`, is the mean of the apexes that would make each
+/// triangle equilateral.
 TangentialStep tangential_relaxation(const Eigen::Vector3d& x, std::span<const RingTriangle> ring,
                                      double shape_weight);
 

@@ -1,4 +1,4 @@
-// How far to offset sheets so that labels get their volumes back.
+// Normal offsets of sheets that give labels their volumes back.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace voxtet::remesh {
 
-/// By pair of labels, an offset in mm along the normals that to first order gives each label the volume it
-/// lacks: lambda_behind - lambda_front, which of all such offsets has the least area-weighted square. At most
-/// `most_mm`. `lacking_mm3` by label; entry 0 (background) means nothing.
+/// For each pair of labels, an offset in mm along the normals that to first order gives each label the volume
+/// it lacks: lambda_behind - lambda_front, with the least area-weighted sum of squares of all such offsets.
+/// At most `most_mm`. `lacking_mm3` is by label; entry 0 (background) has no meaning.
 std::vector<double> volume_offsets(const std::vector<Sides>& pairs, const std::vector<double>& areas_mm2,
                                    const std::vector<double>& lacking_mm3, double most_mm);
 

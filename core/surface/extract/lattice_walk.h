@@ -54,7 +54,7 @@ class LabelSlab {
 };
 
 /// Calls visit(x, y, z, corner labels) for every cell of layer z with more than one label; planes z and z + 1
-/// must be loaded. `visit` must only rely on cells with smaller (z, y, x) having been visited.
+/// must be loaded. `visit` may rely only on cells with smaller (z, y, x) having been visited before.
 template <class Visit>
 void walk_mixed_cells(const LabelVolume& volume, const LabelSlab& slab, int z, Visit&& visit) {
   const int cells_x = volume.size[0] + 1, cells_y = volume.size[1] + 1;
@@ -84,10 +84,9 @@ void walk_mixed_cells(const LabelVolume& volume, const LabelSlab& slab, int z, V
   }
 }
 
-/// Vertex ids that belong to lattice points, `slots` of them a point, for the two planes of the current slab.
-/// An id is stored at the point which is the highest corner of its lattice edge (or triangle): all cells
-/// around a crossed edge are mixed, and the first one visited has that point as its corner 7, so ids need no
-/// clearing.
+/// Vertex ids that belong to lattice points, `slots` for each point, for the two planes of the current slab.
+/// An id is stored at the highest corner of its lattice edge (or triangle): all cells around a crossed edge
+/// are mixed, and the first one visited has that point as its corner 7, so ids need no clearing.
 class PlaneIds {
  public:
   PlaneIds(const LabelVolume& volume, std::size_t slots)

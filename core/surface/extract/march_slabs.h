@@ -1,4 +1,4 @@
-// Extraction of a label volume in slabs of cell layers, one a thread.
+// Extraction of a label volume in slabs of cell layers, one slab per thread.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 
 namespace voxtet {
 
-/// Triangles of cell layers [begin, end). Vertices on the plane below belong to the layer before, which is
-/// walked as well for their order: `points` begins with the `borrowed` ones that layer makes.
+/// Triangles of cell layers [begin, end). Vertices on the lowest plane belong to the layer below. That layer
+/// is walked too, to find their order: `points` begins with the `borrowed` points that it makes.
 struct MarchedSlab {
   SurfaceMesh mesh;
   std::size_t borrowed = 0;
 };
 
-/// Slabs one after the other; ids of borrowed points are those of the last points of the slab before.
+/// Joins the slabs; the borrowed points of a slab are the last points of the slab before it.
 inline SurfaceMesh join_slabs(std::vector<MarchedSlab> slabs) {
   SurfaceMesh out = std::move(slabs.front().mesh);
   std::size_t points = out.points.size(), triangles = out.triangles.size();
@@ -45,9 +45,9 @@ inline SurfaceMesh join_slabs(std::vector<MarchedSlab> slabs) {
   return out;
 }
 
-/// Walks all mixed cells with the visitors that make(SurfaceMesh& out) returns, one a slab. A visitor must
-/// add the points of a cell's highest corner in an order that depends on the cell alone. The result is that
-/// of one slab, for any number of threads.
+/// Walks all mixed cells, each slab with its own visitor from make(SurfaceMesh& out). A visitor must add the
+/// points of a cell's highest corner in an order that depends only on the cell. For any number of threads the
+/// result is that of a single slab.
 template <class Make>
 Result<SurfaceMesh> march_slabs(const LabelVolume& volume, bool binary, const RunContext& ctx, Make&& make) {
   const int layers = volume.size[2] + 1, count = std::clamp(ctx.threads, 1, layers);

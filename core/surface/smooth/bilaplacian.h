@@ -21,12 +21,12 @@ class BilaplacianSmoother {
   BilaplacianSmoother(const SurfaceGraph& graph, const std::vector<Eigen::Vector3d>& start,
                       const MoveLimits& limits, double step);
 
-  /// That many steps from `points`, in index space like the start. False, and the points as they were, when
-  /// cancelled.
+  /// Takes `iterations` steps from `points`, which are in index space like the start. If cancelled, returns
+  /// false and leaves the points as they were.
   bool run(int iterations, const RunContext& ctx, std::vector<Eigen::Vector3d>& points);
 
  private:
-  /// Coordinates and a spare one: whole registers where there are any.
+  /// Three coordinates and a spare one, to fill a vector register where there are any.
   using Float4 = float __attribute__((vector_size(16)));
 
   void step_all(int threads);

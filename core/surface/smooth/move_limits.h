@@ -1,4 +1,4 @@
-// How far each vertex of an extracted surface may go from its start.
+// How far each vertex of an extracted surface may move from its start.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +11,10 @@
 namespace voxtet {
 
 /// A box around the start of each vertex, in index space: `reach` in both directions of every index axis. A
-/// vertex on the lattice edge between voxels p and q does not go towards p along the axes of that edge where
-/// p is slender, that is, has no neighbour of its region along two axes at least, and the same for q: specks
-/// and wires one voxel thick keep the thickness they were extracted with. Vertices inside a lattice cell are
-/// bounded by `reach` alone.
+/// voxel is slender if along at least two axes it has no neighbour of its region. A vertex on the lattice
+/// edge between voxels p and q does not move towards p along the axes of that edge if p is slender, and the
+/// same for q: so small components and wires one voxel thick keep the thickness they were extracted with.
+/// Vertices inside a lattice cell are bounded by `reach` alone.
 class MoveLimits {
  public:
   /// `start`: vertices of an extracted surface in index space, exact to a small fraction of a voxel.
@@ -31,7 +31,7 @@ class MoveLimits {
 
  private:
   std::array<Box, kKinds> boxes_;
-  std::vector<std::uint8_t> kinds_;  ///< bit d: not down along axis d; bit 3 + d: not up
+  std::vector<std::uint8_t> kinds_;  ///< bit d: not down along axis d; bit 3 + d: not up along it
 };
 
 }  // namespace voxtet

@@ -16,27 +16,27 @@ struct SmoothParams {
 };
 
 /// Clamped bi-Laplacian smoothing in index space: x <- clamp(x - mu*L(L(x))), umbrella weights. Vertices on
-/// junctions of three or more labels use junction neighbours only; corners of junctions and junction loops of
-/// up to ten vertices stay fixed; specks and straight wires one voxel thick grow no thinner (move_limits.h).
-/// Surfaces of several labels, whose edges are half as long, take as many steps again, except at regions that
-/// are thinner than about four voxels.
+/// junctions of three or more labels use junction neighbours only. Corners of junctions and junction loops of
+/// up to ten vertices stay fixed. Small components and straight wires one voxel thick grow no thinner
+/// (move_limits.h). Surfaces of several labels, whose edges are half as long, take the same number of steps
+/// once more, except at regions that are thinner than about four voxels.
 /// Then the interfaces shift along their normals, within the same clamp, until every connected region of a
-/// label has the volume of its voxels; the interface of regions a and b moves by lambda_a - lambda_b, the
+/// label has the volume of its voxels. The interface of regions a and b moves by lambda_a - lambda_b, the
 /// distribution of least area-weighted square (volume_correction.h).
 ///
 /// Guarantees, whatever the labels:
 /// - No two triangles intersect beyond common corners and edges, if none did before
-/// (geometry/repair/undo_intersections.h).
+///   (geometry/repair/undo_intersections.h).
 /// - Every voxel centre stays on its side of every label, except voxels at the surface of something thicker
-///   than one voxel: those deeper than half a voxel, and those of sheets, wires, gaps and specks one voxel
-///   thick, are kept (shape_guard.h).
+///   than one voxel: those deeper than half a voxel, and those of sheets, wires, gaps and small components
+///   one voxel thick, are kept (shape_guard.h).
 /// - No vertex moves further than `max_move_voxels` along an index axis.
 /// - Triangles and sides are those of the input.
-/// Volumes are met to about 1e-4 of a region unless the first three stand against it.
+/// Volumes are met to about 1e-4 of a region unless the first three guarantees prevent it.
 ///
 /// `volume` is the volume the surface was extracted from. About linear time; identical for any ctx.threads.
-/// Errors: kUsage for parameters out of range, kBadInput for an empty surface, a triangle without its points,
-/// or one whose sides do not meet there in the volume.
+/// Errors: kUsage for parameters out of range, kBadInput for an empty surface, a triangle whose points are
+/// missing, or one whose two labels do not meet there in the volume.
 Result<SurfaceMesh> smooth_surface(const SurfaceMesh& surface, const LabelVolume& volume,
                                    const SmoothParams& params, RunContext& ctx);
 

@@ -1,4 +1,4 @@
-// Who may move, and with which neighbours, when a labelled complex is smoothed.
+// Which vertices may move when a labelled complex is smoothed, and which neighbours they use.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ enum class VertexKind : std::uint8_t {
   kFixed,     ///< end or crossing of such curves, pinch, or part of a curve loop too short to smooth
 };
 
-/// Neighbours in compressed rows: all mesh neighbours of a surface vertex, the two neighbours along the curve
-/// of a junction vertex, and for a fixed vertex nothing that may be used. Ascending within a row.
+/// Neighbours in compressed rows, ascending within a row: all mesh neighbours of a surface vertex, or the two
+/// neighbours along the curve of a junction vertex. The row of a fixed vertex must not be used.
 struct SurfaceGraph {
   std::vector<VertexKind> kinds;
   std::vector<std::uint32_t> first;  ///< size kinds.size() + 1
@@ -27,8 +27,8 @@ struct SurfaceGraph {
   }
 };
 
-/// Closed junction curves without a corner shrink to a point under smoothing: up to this many vertices they
-/// are fixed instead.
+/// Closed junction curves without a corner would shrink to a point under smoothing. With up to this many
+/// vertices they are fixed instead.
 inline constexpr std::size_t kLongestFixedLoop = 10;
 
 /// Linear time. `surface` must have valid indices.

@@ -16,7 +16,7 @@ namespace voxtet {
 /// Regions behind and in front of each triangle (those of its sides).
 using RegionSides = std::vector<std::array<std::uint32_t, 2>>;
 
-/// What does not change from one correction of a surface to the next. References must stay valid.
+/// What stays the same from one correction of a surface to the next. References must stay valid.
 struct CorrectionProblem {
   const SurfaceMesh& surface;                 ///< for its triangles
   const RegionSides& regions;                 ///< by triangle
@@ -26,11 +26,12 @@ struct CorrectionProblem {
   double orientation = 1;  ///< sign of the affine's determinant
 };
 
-/// One interface of the regions a|b moves by delta_ab = lambda_a - lambda_b (lambda of the outside is 0), the
-/// solution of least area-weighted square of: sum over neighbours b of area_ab * delta_ab = missing volume of
-/// a. Only points with `movable` not 0 move, along their normal, within their limits around their start; a
-/// point that is stopped there takes no further part and its flag becomes 0. At most eight rounds, fewer once
-/// every region has its volume to a ten-thousandth and a hundredth of a voxel. `points` are in index space.
+/// The interface of regions a and b moves by delta_ab = lambda_a - lambda_b (lambda of the outside is 0). Of
+/// all solutions of: sum over neighbours b of area_ab * delta_ab = missing volume of a, this is the one with
+/// the least area-weighted sum of squares. Only points with `movable` not 0 move, along their normal and
+/// within their limits around their start. A point that the limits stop takes no further part: its flag
+/// becomes 0. At most eight rounds, fewer once every region has its volume to a ten-thousandth and a
+/// hundredth of a voxel. `points` are in index space.
 void correct_volumes(const CorrectionProblem& problem, Flags& movable, std::vector<Eigen::Vector3d>& points);
 
 }  // namespace voxtet

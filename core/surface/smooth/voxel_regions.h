@@ -17,12 +17,12 @@ class VoxelRegions {
  public:
   static constexpr std::uint32_t kOutside = 0;
 
-  /// `merged` other than background: all labels count as that one.
+  /// If `merged` is not background, all labels count as that one.
   VoxelRegions(const LabelVolume& volume, Label merged);
 
   std::size_t count() const { return labels_.size(); }
   Label label(std::uint32_t region) const { return labels_[region]; }
-  /// In voxels by region; 0 for the outside.
+  /// Volume of each region in voxels; 0 for the outside.
   const std::vector<double>& volumes() const { return volumes_; }
   std::uint32_t at(int i, int j, int k) const {
     if (i < 0 || j < 0 || k < 0 || i >= size_[0] || j >= size_[1] || k >= size_[2]) return kOutside;

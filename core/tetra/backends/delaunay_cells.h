@@ -21,27 +21,27 @@ class DelaunayCells {
   DelaunayCells();
   ~DelaunayCells();
 
-  /// False where a vertex is there already. In the end the numbers are to be those from 0 on; quickest where
-  /// points that are added one after the other are near each other.
+  /// False if there is a vertex at this place already. In the end `number` must have taken all values from 0
+  /// on. Fastest if points that are added one after the other are near each other.
   bool add(const Eigen::Vector3d& point, std::uint32_t number);
   bool has_edge(std::uint32_t a, std::uint32_t b) const;
-  /// Which triangles of a surface, whose points are the vertices, are facets.
+  /// For each triangle of a surface, whose points are the vertices, whether it is a facet.
   std::vector<bool> find_facets(const SurfaceMesh& surface) const;
 
-  /// Gives every cell the label on its side of the surface, all of whose triangles are facets. False where a
+  /// Gives every cell the label on its side of the surface, all of whose triangles must be facets. False if a
   /// cell lies on two sides.
   bool label(const SurfaceMesh& surface);
 
   enum class Refined { kDone, kCancelled, kTooMany };
   /// After label(): adds points at the circumcentres of cells that are larger than `sizing` asks for, then of
-  /// those with a higher ratio of circumradius to shortest edge, except where these
-  /// are too close to the surface or behind it. A point only changes cells of one label: the triangulation
-  /// stays Delaunay as seen from inside each label. No point is added in a layer. Polls ctx.cancelled().
-  /// Stops at `max_points`.
+  /// those whose ratio of circumradius to shortest edge is above `radius_edge`. Points that would be too
+  /// close to the surface or behind it are left out. A point only changes cells of one label: the
+  /// triangulation stays Delaunay as seen from inside each label. No point is added in a layer. Polls
+  /// ctx.cancelled(). Stops at `max_points`.
   Refined refine(const SizingField& sizing, double radius_edge, std::size_t max_points,
                  const WallLayers& layers, const RunContext& ctx);
 
-  /// After label(): the points, and the tets of every label except background, their labels as regions.
+  /// After label(): the points, and the tets of every label except background, with labels as regions.
   FilledParts take() const;
 
  private:

@@ -1,4 +1,4 @@
-// What a mesher gives, unchecked.
+// The result of a mesher, unchecked.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,8 @@
 
 namespace voxtet {
 
-/// Tets are positive; `regions` numbers the parts that a surface's triangles bound, in any way that gives
-/// parts of different labels different numbers.
+/// Tets are positive. `regions` numbers the parts that a surface's triangles bound; parts of different labels
+/// have different numbers.
 struct FilledParts {
   std::vector<Eigen::Vector3d> points;  ///< the surface's, then new ones
   std::vector<Tet> tets;

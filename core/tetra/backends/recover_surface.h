@@ -14,10 +14,11 @@ struct Recovery {
   std::size_t flipped = 0, split = 0;  ///< edges
 };
 
-/// Where an edge of the surface is not in the triangulation of its points: takes the other diagonal of its
-/// two triangles if that is, and they are all but flat (the diagonals no farther apart than a tenth of the
-/// edge); else adds the edge's midpoint to both. Points are only added, at the end. Errors: kCancelled;
-/// kMeshing where this comes to no end, near sharp angles and sheets much closer than their edges.
+/// Handles edges of the surface that are not in the triangulation of its points. If the other diagonal of the
+/// edge's two triangles is in it and the two are nearly coplanar (the diagonals no farther apart than a tenth
+/// of the edge), takes that diagonal; else adds the edge's midpoint to both. Points are only added, at the
+/// end. Errors: kCancelled; kMeshing if this does not end, near sharp angles and sheets much closer than
+/// their edges.
 Result<Recovery> recover_surface(SurfaceMesh& surface, DelaunayCells& cells, const RunContext& ctx);
 
 }  // namespace voxtet::tetra

@@ -17,12 +17,12 @@ Status check_triangles(const SurfaceMesh& surface);
 /// triangles at open edges and the edges' midpoints.
 Status check_closed(const SurfaceMesh& surface, const EdgeGroups& edges);
 
-/// No two triangles meet elsewhere than in common corners and edges. kMeshing with the triangles that do.
+/// No two triangles meet beyond common corners and edges. kMeshing with the triangles that do.
 Status check_intersections(const SurfaceMesh& surface);
 
-/// No two labels overlap: around each edge, what lies between two triangles that follow each other is one
-/// label. Of a surface that is closed and free of intersections this is not so where a part of it is inside
-/// out. kMeshing with the triangles at such edges and the edges' midpoints.
+/// No two labels overlap: around each edge, the space between two successive triangles has one label. For a
+/// closed surface without intersections this fails where a part of it is inside out. kMeshing with the
+/// triangles at such edges and the edges' midpoints.
 Status check_overlaps(const SurfaceMesh& surface, const EdgeGroups& edges);
 
 struct SharpAngle {
@@ -37,9 +37,9 @@ SharpAngle find_sharpest_edge(const SurfaceMesh& surface, const EdgeGroups& edge
 /// The sharpest angle between two edges of a triangle.
 SharpAngle find_sharpest_corner(const SurfaceMesh& surface);
 
-/// Where a mesher that gives up most likely did so: triangles with points that all but coincide with others
-/// (within a millionth of the bounding box) or with an angle, in the plane or to a neighbour, below a tenth
-/// of a degree; where there are none, those at the sharpest angles of either kind. Ascending.
+/// Triangles where a mesher that failed most likely did so: those with points that nearly coincide with
+/// others (within a millionth of the bounding box), or with an angle, in the plane or to a neighbour, below a
+/// tenth of a degree. If there are none, those at the sharpest angles of either kind. Ascending.
 ErrorPlace find_narrow_places(const SurfaceMesh& surface, const EdgeGroups& edges);
 
 }  // namespace voxtet

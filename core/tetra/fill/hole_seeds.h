@@ -10,8 +10,8 @@
 namespace voxtet {
 
 /// One point in background just off each edge-connected part of the boundary between labels and background.
-/// Where the background is outside of everything the point does no harm. Each point's way to its triangle
-/// crosses no other triangle.
+/// Seeds in the background around everything do no harm. The segment from each point to its triangle crosses
+/// no other triangle.
 std::vector<Eigen::Vector3d> find_hole_seeds(const SurfaceMesh& surface, const EdgeGroups& edges);
 
 }  // namespace voxtet

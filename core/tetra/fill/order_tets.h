@@ -1,4 +1,4 @@
-// Neighbours in space become neighbours in memory.
+// Order along a space-filling curve: neighbours in space become neighbours in memory.
 #pragma once
 
 #include <cstddef>

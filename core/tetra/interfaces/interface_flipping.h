@@ -1,4 +1,4 @@
-// Tets that lie flat on an interface go to the other side.
+// Tets that lie flat on an interface change sides.
 #pragma once
 
 #include <array>
@@ -16,13 +16,14 @@
 
 namespace voxtet::tetra {
 
-/// Gives a tet with two or three interfaces, all to the same label, to that label (or to background: it is
-/// gone). On the interface this is a flip of an edge, or of a vertex with three triangles; nothing moves.
+/// A tet whose two or three interfaces are all to the same label gets that label (if it is background, the
+/// tet is removed). On the interface this is a flip of an edge, or the removal of a vertex with three
+/// triangles; nothing moves.
 class InterfaceFlipper {
  public:
-  /// `reference` is the label surface; its sides are those of the interfaces. `envelope`: how far from it the
-  /// middle of a new edge or triangle may be, as a part of the target edge length, where that of the old ones
-  /// is not as far.
+  /// `reference` is the label surface; its sides are those of the interfaces. `envelope`, as a part of the
+  /// target edge length: how far from it the middle of a new edge or triangle may be, unless the middle of
+  /// the old ones is as far.
   InterfaceFlipper(TetComplex& complex, const SurfaceMesh& reference, const SizingField& sizing,
                    const SizeGuard& guard, double envelope, const VolumeKeeper& volumes)
       : complex_(complex),
@@ -32,8 +33,8 @@ class InterfaceFlipper {
         envelope_(envelope),
         volumes_(volumes) {}
 
-  /// Of these tets those whose going over lets the lowest quality rise there, one after the other; how many.
-  /// The topology of every label stays, and by `volumes` its volume.
+  /// Relabels those of these tets, one after the other, for which that raises the lowest quality around;
+  /// returns how many. Every label keeps its topology and, by `volumes`, its volume.
   std::size_t flip(std::span<const std::uint32_t> tets);
 
  private:
@@ -47,8 +48,8 @@ class InterfaceFlipper {
   bool keeps_topology(const Candidate& candidate);
   bool keeps_angles(const Candidate& candidate) const;
   InterfaceExchange exchange_of(const Candidate& candidate) const;
-  /// Whether all other tets at these corners of t have the other label, and there is no background unless it
-  /// is the other label.
+  /// Whether all other tets at these corners of t have the other label; there may be background only if it is
+  /// the other label.
   bool only_other_around(const Candidate& candidate, std::span<const std::uint32_t> corners);
 
   TetComplex& complex_;

@@ -16,28 +16,28 @@
 
 namespace voxtet::tetra {
 
-/// Slides vertices of interfaces that lie inside one patch, between the same two labels all around, or inside
-/// one junction curve, where the same patches meet on both sides.
+/// Slides vertices of interfaces that lie inside one patch (the same two labels all around) or inside one
+/// junction curve (the same patches meet at both neighbouring edges).
 class InterfaceSlider {
  public:
   /// `reference` is the label surface; its sides are those of the interfaces. `envelope`: how far from it
-  /// vertices may go, as a part of the target edge length. Where a label would not keep its volume by
-  /// `volumes`, and around `layers`, but not on the sheets between them, each stays as far from the label
-  /// surface as it was.
+  /// vertices may go, as a part of the target edge length. Vertices must stay as far from the label surface
+  /// as they were where a label would not keep its volume by `volumes`, and on the boundary of `layers`, but
+  /// not on the sheets between them.
   InterfaceSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
                   const SizingField& sizing, double envelope, const WallLayers& layers,
                   const VolumeKeeper& volumes);
 
-  /// Finds the label surface near these vertices: needed before they, or others among them, slide.
+  /// Finds the label surface near these vertices. Needed before they, or others among them, slide.
   void approach(std::span<const std::uint32_t> vertices);
 
-  /// Slides a vertex where the lowest quality of its tets is not enough and rises. It goes no farther from
-  /// its first place than a fifth of its shortest edge on the interfaces, and no farther from the label
-  /// surface, or from the curve on it, than the envelope or than it was. Sizes: see VertexSmoother.
+  /// Slides a vertex if the lowest quality of its tets is below `enough` and rises. The vertex stays within a
+  /// fifth of its shortest interface edge from its first place. It gets no farther from the label surface, or
+  /// the curve on it, than the envelope or than it was. Sizes: see VertexSmoother.
   bool slide(std::uint32_t vertex, double enough, double most_misfit = 1);
 
-  /// Whether interfaces meet beyond their common corners and edges, one of them at a vertex that moved since.
-  /// The vertices of such interfaces slide no more.
+  /// Whether interfaces meet beyond their common corners and edges, at least one of them at a vertex that
+  /// moved since the mark. The vertices of such interfaces slide no more.
   bool hold_where_interfaces_meet(const TetComplex::Mark& since);
 
  private:
@@ -57,7 +57,7 @@ class InterfaceSlider {
   double envelope_;
   const WallLayers& layers_;
   const VolumeKeeper& volumes_;
-  std::vector<Point> start_;                    ///< of each vertex there was at first
+  std::vector<Point> start_;                    ///< first place of each vertex of the original mesh
   std::vector<std::uint32_t> interface_count_;  ///< interfaces at each of them when it was approached
   std::vector<std::uint8_t> held_;              ///< 1: slides no more
   std::optional<NearbySurface> nearby_;

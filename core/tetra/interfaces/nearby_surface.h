@@ -11,8 +11,8 @@
 
 namespace voxtet::tetra {
 
-/// What a point of the boundary lies on: a surface, between one pair of labels, or the curve where surfaces
-/// between these pairs meet; ascending.
+/// What a point of the boundary lies on: the surface between one pair of labels, or the curve where surfaces
+/// between several pairs meet; ascending.
 using BoundaryKind = std::vector<Sides>;
 /// Sorted, each pair once.
 BoundaryKind ascending(BoundaryKind kind);
@@ -22,11 +22,11 @@ struct BoundaryPlace {
   BoundaryKind kind;
 };
 
-/// Closest points on a surface near given places. Linear in the surface, with little work for each triangle:
-/// made for places that are few.
+/// Closest points on a surface near given places. Linear in the surface, with little work per triangle: made
+/// for few places.
 class NearbySurface {
  public:
-  /// What is of a place's kind and within `reach_mm` of it is found; more may be.
+  /// Finds all parts of a place's kind within `reach_mm` of it; it may find more.
   NearbySurface(const SurfaceMesh& surface, std::span<const BoundaryPlace> places, double reach_mm);
 
   /// The triangles of a surface, or the edges of a curve as triangles without area; null where none are near.

@@ -10,13 +10,13 @@
 
 namespace voxtet::tetra {
 
-/// What labels may gain or lose by moves of their interfaces, altogether. Without a limit a thin wall, all of
-/// whose tets are better when it is thicker, would swell on all sides, each vertex within its envelope: the
-/// right ventricle of a heart by a quarter where edges are twice as long as the wall is thick.
+/// Limits what labels may gain or lose in total by moves of their interfaces. Without a limit a thin wall,
+/// all of whose tets are better when it is thicker, would swell on all sides, each vertex within its
+/// envelope: the right ventricle of a heart by a quarter if edges are twice as long as the wall is thick.
 class VolumeKeeper {
  public:
-  /// The volumes to keep are those of now; `limit`: the part by which each may be off. Of a label that has
-  /// layers these have none of their own to keep. Complex and layers must outlive this.
+  /// The volumes to keep are the current ones; `limit`: by which part each may be off. Layers have no volume
+  /// of their own to keep. Complex and layers must outlive this.
   VolumeKeeper(const TetComplex& complex, const WallLayers& layers, double limit = 0.002)
       : complex_(complex), limit_(limit) {
     for (std::size_t l = 0; l < complex.label_end(); ++l) {
@@ -26,11 +26,11 @@ class VolumeKeeper {
     }
   }
 
-  /// By how much a label's volume is off, mm³; 0 where it has none to keep.
+  /// By how much a label's volume would be off after `gain_mm3`, mm³; 0 if it has none to keep.
   double off_mm3(Label label, double gain_mm3 = 0) const {
     return has_none(label) ? 0 : std::abs(complex_.volume_mm3(label) + gain_mm3 - target_mm3_[label]);
   }
-  /// Whether a label has its volume, to the limit, or is not off by more than it was.
+  /// Whether a label is within the limit, or not off by more than before.
   bool allows(Label label, double off_mm3, double was_off_mm3 = 0) const {
     return has_none(label) || off_mm3 <= std::max(limit_ * target_mm3_[label], was_off_mm3);
   }

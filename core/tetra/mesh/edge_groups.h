@@ -9,8 +9,8 @@
 
 namespace voxtet {
 
-/// One triangle at an edge: its side from corner `corner` to the next one. `forward`: it runs from the edge's
-/// lower vertex to its higher one.
+/// One triangle at an edge: the edge goes from its corner `corner` to the next one. `forward`: that is from
+/// the edge's lower vertex to its higher one.
 struct TriangleUse {
   std::uint32_t low = 0, high = 0;
   std::uint32_t triangle = 0;

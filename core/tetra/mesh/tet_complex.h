@@ -41,23 +41,23 @@ struct EdgeRing {
 /// The corners of a side, ascending.
 Triangle ascending(Triangle corners);
 
-/// Interfaces that take the place of others, with the same sides; as many or fewer. Both as seen from one
+/// Interfaces that replace others with the same sides; as many or fewer. Both are oriented as seen from one
 /// side of the interface.
 struct InterfaceExchange {
   std::vector<Triangle> gone, made;
 };
 
-/// A tetrahedral mesh with neighbours, the quality of each tet, and one tet for each point. Sides between
-/// different labels or a label and background are interfaces: only relabel() changes them. Every tet is
-/// positive by the exact predicate.
+/// A tetrahedral mesh with neighbours, the quality of each tet, and one tet for each point. The sides of tets
+/// between different labels, or a label and background, are interfaces: only relabel() changes them. Every
+/// tet is positive by the exact predicate.
 class TetComplex {
  public:
   /// Needs a mesh as TetMesh describes it.
   explicit TetComplex(TetMesh mesh);
-  /// The mesh without the places of tets and points that are gone; points keep their order.
+  /// The mesh without removed tets and points; points keep their order.
   TetMesh release() &&;
 
-  /// Places for tets: also those of tets that are gone.
+  /// Number of slots for tets, those of removed tets included.
   std::uint32_t places() const { return static_cast<std::uint32_t>(cells_.size()); }
   bool alive(std::uint32_t t) const { return cells_[t].corners[0] != kNone; }
   const Tet& corners(std::uint32_t t) const { return cells_[t].corners; }
@@ -70,7 +70,7 @@ class TetComplex {
     const Facet facet = across(t, corner);
     return facet != kNone && label(tet_of(facet)) == label(t) ? tet_of(facet) : kNone;
   }
-  /// Which corner of a tet a vertex is; 4 where it is none.
+  /// The index of a vertex among the corners of a tet; 4 if it is none of them.
   std::uint32_t corner_at(std::uint32_t t, std::uint32_t vertex) const {
     const Tet& c = cells_[t].corners;
     return c[0] == vertex ? 0 : c[1] == vertex ? 1 : c[2] == vertex ? 2 : c[3] == vertex ? 3 : 4;
@@ -82,7 +82,7 @@ class TetComplex {
   bool in_use(std::uint32_t vertex) const { return tet_at_[vertex] != kNone; }
   /// On an interface.
   bool on_interface(std::uint32_t vertex) const { return on_interface_[vertex]; }
-  /// Of all tets of a label, mm³; 0 for a label of none.
+  /// Volume of all tets of a label, mm³; 0 for a label without tets.
   double volume_mm3(Label label) const { return label < label_end() ? volumes_mm3_[label] : 0; }
   /// One more than the largest label.
   std::size_t label_end() const { return volumes_mm3_.size(); }
@@ -91,18 +91,18 @@ class TetComplex {
     return quality(points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]);
   }
 
-  /// False where the edge between two corners of a tet has an interface at it or more than EdgeRing::kMost
-  /// tets.
+  /// False if an interface meets the edge between two corners of a tet, or if it has more than
+  /// EdgeRing::kMost tets.
   bool find_ring(std::uint32_t t, std::uint32_t i, std::uint32_t j, EdgeRing& ring) const;
-  /// All tets at a vertex, interfaces or not, into `star`.
+  /// All tets at a vertex, across interfaces too, into `star`.
   void find_star(std::uint32_t vertex, std::vector<std::uint32_t>& star);
   /// The other corners of the tets at a vertex, each once.
   void find_neighbours(std::uint32_t vertex, std::span<const std::uint32_t> star,
                        std::vector<std::uint32_t>& neighbours);
 
-  /// Puts `made` in the place of the tets `gone`: both of one label, filling the same space behind the same
-  /// sides. Nothing happens, and the result is false, unless all of `made` are positive by the exact
-  /// predicate. Points that lose all tets are gone, too; made() then holds the places of the new tets.
+  /// Replaces the tets `gone` by `made`: both of one label, filling the same space behind the same sides. If
+  /// not all of `made` are positive by the exact predicate, nothing happens and the result is false. Points
+  /// that lose all their tets are removed, too. made() then holds the slots of the new tets.
   bool replace(std::span<const std::uint32_t> gone, std::span<const Tet> made);
   const std::vector<std::uint32_t>& made() const { return made_; }
 
@@ -110,30 +110,30 @@ class TetComplex {
   const std::vector<Triangle>& interfaces() const { return faces_; }
   const std::vector<Sides>& interface_sides() const { return face_sides_; }
 
-  /// Gives a tet, of whose sides at least one is no interface, to the label behind its interfaces; with
-  /// background it is gone. The list of interfaces is wrong until exchange_interfaces().
+  /// Gives a tet the label behind its interfaces; with background it is removed. At least one of its sides
+  /// must be no interface. The list of interfaces is wrong until exchange_interfaces().
   void relabel(std::uint32_t t, Label label);
   /// Brings the list of interfaces up to date; no interface may be in two exchanges.
   void exchange_interfaces(std::span<const InterfaceExchange> exchanges);
 
   /// What replace() or move_point() did.
   struct Change {
-    std::vector<std::uint32_t> made;  ///< places of the tets that are new or have another shape
-    std::vector<std::uint32_t> gone;  ///< places of those whose place they took
+    std::vector<std::uint32_t> made;  ///< slots of the tets that are new or have another shape
+    std::vector<std::uint32_t> gone;  ///< slots of the tets that were replaced
     std::vector<Tet> gone_corners;
-    std::uint32_t moved = kNone;  ///< a vertex, if it is one that moved
+    std::uint32_t moved = kNone;  ///< the vertex that moved, if any
     Point from = Point::Zero();
   };
   struct Mark {
     std::size_t changes, points;
   };
-  /// A place in the history to which undo_to() can go back. Changes are only kept from the first mark on and
-  /// until forget_changes(); relabel() is not among them.
+  /// A state in the history that undo_to() can return to. Changes are recorded from the first mark until
+  /// forget_changes(); relabel() is not recorded.
   Mark mark();
   std::span<const Change> changes_since(const Mark& mark) const {
     return std::span(changes_).subspan(mark.changes);
   }
-  /// Takes back all changes since then and drops the points added since.
+  /// Takes back all changes since the mark and drops the points added since.
   void undo_to(const Mark& mark);
   void forget_changes();
 
@@ -150,16 +150,16 @@ class TetComplex {
     Tet corners;
     std::array<Facet, 4> across;
     double quality;
-    std::uint32_t mark;  ///< of the walk that met it last
+    std::uint32_t mark;  ///< of the last walk that met it
     Label label;
   };
-  /// A side without the tet on its other side, which will have the same corners (ascending).
+  /// A side that waits for the tet on its other side, which will have the same corners (ascending).
   struct Waiting {
     std::array<std::uint32_t, 3> corners;
     Facet facet;  ///< kNone: the outside
   };
   void connect();
-  /// Connects a side with the one that waits for it, or lets it wait.
+  /// Connects a side with the one that waits for it, or makes it wait.
   void meet(const Waiting& side);
   void wait_outside(std::span<const std::uint32_t> gone);
   std::uint32_t take_place();
@@ -168,7 +168,7 @@ class TetComplex {
 
   std::vector<Point> points_;
   std::vector<std::uint8_t> on_interface_;
-  std::vector<std::uint32_t> vertex_marks_;  ///< of the walk that met each last
+  std::vector<std::uint32_t> vertex_marks_;  ///< for each, the mark of the last walk that met it
   std::vector<std::uint32_t> tet_at_;        ///< one tet of each vertex; kNone for points that are gone
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> free_, made_;

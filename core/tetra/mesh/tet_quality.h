@@ -13,7 +13,7 @@ namespace voxtet::tetra {
 
 using Point = Eigen::Vector3d;  ///< mm
 
-/// The sine of an obtuse angle counts over 0.7, its square over 0.49: small angles are the worse ones.
+/// The sine of an obtuse angle is divided by 0.7, its square by 0.49: small angles are worse.
 inline constexpr double kObtuseFactor = 1 / 0.49;
 
 /// The square of the smallest of the six sines of the dihedral angles, obtuse ones favoured by kObtuseFactor:
@@ -38,8 +38,8 @@ inline double quality(const Point& a, const Point& b, const Point& c, const Poin
   return six_volumes * six_volumes * std::min(apex, base) / areas;
 }
 
-/// The quality of a tetrahedron whose worst dihedral angle is this one, in (0, 90] degrees. By a series,
-/// since the sines of standard libraries differ in their last digit.
+/// The quality of a tetrahedron whose worst dihedral angle has this size, in (0, 90] degrees. Computed by a
+/// series, since the sines of standard libraries differ in their last digit.
 double quality_of_angle(double degrees);
 
 /// The six squared sines behind quality(a, b, c, d) as functions of the corner a, for positive tetrahedra.

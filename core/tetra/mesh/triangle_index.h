@@ -10,7 +10,7 @@
 
 namespace voxtet::tetra {
 
-/// Triangles with the same lowest corner lie together.
+/// Triangles with the same lowest corner are stored together.
 class TriangleIndex {
  public:
   static constexpr std::uint32_t kNone = 0xffffffffU;

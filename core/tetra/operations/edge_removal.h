@@ -1,5 +1,5 @@
-// An edge goes, and the tets around it become two for each triangle that fills their ring: flips 3-2, 4-4,
-// 5-6, 6-8, 7-10.
+// Removes an edge: the tets around it are replaced by two for each triangle of a triangulation of their ring.
+// Flips 3-2, 4-4, 5-6, 6-8, 7-10.
 // G. T. Klincsek, "Minimal triangulations of polygonal domains", Ann. Discrete Math. 9 (1980);
 // J. R. Shewchuk, "Two discrete optimization algorithms for the topological improvement of tetrahedral
 // meshes" (2002).
@@ -20,8 +20,8 @@ struct RingFilling {
   std::array<std::array<std::uint32_t, 3>, EdgeRing::kMost - 2> triangles;
 };
 
-/// The filling with the best lowest quality; its quality is 0, and its triangles are undefined, where none is
-/// better than `least`.
+/// The filling whose lowest quality is best. If none is better than `least`, its quality is 0 and its
+/// triangles are undefined.
 RingFilling fill_ring(const TetComplex& complex, const EdgeRing& ring, double least);
 
 /// Removes the edge between two corners of tet t when that raises the lowest quality around it and the sizes

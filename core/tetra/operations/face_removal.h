@@ -1,5 +1,5 @@
-// The inverse of edge removal: faces that lie between the same two apexes go, and an edge joins the apexes:
-// flips 2-3, 4-4, 6-5 ...
+// The inverse of edge removal: faces between the same two apexes are removed, and an edge joins the apexes.
+// Flips 2-3, 4-4, 6-5 ...
 // J. R. Shewchuk, "Two discrete optimization algorithms for the topological improvement of tetrahedral
 // meshes" (2002).
 #pragma once
@@ -11,8 +11,8 @@
 
 namespace voxtet::tetra {
 
-/// Removes the side of tet t opposite to a corner, and such neighbours of it between the same apexes as it
-/// takes, when that raises the lowest quality and the new edge's size is allowed. complex.made() are then the
+/// Removes the side of tet t opposite to a corner, with as many neighbouring sides between the same apexes as
+/// needed, if that raises the lowest quality and the new edge's size is allowed. complex.made() are then the
 /// new tets.
 bool remove_faces(TetComplex& complex, std::uint32_t t, std::uint32_t corner, const SizeGuard& guard);
 

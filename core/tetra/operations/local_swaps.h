@@ -1,4 +1,4 @@
-// The swaps of single tets: edges and faces removed.
+// Swaps at single tets: removal of edges and of faces.
 #pragma once
 
 #include <cstdint>

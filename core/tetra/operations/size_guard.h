@@ -8,8 +8,8 @@
 
 namespace voxtet::tetra {
 
-/// Which new edges are allowed: from 0.4 to 1.9 of the target at their midpoint, or nearer to that range than
-/// the edge that was there.
+/// Which new edges are allowed: those of 0.4 to 1.9 times the target at their midpoint, or nearer to that
+/// range than the edges that were there.
 class SizeGuard {
  public:
   /// The field has to outlive the guard.
@@ -17,7 +17,7 @@ class SizeGuard {
 
   /// The length of an edge over the target at its middle.
   double ratio(const Point& a, const Point& b) const { return (b - a).norm() / sizing_.at((a + b) / 2); }
-  /// How far an edge is out of the range, as a factor; at most 1 inside.
+  /// How far an edge is out of the range, as a factor; at most 1 inside the range.
   double misfit(const Point& a, const Point& b) const {
     constexpr double kShortest = 0.4, kLongest = 1.9;
     const double length = ratio(a, b);

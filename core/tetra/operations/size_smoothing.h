@@ -1,4 +1,4 @@
-// A vertex goes where its edges are nearer to their target lengths.
+// Moves a vertex to where its edges are nearer to their target lengths.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,14 @@
 
 namespace voxtet::tetra {
 
-/// Moves vertices of a complex. Holds what would else be allocated for each.
+/// Moves vertices of a complex. Keeps its work memory between calls.
 class SizeSmoother {
  public:
   SizeSmoother(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
 
-  /// Moves a vertex that is on no interface and at an edge much longer or shorter than its target, so that
-  /// its edges together come nearer to their targets. No tet becomes worse than the worst at the vertex was,
-  /// or than `enough` if that is less. True when it moved.
+  /// Moves a vertex that is on no interface and has an edge much longer or shorter than its target, so that
+  /// its edges together come nearer to their targets. No tet becomes worse than the worst one at the vertex
+  /// was, or than `enough` if that is less. True if the vertex moved.
   bool smooth(std::uint32_t vertex, double enough);
 
  private:

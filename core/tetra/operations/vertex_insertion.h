@@ -13,31 +13,33 @@
 
 namespace voxtet::tetra {
 
-/// Inserts vertices into a complex. Holds what would else be allocated for each.
+/// Inserts vertices into a complex. Keeps its work memory between calls.
 class VertexInserter {
  public:
-  /// The vertices that the complex has by then are not its own.
+  /// Vertices that the complex has at this time do not count as inserted.
   VertexInserter(TetComplex& complex, const SizeGuard& guard)
       : complex_(complex), guard_(guard), first_inserted_(complex.point_count()) {}
 
-  /// Replaces tet t and such tets around it as it takes by a star around a new vertex, when that raises the
+  /// Replaces tet t, and as many tets around it as needed, by a star around a new vertex, if that raises the
   /// lowest quality and the sizes of the new edges are allowed. complex.made() are then the new tets.
   bool insert(std::uint32_t t);
 
-  /// Where a vertex for tet t may start: a place and the tet the cavity grows from. First inside of t and at
-  /// the middles of its edges, kInside of them, then inside of the tets behind its sides.
+  /// Where a new vertex for tet t may start: a place, and the tet from which the cavity grows. First come
+  /// kInside places inside of t and at the middles of its edges, then places inside of the tets behind its
+  /// sides.
   struct Start {
     Point at;
     std::uint32_t tet;
   };
   static constexpr std::size_t kInside = 7;
   std::vector<Start> starts_at(std::uint32_t t) const;
-  /// The same from one start; with `gain` 0 whatever it does to the lowest quality.
+  /// The same from one start; with `gain` 0 it may lower the lowest quality.
   bool insert_from(const Start& start, bool interfaces_count, double gain);
 
-  /// Puts a vertex on an edge whose tets, all of one label, are these, and into such tets around as it takes,
-  /// when its own tets have at least this quality, the sizes of the new edges are allowed, and allowed(v)
-  /// holds for all its neighbours v. complex.made() are then the new tets.
+  /// Puts a vertex on an edge. `around_edge` are its tets, all of one label; as many tets around them as
+  /// needed are replaced, too. Done only if the new tets have at least `least_quality`, the sizes of the new
+  /// edges are allowed, and allowed(v) holds for all neighbours v of the new vertex. complex.made() are then
+  /// the new tets.
   template <class Allowed>
   bool split(std::span<const std::uint32_t> around_edge, const Point& middle, double least_quality,
              const Allowed& allowed);
@@ -46,7 +48,7 @@ class VertexInserter {
   /// A side of the cavity, seen from inside.
   struct Side {
     std::uint32_t tet, corner;
-    double quality;  ///< of the tet it makes with the new vertex
+    double quality;  ///< of the tet that it forms with the new vertex
   };
   Apex settle(const Point& at, bool interfaces_count);
   void dig(const Point& at, bool interfaces_count);

@@ -1,4 +1,4 @@
-// A vertex goes where the worst of its tets is best.
+// Moves a vertex to where the worst of its tets is best.
 // L. A. Freitag and C. Ollivier-Gooch, "Tetrahedral mesh improvement using swapping and smoothing", Int. J.
 // Numer. Meth. Engng 40 (1997): steepest ascent of a minimum of smooth functions.
 #pragma once
@@ -19,8 +19,8 @@ using StarSide = std::array<Point, 3>;
 /// The side of a tet opposite to one of its vertices.
 StarSide side_opposite(const TetComplex& complex, std::uint32_t tet, std::uint32_t vertex);
 
-/// The lowest quality of the star, or anything at most `bound` once it is known not to exceed it; the side
-/// that shows so comes first, since it will again.
+/// The lowest quality of the star, or some value of at most `bound` once it is known not to exceed that. The
+/// side that shows this is moved to the front, since it likely will again.
 double lowest_quality(const Point& apex, std::span<StarSide> sides, double bound);
 
 struct Apex {
@@ -32,25 +32,26 @@ struct Apex {
 class Track {
  public:
   virtual ~Track() = default;
-  /// The place on the surface for a point near it; the start itself where that is too far from it.
+  /// The place on the surface for a point near it; the start itself if that point is too far away.
   virtual Point pull(const Point& to) const = 0;
 };
 
-/// Climbs from `start` by at most so many steps, anywhere or on a track. Each raises the lowest quality of
-/// the star; there is none from a star with a tet that is not positive. Reorders `sides`.
+/// Climbs from `start` by at most `steps` steps, freely or on a track. Each step raises the lowest quality of
+/// the star. No step is taken if a tet of the star is not positive. Reorders `sides`.
 Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Track* track = nullptr);
 
-/// The point nearest to the origin in the convex hull of one to four.
+/// The point nearest to the origin in the convex hull of one to four points.
 Point nearest_in_hull(std::span<const Point> points);
 
-/// Moves vertices of a complex. Holds what would else be allocated for each.
+/// Moves vertices of a complex. Keeps its work memory between calls.
 class VertexSmoother {
  public:
   VertexSmoother(TetComplex& complex, const SizeGuard& guard) : complex_(complex), guard_(guard) {}
 
-  /// Moves a vertex that is on no interface, or along a track, unless the lowest quality of its tets is
-  /// enough. True when that rose and no edge of the vertex has become farther from its target than the
-  /// farthest was, or than `most_misfit`; else nothing happens.
+  /// Moves a vertex that is on no interface, or along a track, unless the lowest quality of its tets is at
+  /// least `enough`. The move is kept, and the result true, if the lowest quality rose and no edge of the
+  /// vertex is farther from its target than the farthest one was, or than `most_misfit`; else nothing
+  /// happens.
   bool smooth(std::uint32_t vertex, double enough, int steps, const Track* track = nullptr,
               double most_misfit = 1);
 

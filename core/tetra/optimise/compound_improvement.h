@@ -1,4 +1,5 @@
-// Operations that only help together: one that may do harm for a moment, and others that make up for it.
+// Sequences of operations that only help together: one that may do harm at first, and others that make up for
+// it.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,7 @@
 
 namespace voxtet::tetra {
 
-/// How often what was done.
+/// How often each operation was done.
 struct OperationCounts {
   std::size_t edges = 0, faces = 0, moved = 0, fitted = 0, inserted = 0, slid = 0, flipped = 0;
   bool operator==(const OperationCounts&) const = default;
@@ -26,9 +27,9 @@ struct OperationCounts {
 };
 
 /// For the few tets that no single operation helps, most of them with all corners on interfaces. A trial is
-/// an opening, none or a new vertex that may lower the quality, and then swaps, smoothing and sliding by
-/// turns where tets around are bad. It is taken back unless it touched the tet it is for and leaves
-/// everything that it touched better than that tet was.
+/// an opening (a new vertex that may lower the quality, or nothing), and then swaps, smoothing and sliding in
+/// turn where tets around are bad. It is taken back unless it touched its tet and everything that it touched
+/// is better than that tet was.
 class CompoundImprover {
  public:
   CompoundImprover(TetComplex& complex, const SizeGuard& guard, VertexSmoother& smoother,
@@ -40,10 +41,10 @@ class CompoundImprover {
         slider_(slider),
         counts_(counts) {}
 
-  /// Tries until one trial succeeds, with vertices only where that is allowed. Tets below the goal are bad.
-  /// Vertices on interfaces slide where the slider has approached them.
+  /// Runs trials until one succeeds; new vertices only if `insert`. Tets below the goal are bad. Vertices on
+  /// interfaces slide where the slider has approached them.
   bool improve(std::uint32_t t, double goal, bool insert);
-  /// How often a bad tet was worked on: what it all costs.
+  /// How often a bad tet was worked on: a measure of the cost.
   std::size_t steps() const { return steps_; }
 
  private:

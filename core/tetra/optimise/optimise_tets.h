@@ -13,27 +13,32 @@
 namespace voxtet {
 
 struct OptimiseParams {
-  double min_dihedral_deg = 35;  ///< tets with a dihedral angle below this are worked on
-  double insertion_deg = 33;     ///< at those that stay below this vertices are inserted and slide
+  double min_dihedral_deg = 35;  ///< tets with a smaller dihedral angle are worked on
+  double insertion_deg = 33;     ///< at tets that stay below this, vertices are inserted and slide
   int rounds = 4;                ///< 0 leaves the mesh as it is
-  /// How far a vertex that slides or the middle of an edge that flips may be from the label surface, as a
-  /// part of the target edge length, where it is not already; 0: the boundary stays as it is.
+  /// How far from the label surface a sliding vertex, or the middle of a flipped edge, may be, as a part of
+  /// the target edge length, unless it already is farther; 0: the boundary stays as it is.
   double slide = 0.1;
 };
 
-/// Works on the worst tets first: removes edges and faces, moves vertices, inserts vertices, and does several
-/// of these together where none helps alone. What is done raises the lowest quality
-/// (tetra/mesh/tet_quality.h) around it. In the end vertices move where their edges are nearer to their
-/// targets, as far as no tet falls below `min_dihedral_deg` or becomes worse than the worst around. The faces
-/// between labels keep their triangles and points, but for points that slide inside a face between two labels
-/// or along a curve where faces meet, and edges that flip inside a face; no label without layers gains or
-/// loses more than 0.2 % of its volume by these. Points keep their order; some inside of a label go, new ones
-/// come last. New edges are between 0.4 and 1.9 times the target of `sizing`, or nearer to that than the
-/// farthest of those they replace or that moved with them; those of an inserted vertex, and those around tets
-/// that need several operations, may be 1.5 times farther. No more than one vertex for every ten, or 200, is
+/// Works on the worst tets first: removes edges and faces, moves vertices, inserts vertices, and combines
+/// several of these where none helps alone. Each change raises the lowest quality (tetra/mesh/tet_quality.h)
+/// around it. At the end vertices move to bring edges nearer to their targets, as far as no tet falls below
+/// `min_dihedral_deg` or becomes worse than the worst one around.
+///
+/// The faces between labels keep their triangles and points, with two exceptions: points slide inside a face
+/// between two labels or along a curve where faces meet, and edges flip inside a face. By these no label
+/// without layers gains or loses more than 0.2 % of its volume. Points keep their order; some inside of a
+/// label are removed, new ones come last.
+///
+/// New edges are between 0.4 and 1.9 times the target of `sizing`, or nearer to that range than the farthest
+/// of those that they replace or that moved with them. Edges of an inserted vertex, and those around tets
+/// that need several operations, may be 1.5 times farther. At most one vertex for every ten, or 200, is
 /// inserted. All volumes stay positive, by exact predicates. In layers, vertices are inserted only where tets
-/// stay below 25 degrees after all else. `reference` is the label surface, with the sides of the mesh's
-/// faces. ctx.note says what was done. Errors: kCancelled; kOutOfMemory.
+/// stay below 25 degrees after everything else.
+///
+/// `reference` is the label surface, with the sides of the mesh's faces. ctx.note says what was done. Errors:
+/// kCancelled; kOutOfMemory.
 Result<TetMesh> optimise_tets(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
                               const OptimiseParams& params, RunContext& ctx, const WallLayers& layers = {});
 

@@ -1,4 +1,4 @@
-// What a file says of its tetrahedra beside their labels.
+// Values on tetrahedra that a file has besides their labels.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace voxtet {
 struct MeshArrays {
   std::vector<Field> cell_data;  ///< as many values as the mesh has tetrahedra
   std::vector<std::string>
-      left_out;  ///< names of arrays that are not a finite number each, or not in every piece
+      left_out;  ///< names of arrays whose values are not one finite number each, or that a piece lacks
 };
 
 }  // namespace voxtet

@@ -33,15 +33,15 @@ class MeshCursor {
   void fail(const std::string& message);
 
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
-  /// Fails unless `count` items of at least `bytes_each` can still come: to be asked before memory is
+  /// Fails unless `count` items of at least `bytes_each` can still follow. Call it before memory is
   /// allocated.
   bool can_hold(std::uint64_t count, std::uint64_t bytes_each, const char* items);
 
   // Text. `what` names the field for messages.
   bool at_end();  ///< nothing but white space and comments is left
   bool at_line_end();
-  /// For formats without an end mark: fails unless white space alone is left, a line end at least, since a
-  /// number that ends the file may have been cut. `what` is the last item.
+  /// For formats without an end mark: fails unless only white space is left, with at least a line end, since
+  /// a number that ends the file may have been cut. `what` is the last item.
   void expect_end(const char* what);
   std::string_view word(const char* what);
   std::string_view peek_word();
@@ -89,7 +89,7 @@ class MeshCursor {
 /// 65535.
 Label checked_label(MeshCursor& cursor, std::int64_t value, std::uint64_t tet_number, const char* what);
 
-/// Ends a reader: a mesh has tetrahedra, and LPS coordinates are turned to RAS.
+/// Ends a reader: checks that there are tetrahedra, and turns LPS coordinates to RAS.
 Result<TetMesh> finish_mesh(MeshCursor& cursor, TetMesh mesh, bool lps);
 
 }  // namespace voxtet

@@ -10,7 +10,7 @@
 
 namespace voxtet {
 
-/// What the sections gave, in file order and with the tags of the file. Tags are at most 2^53.
+/// Content of the sections, in file order and with the tags of the file. Tags are at most 2^53.
 struct MshFile {
   int version = 0;  ///< 41 or 22
   bool binary = false;

@@ -8,8 +8,8 @@
 
 namespace voxtet {
 
-/// `file` is the .elem, the .pts or the .lon of a mesh; what is missing comes from `file.sibling`. Um become
-/// mm; only Tt elements are kept; each needs its region.
+/// `file` is the .elem, the .pts or the .lon of a mesh; the other files come from `file.sibling`. Um are
+/// converted to mm; only Tt elements are kept, and each needs its region.
 Result<TetMesh> read_carp(const VolumeFile& file);
 
 }  // namespace voxtet

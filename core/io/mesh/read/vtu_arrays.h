@@ -16,7 +16,7 @@ class VtuArrays {
  public:
   explicit VtuArrays(const VtuDocument& document) : document_(document) {}
 
-  /// Type, byte order, header type and compressor are ones that are read here.
+  /// Whether type, byte order, header type and compressor are supported.
   Status check() const;
   /// Exactly `count` finite numbers.
   Result<std::vector<double>> reals(const VtuArray& array, std::uint64_t count) const;

@@ -1,5 +1,5 @@
 // The XML of a .vtu file as far as a reader of grids needs it: which arrays there are and where their text
-// stands.
+// is.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The tetrahedra whose sides the boundary faces are.
+// The tetrahedra that boundary faces belong to.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace voxtet {
 
-/// A face as the side of its tetrahedron opposite one corner.
+/// A face, as the side of a tetrahedron opposite to one corner.
 struct FaceOwner {
   std::uint32_t tet = 0;
   std::uint32_t opposite = 0;  ///< 0 to 3

@@ -19,8 +19,8 @@ struct Hdf5Array {
   std::vector<std::uint64_t> shape;  ///< slowest first
 };
 
-/// A writer that holds everything of the file but the values of the arrays. These must follow, little-endian,
-/// in the order of `arrays` and without gaps. Names must differ. Every version of the library reads this: it
+/// A writer with everything of the file except the values of the arrays. These must follow, little-endian, in
+/// the order of `arrays` and without gaps. Names must differ. Every version of the library can read this: it
 /// is the oldest form of the format (superblock 0, one symbol table node, contiguous layout).
 ByteWriter begin_hdf5(const std::vector<Hdf5Array>& arrays);
 

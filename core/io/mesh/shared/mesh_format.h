@@ -1,4 +1,4 @@
-// The formats of meshes, what can be asked of their writers, and what a path says of its format.
+// The formats of meshes, the options of their writers, and the format that a path stands for.
 #pragma once
 
 #include <string>
@@ -22,11 +22,11 @@ struct WriteMeshOptions {
   PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
   std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
   std::vector<Field> cell_data{};           ///< written with the tetrahedra; not with surfaces
-  std::string name = "mesh";                ///< of the files without their endings, where one names another
+  std::string name = "mesh";                ///< base name of the files, where one refers to another
 };
 
-/// What is said of a mesh written for openCARP without fibres. A placeholder in .lon, whatever its direction,
-/// would be simulated as if it were real; openCARP requires the file, so that a missing one is noticed.
+/// Message for a mesh written for openCARP without fibres. A placeholder in .lon, whatever its direction,
+/// would be simulated as if it were real; openCARP requires the file, so that its absence is noticed.
 inline constexpr std::string_view kNoFibres =
     "no fibres are known, so no .lon file is written; openCARP requires one: make the fibres, a direction "
     "for each element of .elem, before simulating";
@@ -38,15 +38,14 @@ struct OutputFile {
   Bytes bytes;
 };
 
-/// Format of a file name by its ending (.vtu .msh .mesh .pts/.elem/.lon/.carp .inp .feb .xdmf
-/// .stl .ply), in any case.
-/// Errors: kUsage listing the endings that are known.
+/// Format of a file name by its ending (.vtu .msh .mesh .pts/.elem/.lon/.carp .inp .feb .xdmf .stl .ply), in
+/// any case. Errors: kUsage listing the known endings.
 Result<MeshFormat> mesh_format_of(const std::string& path);
 
 /// The ending of a path's last name with its dot (".vtu"); empty where it has none.
 std::string_view mesh_ending_of(std::string_view path);
 
-/// A path's last name without its ending: what WriteMeshOptions::name has to be for write_files.
+/// A path's last name without its ending: the WriteMeshOptions::name that write_files needs.
 std::string mesh_name_of(std::string_view path);
 
 }  // namespace voxtet

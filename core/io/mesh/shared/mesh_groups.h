@@ -40,14 +40,14 @@ std::vector<std::string> group_names(const std::vector<Label>& labels, const std
 std::string pair_name(const Sides& pair, const std::vector<Label>& labels,
                       const std::vector<std::string>& names);
 
-/// The name of a label where only words are allowed: letters, digits and single underscores, a letter first,
-/// at most 38 characters; it ends with the label, and so differs from all others even without regard to case:
-/// "LV_myocardium_1", "label_7"; "background".
+/// The name of a label for formats that allow only words: letters, digits and single underscores, a letter
+/// first, at most 38 characters. It ends with the label, and so differs from all others even without regard
+/// to case: "LV_myocardium_1", "label_7"; "background".
 std::string word_name(Label label, const std::vector<LabelInfo>& infos);
 /// "LV_myocardium_1__background".
 std::string word_name(const Sides& pair, const std::vector<LabelInfo>& infos);
 
-/// A RAS point in the space asked for.
+/// A RAS point in the requested space.
 inline Eigen::Vector3d in_space(const Eigen::Vector3d& ras, PatientSpace space) {
   // 0 - x and not -x: a coordinate of 0 stays without a sign.
   return space == PatientSpace::kRas ? ras : Eigen::Vector3d(0.0 - ras.x(), 0.0 - ras.y(), ras.z());

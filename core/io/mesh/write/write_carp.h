@@ -9,8 +9,8 @@ namespace voxtet {
 
 inline constexpr double kUmPerMm = 1000;
 
-/// .pts in um; .elem of type Tt with region = label; .lon.txt, which says kNoFibres in place of .lon;
-/// .NAME.dat for each cell data, one value a line, in the order of .elem. The files have no place to say
+/// .pts in um; .elem of type Tt with region = label; .lon.txt with the text kNoFibres instead of .lon;
+/// .NAME.dat for each cell data, one value per line, in the order of .elem. The files have no place to state
 /// their space.
 std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& options);
 
