@@ -2,9 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "physics/fem/fixed_order.h"
+#include "physics/fem/solve_pcg.h"
 #include "types/field.h"
 #include "types/result.h"
 #include "types/tet_mesh.h"
@@ -24,13 +27,13 @@ struct DiffusionParams {
 /// Equations", 1994, chapter 11): second order in the edge length h, first in the step. With steps shorter
 /// than about h^2 / D, u falls some hundredths below 0 for a while near `from`; this comes from the
 /// consistent mass (Thomee, "Galerkin Finite Element Methods for Parabolic Problems", 2006, chapter 15). The
-/// caller advances the computation step by step, and may stop at any time.
+/// caller advances the computation in short parts, and may leave it at any time.
 class Diffusion {
  public:
   /// Time 0. Returns kUsage, naming the field (physics.diffusion.from), for a parameter out of its range, a
-  /// label that no tetrahedron has, and more than a million steps; errors of assemble_stiffness(). The mesh
-  /// is not needed afterwards.
-  static Result<Diffusion> start(const TetMesh& mesh, const DiffusionParams& params);
+  /// label that no tetrahedron has, and more than a million steps. The mesh is held until its matrices are
+  /// made.
+  static Result<Diffusion> start(std::shared_ptr<const TetMesh> mesh, const DiffusionParams& params);
 
   bool done() const { return step_ == steps_; }
   double fraction() const { return static_cast<double>(step_) / steps_; }  ///< 0 to 1
@@ -39,22 +42,32 @@ class Diffusion {
   /// `frame_ms`, and at the end.
   bool frame_due() const;
 
-  /// Advances by one step; may only be called when not done(). Returns errors of solve_pcg(), after which the
-  /// state is that of the step before.
-  Status step();
+  /// Works on the next step with at most so many iterations of its solver, in the first calls on its
+  /// matrices; true when the step is complete, and with it time_ms() and temperature() are the new ones.
+  /// However it is cut, its bytes are the same. May only be called when not done(). Returns errors of
+  /// PcgSolve, after which the state is that of the step before, and of add_stiffness().
+  Result<bool> advance(int iterations);
+
+  /// Iterations that take some milliseconds: the fewer, the larger the mesh; at least one.
+  int short_part() const;
 
   /// u at the points, without unit.
   Field temperature() const;
 
  private:
   Diffusion() = default;
+  Status prepare();
+  Status start_solve();
 
+  std::shared_ptr<const TetMesh> mesh_;  ///< null when the matrices are made
+  double step_diffusivity_ = 0;          ///< step times D, mm^2
   int step_ = 0, steps_ = 0;
   double step_ms_ = 0, frame_ms_ = 0;
   std::vector<bool> held_;                ///< by point
   fem::SparseMatrix step_stiffness_;      ///< step times D times stiffness, mm^3
   fem::SparseMatrix system_;              ///< mass + step_stiffness_ with points held, mm^3
   Eigen::VectorXd temperature_, change_;  ///< now, and by the last step
+  std::optional<fem::PcgSolve> solve_;    ///< of the change by the step under way
 };
 
 }  // namespace voxtet

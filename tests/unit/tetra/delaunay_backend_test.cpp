@@ -48,7 +48,8 @@ void expect_refined(const DelaunayFilled& out, const SurfaceMesh& surface, doubl
   ASSERT_TRUE(out.mesh.ok()) << out.mesh.error().message;
   const TetMesh& mesh = *out.mesh;
   check_tets(mesh);
-  EXPECT_NE(out.notes.find("filled by Delaunay refinement (strategy 1 of 6)"), std::string::npos) << out.notes;
+  EXPECT_NE(out.notes.find("filled by Delaunay refinement (strategy 1 of 6)"), std::string::npos)
+      << out.notes;
   ASSERT_GE(mesh.points.size(), surface.points.size());
   EXPECT_TRUE(std::equal(surface.points.begin(), surface.points.end(), mesh.points.begin()));
   const std::vector<double> wanted = enclosed_volumes_mm3(surface);

@@ -139,7 +139,8 @@ TEST(Fallback, NamesTheTrianglesWhereNothingHelps) {
   const Filled out = fill_noted(surface, 4);
   ASSERT_FALSE(out.mesh.ok());
   EXPECT_EQ(out.mesh.error().code, ErrorCode::kMeshing);
-  EXPECT_NE(out.mesh.error().message.find("none of 5 strategies"), std::string::npos) << out.mesh.error().message;
+  EXPECT_NE(out.mesh.error().message.find("none of 5 strategies"), std::string::npos)
+      << out.mesh.error().message;
   const ErrorPlace& where = out.mesh.error().where;
   ASSERT_FALSE(where.elements.empty());
   ASSERT_EQ(where.elements.size(), where.points.size());
