@@ -84,7 +84,8 @@ export function roundEnds([least, most]: readonly [number, number]): { lo: numbe
   const unit = (most - least) / 20;
   const power = 10 ** Math.floor(Math.log10(unit));
   const step = unit >= 5 * power ? 5 * power : power;
-  return { lo: step * Math.round(least / step), hi: step * Math.round(most / step) };
+  const rounded = (end: number) => step * Math.round(end / step) || 0; // never -0
+  return { lo: rounded(least), hi: rounded(most) };
 }
 
 /** The field that is played, on the scale of all its frames; nothing where it is not what is coloured by. */

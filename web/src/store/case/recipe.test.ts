@@ -22,6 +22,11 @@ const edits = fc.oneof(
 );
 
 describe('the history of a recipe', () => {
+  it('takes an edit whose function gives something back', () => {
+    editRecipe('change', (draft) => Object.assign(draft.sizing, { edge_mm: 3 }));
+    expect(recipe.value?.sizing.edge_mm).toBe(3);
+  });
+
   it('goes back to every earlier state, and forth again', () => {
     fc.assert(
       fc.property(fc.array(edits, { maxLength: 12 }), (changes) => {

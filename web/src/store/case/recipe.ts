@@ -72,7 +72,7 @@ export function editRecipe(
   beside?: Beside,
 ): void {
   if (!recipe.value) return;
-  const [next, patches, inverse] = produceWithPatches(recipe.value, (draft) => change(draft as Recipe));
+  const [next, patches, inverse] = produceWithPatches(recipe.value, (draft) => void change(draft as Recipe));
   if (patches.length === 0 && !beside) return;
   const last = past.value.at(-1);
   const time = Date.now();
@@ -95,7 +95,7 @@ export function editRecipe(
 /** Changes the recipe without a step: for what the engine adds to it, such as a digest. */
 export function amendRecipe(change: (draft: Recipe) => void): void {
   if (!recipe.value) return;
-  recipe.value = produceWithPatches(recipe.value, (draft) => change(draft as Recipe))[0];
+  recipe.value = produceWithPatches(recipe.value, (draft) => void change(draft as Recipe))[0];
 }
 
 export function undo(): void {
