@@ -71,6 +71,36 @@ const forget = (page: Page) =>
     longTasks.length = stages.length = frames.length = 0;
   });
 
+/**
+ * Milliseconds of the processor that the longest task of the page took, by a trace. What the test itself asks of the page
+ * does not count, nor what a task waits for on a busy machine.
+ */
+function longestTask(trace: Buffer): number {
+  interface Entry {
+    name: string;
+    pid: number;
+    tid: number;
+    ts: number;
+    dur: number;
+    tdur?: number;
+    args: { name?: string; chrome_mojo_event_info?: { mojo_interface_tag?: string } };
+  }
+  const { traceEvents: all } = JSON.parse(trace.toString()) as { traceEvents: Entry[] };
+  const thread = ({ pid, tid }: Entry) => `${pid} ${tid}`;
+  const pages = new Set(all.filter(({ args }) => args.name === 'CrRendererMain').map(thread));
+  const asked = all.filter(({ args }) =>
+    args.chrome_mojo_event_info?.mojo_interface_tag?.includes('DevTools'),
+  );
+  const tasks = all.filter(
+    (task) =>
+      task.name === 'ThreadControllerImpl::RunTask' &&
+      pages.has(thread(task)) &&
+      !asked.some((one) => thread(one) === thread(task) && one.ts >= task.ts && one.ts <= task.ts + task.dur),
+  );
+  expect(tasks.length).toBeGreaterThan(100);
+  return Math.max(...tasks.map(({ tdur }) => (tdur ?? 0) / 1000));
+}
+
 const player = (page: Page) => page.getByRole('group', { name: 'Player' });
 const shownTime = async (page: Page) =>
   Number((await player(page).locator('output').innerText()).split(' ')[0]);
@@ -101,15 +131,20 @@ test('without the flag nothing of simulations is to be seen', async ({ page }) =
   await expect(player(page)).toHaveCount(0);
 });
 
-test('a diffusion is played as it is computed, and cancelled without losing the mesh', async ({ page }) => {
+test('a diffusion is played as it is computed, and cancelled without losing the mesh', async ({
+  page,
+  browser,
+}) => {
   await watch(page);
   await openExample(page, /Heart with a scar/, '2');
   const tets = await tetCount(page);
   await setDiffusion(page, { Until: '2000', Step: '1', 'Frame every': '2' });
   await idle(page);
-  await page.waitForTimeout(500);
+  // Until the case is saved.
+  await page.waitForTimeout(1500);
   await forget(page);
 
+  await browser.startTracing(page, { categories: ['toplevel'] });
   await page.getByTestId('simulate').click();
   await expect(player(page)).toHaveAttribute('data-state', 'running');
   await expect(page.locator('.legend')).toContainText('Temperature');
@@ -142,14 +177,14 @@ test('a diffusion is played as it is computed, and cancelled without losing the 
       }),
   );
   await idle(page);
+  const longest = longestTask(await browser.stopTracing());
   const { longTasks, stages } = await watched(page);
-  const longest = Math.max(0, ...longTasks);
   console.log(
-    `${tets} tetrahedra: cancelled after ${cancelled.toFixed(0)} ms, ${longTasks.length} long tasks of the page, ` +
-      `the longest ${longest.toFixed(0)} ms`,
+    `${tets} tetrahedra: cancelled after ${cancelled.toFixed(0)} ms; longest task of the page ${longest.toFixed(0)} ms ` +
+      `of the processor, ${Math.max(0, ...longTasks).toFixed(0)} ms by the clock`,
   );
   expect(cancelled).toBeLessThanOrEqual(200);
-  expect(longTasks).toEqual([]);
+  expect(longest).toBeLessThanOrEqual(50);
   expect(new Set(stages)).toEqual(new Set(['diffusion']));
 
   await forget(page);
