@@ -104,7 +104,6 @@ export function PlayerBar() {
         value={time.value}
         aria-label="Time"
         aria-valuetext={`${short(shown)} ms`}
-        style={{ '--computed': `${(100 * newest) / (end || 1)}%` }}
         onKeyDown={onKeyDown}
         onInput={(event) => seek(Number(event.currentTarget.value))}
       />
