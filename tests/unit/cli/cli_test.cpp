@@ -21,6 +21,7 @@
 #include "pipeline/version/engine_version.h"
 #include "recipe/link.h"
 #include "support/check_tets.h"
+#include "support/printed.h"
 
 namespace voxtet {
 namespace {
@@ -116,10 +117,9 @@ TEST_F(CliTest, WritesNoFibresForOpenCarpAndSaysSo) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"mesh", at("ball.nii.gz"), "--edge-mm", "4", "-o", at("b.carp")},
         {"convert", at("a.vtu"), at("c.carp")}}) {
-    testing::internal::CaptureStderr();
+    test::CaughtErrors errors;
     EXPECT_EQ(run(words), kExitOk);
-    EXPECT_NE(testing::internal::GetCapturedStderr().find("warning: " + words.back() + ": no fibres"),
-              std::string::npos);
+    EXPECT_TRUE(errors.say("warning: " + words.back() + ": no fibres"));
   }
   EXPECT_FALSE(fs::exists(at("b.lon")));
   // Those of another mesh would be taken for this one's.
@@ -160,20 +160,22 @@ TEST_F(CliTest, WarnsOfOverlappingSegmentsAndRefusesLostOnes) {
       "kept.seg.nrrd: segments outer (label 1) and inner (label 2) overlap in 8 voxels: of the two the later "
       "one "
       "wins, inner (label 2)";
-  testing::internal::CaptureStderr();
-  EXPECT_EQ(run({"mesh", at("kept.seg.nrrd"), "--merge", "--edge-mm", "2", "--report", at("report.json")}),
-            kExitOk);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("warning: volume: " + warning), std::string::npos);
+  {
+    test::CaughtErrors errors;
+    EXPECT_EQ(run({"mesh", at("kept.seg.nrrd"), "--merge", "--edge-mm", "2", "--report", at("report.json")}),
+              kExitOk);
+    EXPECT_TRUE(errors.say("warning: volume: " + warning));
+  }
   const json warnings = read_json("report.json")["warnings"];
   EXPECT_NE(std::find(warnings.begin(), warnings.end(), "volume: " + warning), warnings.end()) << warnings;
-  testing::internal::CaptureStderr();
-  EXPECT_EQ(run({"convert", at("kept.seg.nrrd"), at("a.nii.gz")}), kExitOk);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("inner (label 2)"), std::string::npos);
-  testing::internal::CaptureStderr();
+  {
+    test::CaughtErrors errors;
+    EXPECT_EQ(run({"convert", at("kept.seg.nrrd"), at("a.nii.gz")}), kExitOk);
+    EXPECT_TRUE(errors.say("inner (label 2)"));
+  }
+  test::CaughtErrors errors;
   EXPECT_EQ(run({"mesh", at("lost.seg.nrrd"), "--edge-mm", "2"}), kExitBadInput);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find(
-                "segment inner (label 1) loses all of its 8 voxels to outer (label 2)"),
-            std::string::npos);
+  EXPECT_TRUE(errors.say("segment inner (label 1) loses all of its 8 voxels to outer (label 2)"));
 }
 
 TEST_F(CliTest, MergesAllLabelsOrGroups) {
