@@ -76,7 +76,10 @@ export function generate(schema) {
     `/** Every field of the recipe, as the engine declares them. */\nexport interface RecipeFields ${typeOf(root, '', optional, '')}\n`,
     `/** The recipe before anybody has changed it. */\n${constant('recipeDefaults', defaultsOf(root, '', optional))}`,
     `/** Groups that a recipe need not have, as they are at first. */\n${constant('optionalDefaults', groups)}`,
-    `/** What each stage is made from: stages before it, and fields of the recipe. */\n${constant('stageSpecs', schema.stages)}`,
+    `/** What each stage is made from: stages before it, and fields of the recipe. */\n${constant(
+      'stageSpecs',
+      schema.stages.map(({ name, inputs, reads }) => ({ name, inputs, reads })),
+    )}`,
     `/** The stages that the app shows; the others run by themselves before those that need them. */\n${constant(
       'stageNames',
       schema.stages.filter(({ shown }) => shown).map(({ name }) => name),

@@ -60,11 +60,16 @@ test('an error of the mesher shows its triangles on the adapted surface', async 
     const failing = `const createFailing = async (options) => {
         const engine = await createVoxtet(options);
         if (!engine.Session) return engine; // on a thread of the engine
-        const run = engine.Session.prototype.run;
-        engine.Session.prototype.run = function (stage, progress) {
-          if (stage !== 'optimise') return run.call(this, stage, progress);
-          const points = this.view('remesh', 'points');
-          const where = { points: [Array.from(points.slice(0, 3))], elements: [0, 1] };
+        const { begin, advance } = engine.Session.prototype;
+        let stage = '';
+        engine.Session.prototype.begin = function (asked) {
+          stage = asked;
+          return begin.call(this, asked);
+        };
+        engine.Session.prototype.advance = function (budget, progress) {
+          if (stage !== 'optimise') return advance.call(this, budget, progress);
+          const points = this.array('remesh', 'points');
+          const where = { points: [Array.from(points.slice(0, 3))], elements: [0, 1], stage: 'remesh', on: 'triangles' };
           const message = 'the surface intersects itself: 2 triangles';
           return JSON.stringify({ ok: false, error: { code: 'meshing', stage, message, where } });
         };

@@ -126,7 +126,7 @@ Result<bool> Diffusion::advance(int iterations) {
   }
   if (!solve_)
     if (Status started = start_solve(); !started) return started.error();
-  const Result<bool> solved = solve_->iterate(system_, iterations);
+  Result<bool> solved = solve_->iterate(system_, iterations);
   if (solved && !*solved) return false;
   if (solved) {
     change_ = solve_->x();

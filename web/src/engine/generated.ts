@@ -357,117 +357,93 @@ export const optionalDefaults = {
 /** What each stage is made from: stages before it, and fields of the recipe. */
 export const stageSpecs = [
   {
-    "in_steps": false,
-    "inputs": [],
     "name": "volume",
+    "inputs": [],
     "reads": [
       "source.phantom",
       "labels",
       "merge",
       "volume"
-    ],
-    "shown": true,
-    "title": "Volume"
+    ]
   },
   {
-    "in_steps": false,
+    "name": "surface",
     "inputs": [
       "volume"
     ],
-    "name": "surface",
     "reads": [
       "surface"
-    ],
-    "shown": true,
-    "title": "Label surface"
+    ]
   },
   {
-    "in_steps": false,
-    "inputs": [
-      "volume",
-      "surface"
-    ],
     "name": "smooth",
+    "inputs": [
+      "volume",
+      "surface"
+    ],
     "reads": [
       "smooth"
-    ],
-    "shown": true,
-    "title": "Smoothed surface"
+    ]
   },
   {
-    "in_steps": false,
+    "name": "walls",
     "inputs": [
       "volume",
       "smooth"
     ],
-    "name": "walls",
     "reads": [
       "sizing.thickness[].wall",
       "sizing.thickness[].inner",
       "sizing.thickness[].layering"
-    ],
-    "shown": false,
-    "title": "Walls"
+    ]
   },
   {
-    "in_steps": false,
+    "name": "sizing",
     "inputs": [
       "volume",
       "smooth",
       "walls"
     ],
-    "name": "sizing",
     "reads": [
       "sizing"
-    ],
-    "shown": true,
-    "title": "Sizing field"
+    ]
   },
   {
-    "in_steps": false,
+    "name": "layers",
     "inputs": [
       "volume",
       "walls"
     ],
-    "name": "layers",
     "reads": [
       "sizing.thickness[].layers",
       "sizing.thickness[].layering"
-    ],
-    "shown": false,
-    "title": "Layers of walls"
+    ]
   },
   {
-    "in_steps": false,
+    "name": "remesh",
     "inputs": [
       "volume",
       "smooth",
       "sizing",
       "layers"
     ],
-    "name": "remesh",
     "reads": [
       "remesh"
-    ],
-    "shown": true,
-    "title": "Adapted surface"
+    ]
   },
   {
-    "in_steps": false,
+    "name": "tetra",
     "inputs": [
       "sizing",
       "layers",
       "remesh"
     ],
-    "name": "tetra",
     "reads": [
       "tetra"
-    ],
-    "shown": false,
-    "title": "Filled tetrahedra"
+    ]
   },
   {
-    "in_steps": false,
+    "name": "optimise",
     "inputs": [
       "smooth",
       "sizing",
@@ -475,28 +451,22 @@ export const stageSpecs = [
       "remesh",
       "tetra"
     ],
-    "name": "optimise",
     "reads": [
       "optimise"
-    ],
-    "shown": true,
-    "title": "Tetrahedra"
+    ]
   },
   {
-    "in_steps": false,
+    "name": "transfer",
     "inputs": [
       "volume",
       "optimise"
     ],
-    "name": "transfer",
     "reads": [
       "transfer"
-    ],
-    "shown": false,
-    "title": "Label transfer"
+    ]
   },
   {
-    "in_steps": false,
+    "name": "quality",
     "inputs": [
       "volume",
       "smooth",
@@ -506,24 +476,18 @@ export const stageSpecs = [
       "optimise",
       "transfer"
     ],
-    "name": "quality",
     "reads": [
       "quality"
-    ],
-    "shown": true,
-    "title": "Evidence"
+    ]
   },
   {
-    "in_steps": true,
+    "name": "diffusion",
     "inputs": [
       "optimise"
     ],
-    "name": "diffusion",
     "reads": [
       "physics.diffusion"
-    ],
-    "shown": false,
-    "title": "Heat diffusion"
+    ]
   }
 ] as const;
 

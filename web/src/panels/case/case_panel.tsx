@@ -12,7 +12,7 @@ import { TransferFields } from './transfer_fields';
 import { MergeAllField } from './merge_all_field';
 import { PaintSection } from './paint_section';
 import { RegionList } from './region_list';
-import { SimulationSection } from './simulation_section';
+import { fetched } from '../controls/fetched';
 import { SizeFiles } from './size_files';
 import { SourceSection } from './source_section';
 import { StageSection } from './stage_section';
@@ -77,6 +77,10 @@ function SizingSection({ current }: { current: Recipe }) {
     </section>
   );
 }
+
+const SimulationSection = fetched(() =>
+  import('./simulation_section').then((part) => part.SimulationSection),
+);
 
 export function CasePanel() {
   const current = recipe.value;

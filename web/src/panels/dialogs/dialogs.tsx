@@ -1,13 +1,13 @@
-import type { FunctionComponent } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
 import { acceptOffer, offered, closeOffer } from '../../store/case/open_case';
-import { tellError } from '../../store/run/engine';
 import { filesOf } from '../../store/case/input';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
 import { DropDialog } from './drop_dialog';
 import { whole } from '../controls/format';
+import { fetched } from '../controls/fetched';
 import { Icon } from '../controls/icons';
+
+const ToolDialogs = fetched(() => import('./tool_dialogs').then((part) => part.ToolDialogs));
 
 function OfferDialog() {
   const offer = offered.value;
@@ -94,16 +94,11 @@ function OfferDialog() {
 }
 
 export function Dialogs() {
-  const [tools, setTools] = useState<{ ToolDialogs: FunctionComponent } | null>(null);
-  const wanted = dialogShown.value !== null;
-  useEffect(() => {
-    if (wanted && !tools) import('./tool_dialogs').then(setTools, tellError);
-  }, [wanted, tools]);
   return (
     <>
       <OfferDialog />
       <DropDialog />
-      {tools && <tools.ToolDialogs />}
+      {dialogShown.value !== null && <ToolDialogs />}
     </>
   );
 }

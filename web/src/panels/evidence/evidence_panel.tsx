@@ -1,6 +1,6 @@
 import type { Report } from '../../engine/contract';
 import { pinned } from '../../store/run/compare';
-import { downloadReport, downloadReportPage } from '../../store/case/exchange';
+import { exchange } from '../controls/fetched';
 import { report, upToDate } from '../../store/run/report';
 import { Checklist } from './checklist';
 import { CompareSection } from './compare_section';
@@ -90,10 +90,18 @@ export function EvidencePanel() {
           <section class="section">
             <h2>Report</h2>
             <div class="compare-actions">
-              <button type="button" class="button small" onClick={() => void downloadReportPage()}>
+              <button
+                type="button"
+                class="button small"
+                onClick={() => exchange(({ downloadReportPage }) => downloadReportPage())}
+              >
                 <Icon name="download" size={13} /> Page with pictures
               </button>
-              <button type="button" class="button small" onClick={downloadReport}>
+              <button
+                type="button"
+                class="button small"
+                onClick={() => exchange(({ downloadReport }) => downloadReport())}
+              >
                 <Icon name="download" size={13} /> JSON
               </button>
             </div>

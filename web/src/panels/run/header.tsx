@@ -1,9 +1,8 @@
 import { redoEdit, undoEdit } from '../../store/case/open_case';
 import { cancelRun, runAll } from '../../store/run/run_stages';
-import { caseName } from '../../store/case/exchange';
 import { exceeded, forecast } from '../../store/run/forecast';
 import { volume } from '../../store/case/input';
-import { recipe, redoLabel, undoLabel } from '../../store/case/recipe';
+import { caseName, recipe, redoLabel, undoLabel } from '../../store/case/recipe';
 import { elapsedSeconds } from '../../store/run/clock';
 import { report, upToDate } from '../../store/run/report';
 import { activity } from '../../store/run/stages';

@@ -60,7 +60,6 @@ function Progress() {
 /** Plays what lives in time; there is none without frames. */
 export function PlayerBar() {
   const state = simulation.value;
-  if (state === 'none') return null;
   const times = frameTimes.value;
   const newest = times.at(-1) ?? 0;
   const computing = state === 'running' || state === 'paused';

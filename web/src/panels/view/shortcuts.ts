@@ -3,7 +3,7 @@ import { stageNames } from '../../engine/contract';
 import { redoEdit, undoEdit } from '../../store/case/open_case';
 import { cancelRun, runAll } from '../../store/run/run_stages';
 import { pinned } from '../../store/run/compare';
-import { downloadPicture } from '../../store/case/exchange';
+import { exchange } from '../controls/fetched';
 import { volume } from '../../store/case/input';
 import { stepFrame, togglePlaying } from '../../store/run/player';
 import { shownKeys } from '../../store/run/results';
@@ -19,7 +19,7 @@ const viewKeys: Record<string, () => void> = {
   c: () => (cut.value = { ...cut.value, on: !cut.value.on }),
   e: () => (showEdges.value = !showEdges.value),
   f: () => (command.value = { kind: 'fit' }),
-  p: () => void downloadPicture(),
+  p: () => exchange(({ downloadPicture }) => downloadPicture()),
   '?': () => (dialogShown.value = 'keys'),
   k: togglePlaying,
   ',': () => stepFrame(-1),

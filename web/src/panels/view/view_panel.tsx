@@ -1,11 +1,14 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { volume } from '../../store/case/input';
+import { simulation } from '../../store/run/frames';
 import { activity } from '../../store/run/stages';
 import { layout, legend, sliceLegend } from '../../store/view';
 import { EmptyState } from '../case/empty_state';
-import { PlayerBar } from './player_bar';
+import { fetched } from '../controls/fetched';
 import { LegendCard, PickedCard } from './view_cards';
 import { ShowAll, SliceChoice, ViewToolbar } from './view_tools';
+
+const PlayerBar = fetched(() => import('./player_bar').then((part) => part.PlayerBar));
 
 export function ViewPanel() {
   const host = useRef<HTMLDivElement>(null);
@@ -53,7 +56,7 @@ export function ViewPanel() {
           </>
         )}
       </div>
-      {opened && <PlayerBar />}
+      {opened && simulation.value !== 'none' && <PlayerBar />}
     </main>
   );
 }

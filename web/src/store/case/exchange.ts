@@ -5,7 +5,7 @@ import type { ReportPicture } from '../../report/report_page';
 import { engine, takeTurn, tellError } from '../run/engine';
 import { forecastUnderWay } from '../run/forecast';
 import { nameOf } from './input';
-import { recipe } from './recipe';
+import { caseName, recipe } from './recipe';
 import { announcement } from '../notices';
 import { meshedMinimal, meshedRecipe, report, upToDate } from '../run/report';
 import { activity } from '../run/stages';
@@ -150,12 +150,6 @@ export function downloadCase(minimal: Record<string, unknown>): void {
 export function downloadPainted(): void {
   const file = engine.sideFile('mask', paintedName);
   if (file) download(file.name, new Blob([file.bytes]));
-}
-
-export function caseName(): string {
-  const source = recipe.value?.source;
-  const name = source?.file?.name ?? source?.phantom?.kind ?? 'mesh';
-  return name.replace(/\.(nii\.gz|seg\.nrrd|[^.]+)$/i, '') || 'mesh';
 }
 
 function download(name: string, blob: Blob): void {

@@ -30,6 +30,13 @@ export const recipe = signal<Recipe | null>(null);
 export const undoLabel = computed(() => past.value.at(-1)?.label ?? null);
 export const redoLabel = computed(() => future.value.at(-1)?.label ?? null);
 
+/** What the files of a case are called, without their suffixes. */
+export function caseName(): string {
+  const source = recipe.value?.source;
+  const name = source?.file?.name ?? source?.phantom?.kind ?? 'mesh';
+  return name.replace(/\.(nii\.gz|seg\.nrrd|[^.]+)$/i, '') || 'mesh';
+}
+
 /** Names the case that the recipe is of, in the browser's history and where the case is saved. */
 export const caseId = signal('');
 
