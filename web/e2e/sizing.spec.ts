@@ -58,7 +58,7 @@ test('a wall is sized by its thickness, which is seen on slices and surface befo
   await meshed(page);
   await expect(page.getByTestId('layers').locator('tbody tr')).toContainText(/9\d\.?\d* %|100 %/);
   const meshColours = await sampled(page, 'model');
-  await page.getByLabel('Colour by').selectOption({ label: 'Layer of the wall' });
+  await page.getByLabel('Colour by').selectOption({ label: 'Layer, from the inner surface' });
   await expect(page.getByRole('img', { name: 'Layer, from the inner surface from 1 to 2' })).toBeVisible();
   expect(await sampled(page, 'model')).not.toEqual(meshColours);
   await page.getByLabel('Colour by').selectOption({ label: 'Layers across the wall' });

@@ -1,9 +1,11 @@
+import { useEffect } from 'preact/hooks';
 import { frameShown, frameTimes, simulation, simulationEndMs } from '../../store/run/frames';
-import { playing, seek, stepFrame, togglePlaying } from '../../store/run/player';
+import { keepPlaying, playing, seek, stepFrame, togglePlaying } from '../../store/run/player';
 import { pauseSimulation, resumeSimulation } from '../../store/run/simulate';
 import { time } from '../../store/view';
 import { short } from '../controls/format';
 import { Icon, type IconName } from '../controls/icons';
+import { viewKeys } from './shortcuts';
 
 /** Tenths of a millisecond, or finer where the whole span is short: the number keeps its width while it runs. */
 function timeText(ms: number, spanMs: number): string {
@@ -57,8 +59,17 @@ function Progress() {
   );
 }
 
+const playerKeys = { k: togglePlaying, ',': () => stepFrame(-1), '.': () => stepFrame(1) };
+
 /** Plays what lives in time; there is none without frames. */
 export function PlayerBar() {
+  useEffect(keepPlaying, []);
+  useEffect(() => {
+    Object.assign(viewKeys, playerKeys);
+    return () => {
+      for (const key of Object.keys(playerKeys)) delete viewKeys[key];
+    };
+  }, []);
   const state = simulation.value;
   const times = frameTimes.value;
   const newest = times.at(-1) ?? 0;

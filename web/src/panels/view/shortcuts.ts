@@ -5,14 +5,13 @@ import { cancelRun, runAll } from '../../store/run/run_stages';
 import { pinned } from '../../store/run/compare';
 import { exchange } from '../controls/fetched';
 import { volume } from '../../store/case/input';
-import { stepFrame, togglePlaying } from '../../store/run/player';
 import { shownKeys } from '../../store/run/results';
 import { activity } from '../../store/run/stages';
 import { dialogShown } from '../controls/dialog_shown';
 import { brush, command, cut, focusTet, layout, picked, showEdges, stageShown } from '../../store/view';
 
-/** Keys of the view, for whoever is not typing. */
-const viewKeys: Record<string, () => void> = {
+/** Keys of the view, for whoever is not typing. The player adds its own while it is there. */
+export const viewKeys: Record<string, () => void> = {
   '1': () => (layout.value = 'model'),
   '2': () => (layout.value = 'slices'),
   '3': () => void (pinned.value && (layout.value = 'compare')),
@@ -21,9 +20,6 @@ const viewKeys: Record<string, () => void> = {
   f: () => (command.value = { kind: 'fit' }),
   p: () => exchange(({ downloadPicture }) => downloadPicture()),
   '?': () => (dialogShown.value = 'keys'),
-  k: togglePlaying,
-  ',': () => stepFrame(-1),
-  '.': () => stepFrame(1),
   '[': () => stepStage(-1),
   ']': () => stepStage(1),
 };

@@ -40,9 +40,9 @@ export function seek(timeMs: number): void {
   time.value = Math.max(0, Math.min(newest(), timeMs));
 }
 
-/** Moves the cursor for as long as frames are played. */
-export function keepPlaying(): void {
-  effect(() => {
+/** Moves the cursor for as long as frames are played, until what it gives is called. */
+export function keepPlaying(): () => void {
+  return effect(() => {
     if (!playing.value) return;
     if (computing()) {
       const last = frameTimes.value.at(-1);
