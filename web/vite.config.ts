@@ -67,7 +67,7 @@ export default defineConfig({
           groups: [
             {
               name: 'shared',
-              test: /src\/(store|link|geometry|engine|report|panels\/controls)\/|node_modules\/(@?preact|immer|comlink)/,
+              test: /src\/(store|link|geometry|engine|report|panels\/(controls|case\/gallery))|node_modules\/(@?preact|immer|comlink)/,
               tags: ['$initial'],
             },
           ],

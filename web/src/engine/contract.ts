@@ -1,10 +1,10 @@
 /** What the engine says and takes: the JSON of the wasm surface, typed. Lengths mm, patient space RAS. */
-import { optionalDefaults, stageNames } from './generated';
+import { stageNames } from './generated';
 import type { Recipe, Vec3 } from './recipe_types';
 
 export * from './recipe_types';
 
-export { optionalDefaults, stageNames };
+export { stageNames };
 export type StageName = (typeof stageNames)[number];
 
 /** Stages that are worked on in short steps and give frames. They run when they are asked for. */

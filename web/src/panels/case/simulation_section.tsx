@@ -1,15 +1,22 @@
-import { optionalDefaults, type DiffusionParams, type Recipe } from '../../engine/contract';
+import type { DiffusionParams, Recipe } from '../../engine/contract';
 import { nameOf, volume } from '../../store/case/input';
 import { editRecipe } from '../../store/case/recipe';
 import { upToDate } from '../../store/run/report';
 import { simulate } from '../../store/run/simulate';
-import { activity } from '../../store/run/stages';
+import { activity, schema } from '../../store/run/stages';
 import { CheckField, NumberField, SelectField } from '../controls/fields';
 import { Icon } from '../controls/icons';
 
 type NumberKey = 'diffusivity_mm2_per_ms' | 'end_ms' | 'step_ms' | 'frame_ms';
 
 const group = 'physics.diffusion.';
+
+/** The engine's own values, but for the label, which has to be one that is meshed. */
+function startingParams(from: number): DiffusionParams {
+  const fields = schema.value?.fields.filter(({ path }) => path.startsWith(group)) ?? [];
+  const defaults = Object.fromEntries(fields.map((field) => [field.path.slice(group.length), field.default]));
+  return { ...(defaults as unknown as DiffusionParams), from };
+}
 
 function DiffusionFields({ params, labels }: { params: DiffusionParams; labels: readonly number[] }) {
   const set = (change: Partial<DiffusionParams>, label: string) =>
@@ -62,7 +69,7 @@ export function SimulationSection({ current }: { current: Recipe }) {
   const params = current.physics?.diffusion;
   const toggle = (on: boolean) =>
     editRecipe('Heat diffusion', (draft) => {
-      if (on) draft.physics = { diffusion: { ...optionalDefaults['physics.diffusion'], from: labels[0] } };
+      if (on) draft.physics = { diffusion: startingParams(labels[0]) };
       else delete draft.physics;
     });
   return (

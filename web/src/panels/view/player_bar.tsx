@@ -3,9 +3,9 @@ import { frameShown, frameTimes, simulation, simulationEndMs } from '../../store
 import { keepPlaying, playing, seek, stepFrame, togglePlaying } from '../../store/run/player';
 import { pauseSimulation, resumeSimulation } from '../../store/run/simulate';
 import { time } from '../../store/view';
+import { extraKeys } from '../controls/extra_keys';
 import { short } from '../controls/format';
 import { Icon, type IconName } from '../controls/icons';
-import { viewKeys } from './shortcuts';
 
 /** Tenths of a millisecond, or finer where the whole span is short: the number keeps its width while it runs. */
 function timeText(ms: number, spanMs: number): string {
@@ -65,9 +65,9 @@ const playerKeys = { k: togglePlaying, ',': () => stepFrame(-1), '.': () => step
 export function PlayerBar() {
   useEffect(keepPlaying, []);
   useEffect(() => {
-    Object.assign(viewKeys, playerKeys);
+    Object.assign(extraKeys, playerKeys);
     return () => {
-      for (const key of Object.keys(playerKeys)) delete viewKeys[key];
+      for (const key of Object.keys(playerKeys)) delete extraKeys[key];
     };
   }, []);
   const state = simulation.value;

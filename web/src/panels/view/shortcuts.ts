@@ -8,10 +8,11 @@ import { volume } from '../../store/case/input';
 import { shownKeys } from '../../store/run/results';
 import { activity } from '../../store/run/stages';
 import { dialogShown } from '../controls/dialog_shown';
+import { extraKeys } from '../controls/extra_keys';
 import { brush, command, cut, focusTet, layout, picked, showEdges, stageShown } from '../../store/view';
 
-/** Keys of the view, for whoever is not typing. The player adds its own while it is there. */
-export const viewKeys: Record<string, () => void> = {
+/** Keys of the view, for whoever is not typing. */
+const viewKeys: Record<string, () => void> = {
   '1': () => (layout.value = 'model'),
   '2': () => (layout.value = 'slices'),
   '3': () => void (pinned.value && (layout.value = 'compare')),
@@ -63,6 +64,7 @@ function obeyKey(event: KeyboardEvent): boolean {
   else if (held && key === 'y' && !(writes && target.type === 'text')) void redoEdit();
   else if (held || event.altKey || typing) return false;
   else if ((volume.value || key === '?') && Object.hasOwn(viewKeys, key)) viewKeys[key]();
+  else if (Object.hasOwn(extraKeys, key)) extraKeys[key]();
   else return false;
   return true;
 }
