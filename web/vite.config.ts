@@ -60,14 +60,14 @@ export default defineConfig({
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 900,
     modulePreload: { polyfill: false },
-    // What the page and the views share is one chunk: several small ones compress worse.
+    // All that the page loads at first, but for the views, is one chunk: several small ones compress worse.
     rolldownOptions: {
       output: {
         codeSplitting: {
           groups: [
             {
               name: 'shared',
-              test: /src\/(store|link|geometry|engine|report|panels\/(controls|case\/gallery))|node_modules\/(@?preact|immer|comlink)/,
+              test: /src\/(store|link|geometry|engine|report|panels)\/|node_modules\/(@?preact|immer|comlink)/,
               tags: ['$initial'],
             },
           ],
