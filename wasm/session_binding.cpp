@@ -20,7 +20,6 @@
 #include "pipeline/session.h"
 #include "pipeline/stages/stage_arrays.h"
 #include "pipeline/version/engine_version.h"
-#include "transfer/transfer_labels.h"
 
 namespace voxtet {
 namespace {

@@ -21,7 +21,6 @@
 #include "pipeline/report.h"
 #include "pipeline/version/engine_version.h"
 #include "recipe/link.h"
-#include "transfer/transfer_labels.h"
 
 namespace voxtet {
 namespace {

@@ -41,7 +41,7 @@ Vector3i to_end(std::size_t segment) {
 
 using Segments = std::array<Vector3d, kSegments>;
 
-/// Where segments along the segments meet a triangle (Möller and Trumbore 1997).
+/// Where the segments, moved to a voxel, meet a triangle (Möller and Trumbore 1997).
 class SegmentsThroughTriangle {
  public:
   SegmentsThroughTriangle(const Segments& segments, std::size_t count, const TriangleCorners& p)

@@ -1,3 +1,4 @@
+// What the commands do and write.
 #include "cli/cli.h"
 
 #include <gtest/gtest.h>
@@ -17,50 +18,17 @@
 #include "geometry/topology/adjacency.h"
 #include "io/bytes/files.h"
 #include "io/mesh/read_mesh.h"
-#include "pipeline/report.h"
 #include "pipeline/version/engine_version.h"
 #include "recipe/link.h"
 #include "support/check_tets.h"
 #include "support/printed.h"
+#include "unit/cli/cli_fixture.h"
 
 namespace voxtet {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-class CliTest : public testing::Test {
- protected:
-  void SetUp() override {
-    const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("voxtet_cli_" + std::string(info->name()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string at(const std::string& name) const { return (folder_ / name).string(); }
-  static int run(const std::vector<std::string>& words) {
-    std::vector<const char*> argv{"voxtet"};
-    for (const std::string& word : words) argv.push_back(word.c_str());
-    return run_cli(static_cast<int>(argv.size()), argv.data());
-  }
-  json read_json(const std::string& name) const {
-    const Result<Bytes> bytes = read_file(at(name));
-    return bytes.ok() ? json::parse(bytes->begin(), bytes->end()) : json();
-  }
-  void write(const std::string& name, const std::string& text) const {
-    ASSERT_TRUE(write_text_file(at(name), text).ok());
-  }
-  std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator{}));
-  }
-
-  fs::path folder_;
-};
-
-constexpr const char* kSphere =
-    R"({"source":{"phantom":{"kind":"sphere","radius_mm":8,"spacing_mm":[1,1,1]}},"sizing":{"edge_mm":3}})";
 
 TEST_F(CliTest, MeshesAPhantomWrittenAsAVolume) {
   ASSERT_EQ(run({"phantom", "nested_boxes", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
@@ -84,7 +52,7 @@ TEST_F(CliTest, MeshesAPhantomWrittenAsAVolume) {
   EXPECT_EQ(run({"convert", at("b.msh"), at("b.stl")}), kExitOk);
 }
 
-TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
+TEST_F(CliTest, TransfersLabelsThatTheMeshDoesNotFollow) {
   ASSERT_EQ(run({"phantom", "nested_boxes", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
                  at("boxes.nii.gz")}),
             kExitOk);
@@ -100,7 +68,7 @@ TEST_F(CliTest, LooksLabelsUpThatTheMeshDoesNotFollow) {
                            "a.fraction_2.dat", "a.fraction_3.dat"})
     EXPECT_TRUE(fs::exists(at(name))) << name;
   EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--transfer", "9"}), kExitUsage);
-  // What was looked up goes with the mesh into another format.
+  // What was transferred goes with the mesh into another format.
   ASSERT_EQ(
       run({"mesh", at("boxes.nii.gz"), "--merge", "--edge-mm", "3", "--look-up", "3,2", "-o", at("b.vtu")}),
       kExitOk);
@@ -198,28 +166,6 @@ TEST_F(CliTest, MergesAllLabelsOrGroups) {
   EXPECT_EQ(run({"mesh", at("boxes.nii.gz"), "--merge", "1,9"}), kExitUsage);
 }
 
-TEST_F(CliTest, AnswersBadUsageWith2AndWritesNothing) {
-  write("case.json", kSphere);
-  EXPECT_EQ(run({"mesh"}), kExitUsage);
-  EXPECT_EQ(run({"nothing"}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "-o", at("a.xyz")}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--labels", "9", "-o", at("a.vtu")}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--set", "sizing.edge_mm", "-o", at("a.vtu")}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--set", "sizing.edge=2", "-o", at("a.vtu")}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--edge-label", "1=x", "-o", at("a.vtu")}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--edge-mm", "0", "-o", at("a.vtu")}), kExitUsage);
-  EXPECT_EQ(run({"phantom", "cow", "-o", at("cow.nii")}), kExitUsage);
-  EXPECT_EQ(files(), 1U);
-}
-
-TEST_F(CliTest, AnswersBadInputWith3AndWritesNothing) {
-  write("heart.nii", "this is no heart");
-  EXPECT_EQ(run({"mesh", at("heart.nii"), "-o", at("a.vtu")}), kExitBadInput);
-  EXPECT_EQ(run({"mesh", at("absent.nii"), "-o", at("a.vtu")}), kExitBadInput);
-  EXPECT_EQ(run({"check", at("heart.nii")}), kExitBadInput);
-  EXPECT_EQ(files(), 1U);
-}
-
 TEST_F(CliTest, VerifiesThePromisedDigest) {
   write("case.json", kSphere);
   ASSERT_EQ(run({"mesh", at("case.json"), "--report", at("report.json")}), kExitOk);
@@ -239,17 +185,7 @@ TEST_F(CliTest, VerifiesThePromisedDigest) {
   EXPECT_EQ(run({"verify", link_fragment(*parse_recipe(promise))}), kExitOk);
 }
 
-// The types of the web are made from it: scripts/update_contract writes both.
-TEST(SchemaJson, IsTheOneThatTheContractOfTheWebIsMadeFrom) {
-  const Result<Bytes> committed = read_file(VOXTET_SOURCE_DIR "/web/src/engine/schema.json");
-  ASSERT_TRUE(committed.ok());
-  json schema = schema_json();
-  schema.erase("version");
-  EXPECT_EQ(json::parse(committed->begin(), committed->end()), schema) << "run scripts/update_contract";
-}
-
-// Under node the output of the process cannot be caught: GoogleTest swaps file descriptors for it.
-#ifndef __EMSCRIPTEN__
+#ifndef __EMSCRIPTEN__  // there are no pipes, and what is printed cannot be caught
 TEST_F(CliTest, TellsACaseOfAnotherEngineFromOneThatDiffers) {
   json promise = json::parse(kSphere);
   const auto verdict = [&](const std::string& engine, const std::string& digest) {
@@ -270,12 +206,6 @@ TEST_F(CliTest, TellsACaseOfAnotherEngineFromOneThatDiffers) {
   EXPECT_EQ(verdict("0.1.0", found)["verdict"], "reproduced") << "the same bytes, whoever made them";
 }
 #endif
-
-TEST_F(CliTest, StopsAtTheTimeLimitWith6) {
-  write("case.json", kSphere);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--time-limit", "1e-9", "-o", at("a.vtu")}), kExitLimits);
-  EXPECT_EQ(files(), 1U);
-}
 
 TEST_F(CliTest, FindsTheVolumeBesideItsCase) {
   ASSERT_EQ(run({"phantom", "sphere", "--set", "radius_mm=8", "-o", at("ball.nii")}), kExitOk);
@@ -308,16 +238,6 @@ TEST_F(CliTest, MasksAndSizeImagesSitBesideTheCaseOrComeByOption) {
   EXPECT_GT(read_json("options.json")["tets"].get<int>(), read_json("plain.json")["tets"].get<int>());
 }
 
-TEST_F(CliTest, RefusesFieldsAndSideFilesThatAreNotThere) {
-  write("case.json", kSphere);
-  EXPECT_EQ(run({"field", at("case.json"), "--what", "thickness", "-o", at("a.nii")}), kExitUsage);
-  EXPECT_EQ(run({"field", at("case.json"), "-o", at("a.vtk")}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--mask", at("none.nii")}), kExitBadInput);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--mask-edge", "1=2"}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--size-image", at("case.json")}), kExitBadInput);
-  EXPECT_EQ(files(), 1U);
-}
-
 TEST_F(CliTest, WritesBehindLinks) {
   write("case.json", kSphere);
   write("old.json", "old");
@@ -328,7 +248,7 @@ TEST_F(CliTest, WritesBehindLinks) {
   EXPECT_EQ(files(), 3U);
 }
 
-#ifndef __EMSCRIPTEN__  // there are no pipes, and standard error cannot be caught
+#ifndef __EMSCRIPTEN__  // there are no pipes, and what is printed cannot be caught
 TEST_F(CliTest, WritesIntoPipesAndLeavesThemThere) {
   write("case.json", kSphere);
   ASSERT_EQ(mkfifo(at("pipe").c_str(), 0600), 0);
@@ -341,93 +261,7 @@ TEST_F(CliTest, WritesIntoPipesAndLeavesThemThere) {
   close(reader);
   EXPECT_TRUE(fs::is_fifo(at("pipe")));
 }
-
-TEST_F(CliTest, RefusesBeforeMeshingWhatCannotBeWritten) {
-  write("case.json", kSphere);
-  for (const char* option : {"-o", "--report"}) {
-    testing::internal::CaptureStderr();
-    EXPECT_EQ(run({"mesh", at("case.json"), option, at("none/mesh.vtu")}), kExitBadInput);
-    const std::string said = testing::internal::GetCapturedStderr();
-    EXPECT_NE(said.find("none/mesh.vtu: cannot be created"), std::string::npos) << said;
-    EXPECT_EQ(said.find("remesh"), std::string::npos) << said;
-  }
-  EXPECT_EQ(files(), 1U);
-}
-
-TEST_F(CliTest, SaysWhichTimeLimitIsOver) {
-  write("case.json", kSphere);
-  testing::internal::CaptureStderr();
-  EXPECT_EQ(run({"mesh", at("case.json"), "--time-limit", "1e-6"}), kExitLimits);
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("given up after the 1e-06 s of --time-limit"),
-            std::string::npos);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--time-limit", "-1"}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--threads", "0"}), kExitUsage);
-}
 #endif
-
-TEST_F(CliTest, RefusesWhatNoMachineCanMesh) {
-  write(
-      "case.json",
-      R"({"source":{"phantom":{"kind":"sphere","radius_mm":200,"spacing_mm":[10,10,10]}},"sizing":{"edge_mm":0.01}})");
-  EXPECT_EQ(run({"mesh", at("case.json")}), kExitLimits);
-}
-
-TEST_F(CliTest, RefusesMarchingCubesForSeveralLabels) {
-  ASSERT_EQ(run({"phantom", "nested_boxes", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
-                 at("boxes.nii.gz")}),
-            kExitOk);
-  const std::vector<std::string> command{
-      "mesh", at("boxes.nii.gz"), "--edge-mm", "3", "--set", "surface.method=marching_cubes"};
-  EXPECT_EQ(run(command), kExitUsage);
-  std::vector<std::string> merged = command;
-  merged.push_back("--merge");
-  EXPECT_EQ(run(merged), kExitOk);
-}
-
-TEST_F(CliTest, ForecastsAndRefusesBeyondALimit) {
-  write("case.json", kSphere);
-  EXPECT_EQ(run({"forecast", at("case.json"), "--elements", "2000", "--json"}), kExitOk);
-  EXPECT_EQ(run({"forecast", at("case.json"), "--elements", "-5"}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--set", "limits.tets=200"}), kExitLimits);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--set", "limits.tets=2000"}), kExitOk);
-}
-
-TEST_F(CliTest, WritesOverNothingThatItReads) {
-  write("case.json", kSphere);
-  ASSERT_EQ(run({"phantom", "sphere", "--set", "radius_mm=6", "-o", at("ball.nii")}), kExitOk);
-  write("of_file.json", R"({"source":{"file":{"name":"ball.nii","sha256":""}}})");
-  const Bytes before = *read_file(at("ball.nii"));
-  const std::size_t count = files();
-  const auto refused = [&](const std::vector<std::string>& words) {
-    EXPECT_EQ(run(words), kExitUsage) << words.back();
-    EXPECT_EQ(*read_file(at("ball.nii")), before);
-    EXPECT_EQ(files(), count);
-  };
-  refused({"mesh", at("ball.nii"), "--report", at("ball.nii")});
-  refused({"mesh", at("ball.nii"), "--report", (folder_ / "." / "ball.nii").string()});
-  refused({"mesh", at("of_file.json"), "--report", at("ball.nii")});
-  refused({"mesh", at("case.json"), "--report", at("case.json")});
-  refused({"field", at("ball.nii"), "-o", at("ball.nii")});
-  refused({"field", at("case.json"), "--size-image", at("ball.nii"), "-o", at("ball.nii")});
-  refused({"field", at("case.json"), "--mask", at("ball.nii"), "-o", at("ball.nii")});
-  refused({"convert", at("ball.nii"), at("ball.nii")});
-  refused({"mesh", at("case.json"), "-o", at("a.vtu"), "--report", at("a.vtu")});
-  refused({"mesh", at("case.json"), "-o", at("a.carp"), "--report", at("a.elem")});
-  EXPECT_EQ(run({"mesh", at("case.json"), "-o", at("a.vtu"), "--report", at("a.json")}), kExitOk);
-  EXPECT_EQ(run({"mesh", at("case.json"), "-o", at("a.vtu"), "--report", at("a.json")}), kExitOk) << "again";
-}
-
-TEST_F(CliTest, RefusesWhatIsMissingDoubledOrTooLarge) {
-  write("case.json", kSphere);
-  EXPECT_EQ(run({"mesh", at("case.json"), "-o", ""}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--report", ""}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--edge-mm", ""}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--edge-label", "1=1", "--edge-label", "1=2"}), kExitUsage);
-  write("large.json", R"({"sizing":{"edge_mm":1e999}})");
-  EXPECT_EQ(run({"mesh", at("large.json")}), kExitUsage);
-  EXPECT_EQ(run({"url", at("case.nii")}), kExitUsage);
-  EXPECT_EQ(run({"url", at("case.json")}), kExitOk);
-}
 
 TEST_F(CliTest, ReportsTheLayersOfAWall) {
   write("case.json",
@@ -455,24 +289,6 @@ TEST_F(CliTest, EndsWithAStageAndWritesWhatEachGave) {
   EXPECT_EQ(read_tet_mesh_file(at("a/tetra.vtu"))->tets.size(),
             read_json("a.json")["stages"][7]["counts"]["tets"]);
   EXPECT_EQ(read_tet_mesh_file(at("a/optimise.vtu"))->tets.size(), read_json("a.json")["tets"]);
-}
-
-TEST_F(CliTest, DumpsWhatStandsBeforeTheStageThatFails) {
-  write("case.json", kSphere);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--set", "limits.tets=200", "--dump", at("a")}), kExitLimits);
-  EXPECT_TRUE(fs::exists(at("a/sizing.nii.gz")));
-  EXPECT_FALSE(fs::exists(at("a/remesh.ply")));
-  EXPECT_EQ(read_json("a/report.json")["stages"].size(), 6U);
-}
-
-TEST_F(CliTest, RefusesStagesAndFoldersThatCannotBe) {
-  write("case.json", kSphere);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--until", "paint"}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--until", "optimise", "-o", at("a.vtu")}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--until", "volume", "--dump", at("case.json")}), kExitBadInput);
-  ASSERT_EQ(run({"phantom", "sphere", "--set", "radius_mm=6", "-o", at("volume.nii.gz")}), kExitOk);
-  EXPECT_EQ(run({"mesh", at("volume.nii.gz"), "--until", "volume", "--dump", folder_.string()}), kExitUsage);
-  EXPECT_EQ(files(), 2U);
 }
 
 }  // namespace

@@ -19,10 +19,3 @@ export function fetched<Props extends object>(
     return Shown && <Shown {...props} />;
   };
 }
-
-type Exchange = typeof import('../../store/case/exchange');
-
-/** Writes files by what is fetched for it. */
-export function exchange(write: (by: Exchange) => unknown): void {
-  import('../../store/case/exchange').then(write).catch(tellError);
-}

@@ -1,6 +1,6 @@
 import type { Report } from '../../engine/contract';
 import { pinned } from '../../store/run/compare';
-import { exchange } from '../controls/fetched';
+import { writeFiles } from '../controls/write_files';
 import { report, upToDate } from '../../store/run/report';
 import { Checklist } from './checklist';
 import { CompareSection } from './compare_section';
@@ -93,14 +93,14 @@ export function EvidencePanel() {
               <button
                 type="button"
                 class="button small"
-                onClick={() => exchange(({ downloadReportPage }) => downloadReportPage())}
+                onClick={() => writeFiles(({ downloadReportPage }) => downloadReportPage())}
               >
                 <Icon name="download" size={13} /> Page with pictures
               </button>
               <button
                 type="button"
                 class="button small"
-                onClick={() => exchange(({ downloadReport }) => downloadReport())}
+                onClick={() => writeFiles(({ downloadReport }) => downloadReport())}
               >
                 <Icon name="download" size={13} /> JSON
               </button>

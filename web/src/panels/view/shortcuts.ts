@@ -3,7 +3,7 @@ import { stageNames } from '../../engine/contract';
 import { redoEdit, undoEdit } from '../../store/case/open_case';
 import { cancelRun, runAll } from '../../store/run/run_stages';
 import { pinned } from '../../store/run/compare';
-import { exchange } from '../controls/fetched';
+import { writeFiles } from '../controls/write_files';
 import { volume } from '../../store/case/input';
 import { shownKeys } from '../../store/run/results';
 import { activity } from '../../store/run/stages';
@@ -19,7 +19,7 @@ const viewKeys: Record<string, () => void> = {
   c: () => (cut.value = { ...cut.value, on: !cut.value.on }),
   e: () => (showEdges.value = !showEdges.value),
   f: () => (command.value = { kind: 'fit' }),
-  p: () => exchange(({ downloadPicture }) => downloadPicture()),
+  p: () => writeFiles(({ downloadPicture }) => downloadPicture()),
   '?': () => (dialogShown.value = 'keys'),
   '[': () => stepStage(-1),
   ']': () => stepStage(1),

@@ -1,6 +1,6 @@
 import type { Vec3 } from '../../engine/contract';
 import { pinned } from '../../store/run/compare';
-import { exchange } from '../controls/fetched';
+import { writeFiles } from '../controls/write_files';
 import { nameOf } from '../../store/case/input';
 import { recipe } from '../../store/case/recipe';
 import { playedFields } from '../../store/run/frames';
@@ -267,7 +267,7 @@ export function ViewToolbar() {
         class="tool icon-only"
         title="Save a picture of the view (P)"
         aria-label="Save a picture of the view"
-        onClick={() => exchange(({ downloadPicture }) => downloadPicture())}
+        onClick={() => writeFiles(({ downloadPicture }) => downloadPicture())}
       >
         <Icon name="picture" />
       </button>

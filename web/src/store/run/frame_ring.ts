@@ -29,26 +29,25 @@ export class FrameRing {
 
   push(frame: Frame): void {
     const newest = this.kept.at(-1);
-    if (newest && newest.number % this.stride !== 0) this.keep(this.kept.slice(0, -1));
-    this.keep([...this.kept, { frame, number: this.count++ }]);
+    if (newest && newest.number % this.stride !== 0) {
+      this.kept.pop();
+      this.sum -= bytesOf(newest.frame);
+    }
+    this.kept.push({ frame, number: this.count++ });
+    this.sum += bytesOf(frame);
     while (this.sum > this.maxBytes && this.kept.length > 2) this.thin();
   }
 
   /** The last frame that is not after a time, or the first. */
   at(timeMs: number): Frame | null {
-    let found = this.kept[0];
-    for (const one of this.kept) if (one.frame.timeMs <= timeMs) found = one;
+    const found = this.kept.findLast(({ frame }) => frame.timeMs <= timeMs) ?? this.kept[0];
     return found?.frame ?? null;
   }
 
   private thin(): void {
     this.stride *= 2;
     const last = this.kept.length - 1;
-    this.keep(this.kept.filter(({ number }, i) => number % this.stride === 0 || i === last));
-  }
-
-  private keep(kept: typeof this.kept): void {
-    this.kept = kept;
-    this.sum = kept.reduce((sum, { frame }) => sum + bytesOf(frame), 0);
+    this.kept = this.kept.filter(({ number }, i) => number % this.stride === 0 || i === last);
+    this.sum = this.kept.reduce((sum, { frame }) => sum + bytesOf(frame), 0);
   }
 }

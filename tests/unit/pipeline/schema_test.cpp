@@ -1,0 +1,23 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "io/bytes/files.h"
+#include "pipeline/report.h"
+
+namespace voxtet {
+namespace {
+
+using nlohmann::json;
+
+// The types of the web are made from it: scripts/update_contract writes both.
+TEST(SchemaJson, IsTheOneThatTheContractOfTheWebIsMadeFrom) {
+  const Result<Bytes> committed = read_file(VOXTET_SOURCE_DIR "/web/src/engine/schema.json");
+  ASSERT_TRUE(committed.ok());
+  json schema = schema_json();
+  schema.erase("version");
+  EXPECT_EQ(json::parse(committed->begin(), committed->end()), schema) << "run scripts/update_contract";
+}
+
+}  // namespace
+}  // namespace voxtet
