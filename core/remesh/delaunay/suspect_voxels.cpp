@@ -34,9 +34,9 @@ constexpr std::size_t kUsualCrossings = 6;  ///< of a triangle about as large as
 constexpr std::size_t kSegments = kUp + 3;
 
 Vector3i to_end(std::size_t segment) {
-  static const std::array<Vector3i, 3> kOtherDiagonals{Vector3i(1, -1, 0), Vector3i(1, 0, -1),
+  static const std::array<Vector3i, 3> other_diagonals{Vector3i(1, -1, 0), Vector3i(1, 0, -1),
                                                        Vector3i(0, 1, -1)};
-  return segment < kUp ? to_neighbour(segment) : kOtherDiagonals[segment - kUp];
+  return segment < kUp ? to_neighbour(segment) : other_diagonals[segment - kUp];
 }
 
 using Segments = std::array<Vector3d, kSegments>;

@@ -193,7 +193,7 @@ TEST_F(CliTest, TellsACaseOfAnotherEngineFromOneThatDiffers) {
     write("case.json", promise.dump());
     testing::internal::CaptureStdout();
     const int code = run({"verify", at("case.json"), "--json"});
-    const json told = json::parse(testing::internal::GetCapturedStdout());
+    json told = json::parse(testing::internal::GetCapturedStdout());
     EXPECT_EQ(code, told["verdict"] == "reproduced" ? kExitOk : kExitDiffers);
     EXPECT_EQ(told["engine"], engine_version());
     EXPECT_EQ(told["expected_engine"], engine);
