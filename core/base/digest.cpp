@@ -79,10 +79,10 @@ std::string Sha256::hex() {
   std::array<std::uint8_t, 8> length{};
   for (int i = 0; i < 8; ++i) length[i] = static_cast<std::uint8_t>(bits >> (56 - 8 * i));
   update(length);
-  constexpr std::string_view digits = "0123456789abcdef";
+  constexpr std::string_view kDigits = "0123456789abcdef";
   std::string out;
   for (const std::uint32_t word : state_)
-    for (int shift = 28; shift >= 0; shift -= 4) out += digits[(word >> shift) & 15];
+    for (int shift = 28; shift >= 0; shift -= 4) out += kDigits[(word >> shift) & 15];
   return out;
 }
 
