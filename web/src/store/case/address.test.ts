@@ -14,7 +14,7 @@ import {
   undoEdit,
 } from './open_case';
 import type { SavedCase } from './autosave';
-import { caseId, editRecipe, recipe } from './recipe';
+import { caseId, changedAt, editRecipe, recipe } from './recipe';
 import { expectation, report } from '../run/report';
 import { activity } from '../run/stages';
 import { cancelRun, runAll } from '../run/run_stages';
@@ -217,6 +217,7 @@ describe('a page that is loaded again', () => {
   const saved = (id = caseId.value): SavedCase => ({
     id,
     recipe: recipe.value as Recipe,
+    changedAt: changedAt.value,
     promise: null,
     colours: { 1: '#112233' },
     sides: [],
@@ -234,6 +235,23 @@ describe('a page that is loaded again', () => {
     expect(ownColours.value).toEqual({ 1: '#112233' });
     await shows('torus', 3);
     expect(entries.list).toHaveLength(1);
+  });
+
+  it('goes on with the later of the link and what is saved, with the colours that are saved', async () => {
+    await openLink(torus);
+    edge(3);
+    await shows('torus', 3);
+    kept.saved = saved();
+    edge(4);
+    await shows('torus', 4);
+    await load();
+    expect(recipe.value?.sizing.edge_mm).toBe(4);
+    expect(ownColours.value).toEqual({ 1: '#112233' });
+    expect(offered.value).toBeNull();
+    edge(5);
+    kept.saved = saved();
+    await load();
+    expect(recipe.value?.sizing.edge_mm).toBe(5);
   });
 
   it('goes on with its own case though another tab has saved another since', async () => {

@@ -6,22 +6,31 @@ import { effect } from '@preact/signals';
 import { EngineError } from '../../engine/contract';
 import { encodeFragment, isCaseFragment } from '../../link/codec';
 import { engine } from '../run/engine';
-import { caseId, hasSource, recipe } from './recipe';
+import { caseId, changedAt, hasSource, recipe } from './recipe';
 import { expectation } from '../run/report';
 import { sameMesh } from '../run/stage_inputs';
 
 /** Edits within this time are written as one. */
 const delayMs = 300;
 
-/** The link in the address bar, and the name of its case where the page itself has put it there. */
-export function caseInAddress(): { link: string | null; own: string | undefined } {
-  const own = (history.state as { case?: string } | null)?.case;
-  return isCaseFragment(location.hash) ? { link: location.hash, own } : { link: null, own: undefined };
+/** What an entry of the browser's history says of the link that the page has put there. */
+interface Entry {
+  case?: string;
+  changedAt?: number;
+}
+
+const thisEntry = (): Entry => ({ case: caseId.value, changedAt: changedAt.value });
+
+/** The link in the address bar; where the page itself has put it there, the name of its case and its `changedAt`. */
+export function caseInAddress(): { link: string | null; own?: string; changedAt?: number } {
+  if (!isCaseFragment(location.hash)) return { link: null };
+  const { case: own, changedAt } = (history.state as Entry | null) ?? {};
+  return { link: location.hash, own, changedAt };
 }
 
 /** The link in the address bar has been opened, and stands for the case that is open now. */
 export function nameEntry(): void {
-  history.replaceState({ case: caseId.value }, '');
+  history.replaceState(thisEntry(), '');
 }
 
 /** The case as a link, with what the link that brought it promises of this recipe. */
@@ -37,7 +46,7 @@ async function currentLink(): Promise<string | null> {
 /** An edit changes the entry that the case has; a case without one gets its own, so that the one before stays. */
 function put(fragment: string): void {
   const { link, own } = caseInAddress();
-  const entry = { case: caseId.value };
+  const entry = thisEntry();
   if (link && own !== caseId.value) history.pushState(entry, '', fragment);
   else if (link !== fragment) history.replaceState(entry, '', fragment);
 }

@@ -1,7 +1,7 @@
 /** The tab's case in IndexedDB, so that a reload loses nothing. One case: the last one edited. */
 import { effect } from '@preact/signals';
 import type { Recipe, VolumeFile } from '../../engine/contract';
-import { caseId, hasSource, recipe } from './recipe';
+import { caseId, changedAt, hasSource, recipe } from './recipe';
 import { expectation, type Expectation } from '../run/report';
 import { activity } from '../run/stages';
 import { heldSides, type SideFile } from './side_files';
@@ -12,6 +12,7 @@ export interface SavedCase {
   /** The name of the case, as the browser's history has it. */
   id: string;
   recipe: Recipe;
+  changedAt: number;
   promise: Expectation | null;
   /** Of labels, where they are the user's own. */
   colours: Readonly<Record<number, string>>;
@@ -63,9 +64,9 @@ export async function savedCase(): Promise<{ saved: SavedCase; interrupted: bool
   if (!kept) return null;
   const digest = kept.recipe.source.file?.sha256;
   // What an earlier version kept has none of these.
-  const { id = '', colours = {}, promise = null } = kept as Partial<typeof kept>;
+  const { id = '', changedAt = 0, colours = {}, promise = null } = kept as Partial<typeof kept>;
   const own = digest && file?.digest === digest ? file.file : null;
-  return { saved: { ...kept, id, colours, promise, file: own, sides: sides ?? [] }, interrupted };
+  return { saved: { ...kept, id, changedAt, colours, promise, file: own, sides: sides ?? [] }, interrupted };
 }
 
 /** Saves every change from now on. Where the browser allows no storage, the tab works all the same. */
@@ -99,12 +100,13 @@ export function autosave(fileOf: (digest: string) => VolumeFile | undefined): vo
   effect(() => {
     const current = recipe.value;
     const id = caseId.value;
+    const changed = changedAt.value;
     const promise = expectation.value;
     const colours = ownColours.value;
     clearTimeout(timer);
     if (!current || !hasSource(current)) return;
     timer = setTimeout(
-      () => void save({ id, recipe: current, promise, colours }).catch(() => undefined),
+      () => void save({ id, recipe: current, changedAt: changed, promise, colours }).catch(() => undefined),
       delayMs,
     );
   });

@@ -150,10 +150,13 @@ export async function openFragment(fragment: string): Promise<void> {
  * has put into the address, or has saved, is the user's own: there is nothing to ask.
  */
 export async function openAddress(): Promise<void> {
-  const { link, own } = caseInAddress();
+  const { link, own, changedAt = 0 } = caseInAddress();
   // Without storage there is nothing to take up, and nothing to say.
   const found = await savedCase().catch(() => null);
-  if (found && (!link || own === found.saved.id)) return resumeCase(found);
+  if (found && (!link || own === found.saved.id)) {
+    const later = link && changedAt > found.saved.changedAt ? link : null;
+    return resumeCase(found, later);
+  }
   if (!link) return;
   await openFragment(link);
   const offer = offered.value;
@@ -182,12 +185,19 @@ async function acceptSaved(saved: Recipe): Promise<{ recipe: Recipe; left: strin
   }
 }
 
-/** Takes up the case that the last page left; by itself only where the engine was at rest. */
-async function resumeCase({ saved, interrupted }: NonNullable<Awaited<ReturnType<typeof savedCase>>>) {
+/**
+ * Takes up the case that the last page left; by itself only where the engine was at rest. An edit that reached the
+ * address bar but was not saved any more is in `laterLink`.
+ */
+async function resumeCase(
+  { saved, interrupted }: NonNullable<Awaited<ReturnType<typeof savedCase>>>,
+  laterLink: string | null = null,
+) {
   try {
+    const last = laterLink ? ((await decodeFragment(laterLink)) as unknown as Recipe) : saved.recipe;
     const digest = saved.recipe.source.file?.sha256;
     if (digest && saved.file) engine.keepVolume(digest, saved.file);
-    const { recipe: known, left } = await acceptSaved(saved.recipe);
+    const { recipe: known, left } = await acceptSaved(last);
     const accepted = withoutPromise(known);
     const { id, colours, sides } = saved;
     const promise = left.length === 0 ? saved.promise : null;

@@ -40,6 +40,9 @@ export function caseName(): string {
 /** Names the case that the recipe is of, in the browser's history and where the case is saved. */
 export const caseId = signal('');
 
+/** When the recipe last became another, in ms. Of two that are kept of a case, the later is the user's. */
+export const changedAt = computed(() => (recipe.value ? Date.now() : 0));
+
 /** Whether a recipe says what is to be meshed. */
 export function hasSource({ source }: Recipe): boolean {
   return source.phantom !== undefined || source.file !== undefined;
