@@ -119,8 +119,7 @@ void visit_fields(V& v, LabelSize& p) {
 }
 
 template <class V>
-void visit_fields(V& v, SizeRegion& p) {
-  v.field({"name", "", 0, 0, "Name of the region."}, p.name);
+void visit_fields(V& v, Region& p) {
   v.choice(
       {"shape", "", 0, 0, "Shape of the region."}, p.shape,
       Choices<RegionShape>{
@@ -131,6 +130,12 @@ void visit_fields(V& v, SizeRegion& p) {
   v.field({"half_size_mm", "mm", 0.001, 10000, "Half edges of a box."}, p.half_size_mm);
   v.field({"axes_deg", "deg", -360, 360, "Rotation of a box about x, then y, then z."}, p.axes_deg);
   v.field({"radius_mm", "mm", 0.001, 10000, "Radius of sphere or capsule."}, p.radius_mm);
+}
+
+template <class V>
+void visit_fields(V& v, SizeRegion& p) {
+  v.field({"name", "", 0, 0, "Name of the region."}, p.name);
+  visit_fields(v, static_cast<Region&>(p));
   v.field({"edge_mm", "mm", 0.01, 1000, "Edge length inside."}, p.edge_mm);
   v.field({"band_mm", "mm", 0, 10000,
            "Width of the band around it over which the size returns to its surroundings'."},

@@ -7,13 +7,13 @@
 #include <cstdio>
 #include <optional>
 
+#include "geometry/elements/region_distance.h"
 #include "geometry/grid/distance_transform.h"
 #include "geometry/grid/fast_sweeping.h"
 #include "sizing/check_sizing_params.h"
 #include "sizing/curvature_size.h"
 #include "sizing/edge_lengths.h"
 #include "sizing/side_volumes.h"
-#include "sizing/size_region.h"
 #include "sizing/thickness_size.h"
 #include "types/stage_names.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "types/label_volume.h"
+#include "types/region.h"
 #include "types/result.h"
 #include "types/run_context.h"
 #include "types/scalar_volume.h"
@@ -23,19 +24,9 @@ struct LabelSize {
   double edge_mm = 2;
 };
 
-enum class RegionShape { kSphere, kBox, kCapsule };
-
 /// A place with its own size: edge_mm inside; outside it rises linearly to the surrounding size over band_mm.
-/// sphere: centre_mm, radius_mm. box: centre_mm, half_size_mm along the RAS axes, rotated by `axes_deg`
-/// (extrinsic x, then y, then z). capsule: segment centre_mm..end_mm with radius_mm.
-struct SizeRegion {
+struct SizeRegion : Region {
   std::string name;
-  RegionShape shape = RegionShape::kSphere;
-  Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
-  Eigen::Vector3d end_mm = Eigen::Vector3d::Zero();
-  Eigen::Vector3d half_size_mm = Eigen::Vector3d::Constant(10);
-  Eigen::Vector3d axes_deg = Eigen::Vector3d::Zero();
-  double radius_mm = 10;
   double edge_mm = 1;
   double band_mm = 5;
 };

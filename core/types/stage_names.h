@@ -15,5 +15,9 @@ inline constexpr const char* kOptimiseStage = "optimise";
 inline constexpr const char* kTransferStage = "transfer";
 inline constexpr const char* kQualityStage = "quality";
 inline constexpr const char* kDiffusionStage = "diffusion";
+inline constexpr const char* kAnatomyStage = "anatomy";
+inline constexpr const char* kFibresStage = "fibres";
+inline constexpr const char* kEikonalStage = "eikonal";
+inline constexpr const char* kMonodomainStage = "monodomain";
 
 }  // namespace voxtet

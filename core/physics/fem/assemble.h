@@ -29,6 +29,7 @@ Status add_stiffness(const TetMesh& mesh, std::span<const double> coefficient, S
 /// K_ij = integral of grad phi_i . (C grad phi_j), in mm times the unit of C: one symmetric tensor for each
 /// tetrahedron, of which the lower triangle is read.
 Result<SparseMatrix> assemble_stiffness(const TetMesh& mesh, std::span<const Eigen::Matrix3d> coefficient);
+Status add_stiffness(const TetMesh& mesh, std::span<const Eigen::Matrix3d> coefficient, SparseMatrix& matrix);
 
 /// M_ij = integral of phi_i phi_j, the consistent mass, in mm^3.
 Result<SparseMatrix> assemble_mass(const TetMesh& mesh);

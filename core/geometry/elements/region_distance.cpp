@@ -1,4 +1,4 @@
-#include "sizing/size_region.h"
+#include "geometry/elements/region_distance.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@
 
 namespace voxtet {
 
-RegionDistance::RegionDistance(const SizeRegion& region)
+RegionDistance::RegionDistance(const Region& region)
     : region_(region),
       to_box_(rotation_from_degrees(region.axes_deg).transpose()),
       middle_(region.centre_mm),

@@ -1,0 +1,57 @@
+#include "physics/monodomain/activation_log.h"
+
+#include <limits>
+
+namespace voxtet {
+namespace {
+
+constexpr float kNever = std::numeric_limits<float>::quiet_NaN();
+
+float crossing(double begin_ms, double step_ms, double before, double after, double level) {
+  return static_cast<float>(begin_ms + step_ms * (level - before) / (after - before));
+}
+
+}  // namespace
+
+void ActivationLog::record(double begin_ms, double step_ms, const Eigen::VectorXd& before,
+                           const Eigen::VectorXd& after) {
+  for (Eigen::Index i = 0; i < before.size(); ++i) {
+    const double from = before[i], to = after[i];
+    const auto point = static_cast<std::uint32_t>(i);
+    if (from < kActivated && to >= kActivated)
+      activations_.push_back({point, crossing(begin_ms, step_ms, from, to, kActivated)});
+    else if (from > kRepolarised && to <= kRepolarised)
+      repolarisations_.push_back({point, crossing(begin_ms, step_ms, from, to, kRepolarised)});
+  }
+}
+
+std::vector<float> ActivationLog::activation(std::size_t points, int k) const {
+  std::vector<float> times(points, kNever);
+  std::vector<int> seen(points, 0);
+  for (const Crossing& found : activations_)
+    if (seen[found.point]++ == k) times[found.point] = found.time_ms;
+  return times;
+}
+
+std::vector<float> ActivationLog::last_activation(std::size_t points) const {
+  std::vector<float> times(points, kNever);
+  for (const Crossing& found : activations_) times[found.point] = found.time_ms;
+  return times;
+}
+
+std::vector<float> ActivationLog::activation_counts(std::size_t points) const {
+  std::vector<float> counts(points, 0);
+  for (const Crossing& found : activations_) ++counts[found.point];
+  return counts;
+}
+
+std::vector<float> ActivationLog::repolarisation(std::size_t points, int k) const {
+  const std::vector<float> activated = activation(points, k);
+  std::vector<float> times(points, kNever);
+  for (const Crossing& found : repolarisations_)
+    if (found.time_ms > activated[found.point] && !(times[found.point] >= 0))
+      times[found.point] = found.time_ms;
+  return times;
+}
+
+}  // namespace voxtet

@@ -1,0 +1,297 @@
+#include "physics/monodomain/monodomain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "base/parallel.h"
+#include "geometry/elements/region_distance.h"
+#include "physics/fem/assemble.h"
+#include "physics/fem/largest_eigenvalue.h"
+#include "physics/monodomain/membrane_voltage.h"
+#include "types/stage_names.h"
+
+namespace voxtet {
+namespace {
+
+constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
+constexpr double kMostSteps = 1e7;
+/// Room for the rounding of a ratio of two times that should be a whole number.
+constexpr double kRounding = 1e-9;
+/// Iterations of the solver between two looks at the clock.
+constexpr int kShortPart = 4;
+/// Of the change by one diffusion step, whose own error is far larger.
+constexpr fem::PcgParams kSolver{.relative_tolerance = 1e-8, .max_iterations = 1000};
+
+Error field_error(const std::string& field, double found, const std::string& expected) {
+  std::ostringstream text;
+  text << "physics." << field << ": found " << found << ", expected " << expected;
+  return usage_error(kMonodomainStage, text.str());
+}
+
+std::optional<Error> check(const MonodomainParams& params) {
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+  if (!positive(params.end_ms))
+    return field_error("monodomain.end_ms", params.end_ms, "a finite number > 0 ms");
+  if (!positive(params.frame_ms))
+    return field_error("monodomain.frame_ms", params.frame_ms, "a finite number > 0 ms");
+  if (!(positive(params.step_ms) && params.step_ms <= 0.5))
+    return field_error("monodomain.step_ms", params.step_ms, "a number > 0 and at most 0.5 ms");
+  if (params.end_ms / params.step_ms > kMostSteps)
+    return field_error("monodomain.step_ms", params.step_ms, "at least a ten-millionth of end_ms");
+  if (!(params.consistent_mass >= 0 && params.consistent_mass <= 1))
+    return field_error("monodomain.consistent_mass", params.consistent_mass, "a number from 0 to 1");
+  return std::nullopt;
+}
+
+std::optional<Error> check(const Stimulus& stimulus, const std::string& name) {
+  if (!(std::isfinite(stimulus.start_ms) && stimulus.start_ms >= 0))
+    return field_error(name + ".start_ms", stimulus.start_ms, "a finite number of at least 0 ms");
+  if (!(stimulus.duration_ms > 0))
+    return field_error(name + ".duration_ms", stimulus.duration_ms, "more than 0 ms");
+  if (!(std::isfinite(stimulus.strength_per_ms) && stimulus.strength_per_ms > 0))
+    return field_error(name + ".strength_per_ms", stimulus.strength_per_ms, "a finite number > 0 1/ms");
+  if (stimulus.count < 1) return field_error(name + ".count", stimulus.count, "at least 1");
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Monodomain> Monodomain::start(std::shared_ptr<const TetMesh> mesh, const Tissue& tissue,
+                                     const std::vector<Stimulus>& stimuli, const MonodomainParams& params,
+                                     int threads) {
+  if (auto error = check(params)) return *std::move(error);
+  Result<ConductingMesh> conducting = conducting_mesh(*mesh, tissue);
+  if (!conducting) return conducting.error();
+  Monodomain out;
+  out.params_ = params;
+  out.threads_ = threads;
+  out.mesh_points_ = mesh->points.size();
+  out.tissue_ = std::move(conducting).value();
+  out.conducting_tets_ = out.tissue_.mesh.tets.size();
+  out.steps_ = std::max(1, static_cast<int>(std::ceil(params.end_ms / params.step_ms * (1 - kRounding))));
+  out.step_ms_ = params.end_ms / out.steps_;
+  for (const TissueKind& kind : tissue.kinds) out.cells_.emplace_back(kind.cell, out.step_ms_);
+  for (std::size_t s = 0; s < stimuli.size(); ++s)
+    if (Status added = out.add_current(stimuli[s], "stimuli[" + std::to_string(s) + "]"); !added)
+      return added.error();
+  const auto count = static_cast<Eigen::Index>(out.points().size());
+  out.v_ = Eigen::VectorXd::Zero(count);
+  out.w_ = Eigen::VectorXd::Ones(count);
+  out.next_ = out.change_ = out.v_;
+  for (const Electrode& electrode : params.electrodes)
+    out.electrode_weights_.push_back(electrogram_weights(out.tissue_, electrode.at_mm));
+  return out;
+}
+
+Status Monodomain::add_current(const Stimulus& stimulus, const std::string& name) {
+  if (auto error = check(stimulus, name)) return *std::move(error);
+  Current current{{}, start_times_ms(stimulus), stimulus.duration_ms, stimulus.strength_per_ms};
+  const RegionDistance distance(stimulus);
+  double nearest = HUGE_VAL;
+  for (std::size_t i = 0; i < tissue_.mesh.points.size(); ++i) {
+    const double away = distance.at(tissue_.mesh.points[i]);
+    nearest = std::min(nearest, away);
+    if (away == 0) current.points.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (current.points.empty()) {
+    std::ostringstream text;
+    text << "physics." << name << (stimulus.name.empty() ? "" : " (" + stimulus.name + ")")
+         << ": found no point of conducting tissue in its region, expected at least one; the nearest is "
+         << nearest << " mm away";
+    return usage_error(kMonodomainStage, text.str());
+  }
+  currents_.push_back(std::move(current));
+  flows_.push_back(false);
+  return std::monostate{};
+}
+
+Status Monodomain::stimulate(Stimulus stimulus) {
+  stimulus.start_ms += time_ms();
+  return add_current(stimulus, "stimulus");
+}
+
+bool Monodomain::frame_due() const {
+  if (step_ == 0 || done()) return true;
+  const auto frames_by = [&](int step) { return std::floor(step_ms_ * step / params_.frame_ms + kRounding); };
+  return frames_by(step_) > frames_by(step_ - 1);
+}
+
+/// Parts of about the same length.
+Status Monodomain::prepare() {
+  const TetMesh& mesh = tissue_.mesh;
+  switch (prepared_++) {
+    case 0: stiffness_ = fem::empty_matrix(mesh); return std::monostate{};
+    case 1: {
+      Result<Eigen::VectorXd> lumped = fem::assemble_lumped_mass(mesh);
+      if (!lumped) return lumped.error();
+      lumped_ = std::move(lumped).value();
+      system_ = stiffness_;
+      return params_.integration == Integration::kSemiImplicit ? fem::add_mass(mesh, system_)
+                                                               : Status(std::monostate{});
+    }
+    case 2:
+      return fem::add_stiffness(mesh, std::span<const Eigen::Matrix3d>(tissue_.diffusivity), stiffness_);
+    default: break;
+  }
+  double* const system = system_.valuePtr();
+  double* const stiffness = stiffness_.valuePtr();
+  if (params_.integration == Integration::kSemiImplicit) {
+    const double consistent = params_.consistent_mass;
+    for (Eigen::Index at = 0; at < system_.nonZeros(); ++at)
+      system[at] = consistent * system[at] + step_ms_ * stiffness[at];
+    for (Eigen::Index i = 0; i < lumped_.size(); ++i) system_.coeffRef(i, i) += (1 - consistent) * lumped_[i];
+  } else {
+    most_step_ms_ = 2 / fem::largest_eigenvalue_bound(stiffness_, lumped_);
+    if (step_ms_ > most_step_ms_)
+      return field_error("monodomain.step_ms", step_ms_,
+                         "at most " + std::to_string(most_step_ms_) +
+                             " ms, above which integration explicit is not stable on this mesh");
+    for (Eigen::Index i = 0; i < lumped_.size(); ++i)
+      for (int at = stiffness_.outerIndexPtr()[i]; at < stiffness_.outerIndexPtr()[i + 1]; ++at)
+        stiffness[at] *= step_ms_ / lumped_[i];
+    system_ = {};
+  }
+  tissue_.mesh.tets = {};
+  tissue_.diffusivity = {};
+  return std::monostate{};
+}
+
+/// The currents that flow during the step under way, by its middle.
+void Monodomain::set_currents() {
+  const double now = time_ms() + step_ms_ / 2;
+  bool changed = false;
+  for (std::size_t c = 0; c < currents_.size(); ++c) {
+    const auto& starts = currents_[c].starts_ms;
+    const bool flows = std::any_of(starts.begin(), starts.end(), [&](double start) {
+      return now >= start && now < start + currents_[c].duration_ms;
+    });
+    changed = changed || flows != flows_[c];
+    flows_[c] = flows;
+  }
+  if (!changed) return;
+  current_.clear();
+  for (std::size_t c = 0; c < currents_.size(); ++c) {
+    if (!flows_[c]) continue;
+    current_.resize(points().size(), 0);
+    for (const std::uint32_t point : currents_[c].points) current_[point] += currents_[c].strength_per_ms;
+  }
+}
+
+/// From v_ to next_, and w_ in its place.
+void Monodomain::react() {
+  set_currents();
+  const std::uint16_t* const kind = tissue_.kind.data();
+  const CellStep* const cells = cells_.data();
+  const double* const j = current_.empty() ? nullptr : current_.data();
+  const double* const v = v_.data();
+  double* const next = next_.data();
+  double* const w = w_.data();
+  parallel_for(threads_, points().size(), [=](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      double value = v[i];
+      cells[kind[i]].react(value, w[i], j ? j[i] : 0);
+      next[i] = value;
+    }
+  });
+}
+
+void Monodomain::diffuse_explicitly() {
+  const int* const row = stiffness_.outerIndexPtr();
+  const int* const column = stiffness_.innerIndexPtr();
+  const double* const value = stiffness_.valuePtr();
+  const double* const before = next_.data();
+  double* const after = change_.data();
+  parallel_for(threads_, points().size(), [=](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      double sum = 0;
+      for (int at = row[i]; at < row[i + 1]; ++at) sum += value[at] * before[column[at]];
+      after[i] = before[i] - sum;
+    }
+  });
+  next_.swap(change_);
+}
+
+/// (M + step K) (v_new - v) = - step K v.
+Result<bool> Monodomain::diffuse_implicitly() {
+  if (!solve_) {
+    Eigen::VectorXd load;
+    fem::multiply(stiffness_, next_, load);
+    for (double& entry : load) entry *= -step_ms_;
+    auto started = fem::PcgSolve::start(system_, load, std::move(change_), kSolver);
+    if (!started) return started.error();
+    solve_ = *std::move(started);
+  }
+  Result<bool> solved = solve_->iterate(system_, kShortPart);
+  if (!solved || !*solved) return solved;
+  change_ = solve_->x();
+  for (Eigen::Index i = 0; i < change_.size(); ++i) next_[i] += change_[i];
+  solve_.reset();
+  return true;
+}
+
+void Monodomain::complete_step() {
+  log_.record(time_ms(), step_ms_, v_, next_);
+  v_.swap(next_);
+  ++step_;
+  reacted_ = false;
+}
+
+Result<bool> Monodomain::advance() {
+  if (prepared_ < 4) {
+    if (Status prepared = prepare(); !prepared) return prepared.error();
+    return false;
+  }
+  if (!reacted_) react();
+  reacted_ = true;
+  if (params_.integration == Integration::kExplicit) {
+    diffuse_explicitly();
+  } else {
+    const Result<bool> diffused = diffuse_implicitly();
+    if (!diffused || !*diffused) return diffused;
+  }
+  complete_step();
+  return true;
+}
+
+std::vector<float> Monodomain::on_mesh(const std::vector<float>& of_points, float elsewhere) const {
+  std::vector<float> values(mesh_points_, elsewhere);
+  for (std::size_t i = 0; i < of_points.size(); ++i) values[points()[i]] = of_points[i];
+  return values;
+}
+
+Field Monodomain::voltage() const {
+  std::vector<float> values(points().size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = static_cast<float>(membrane_mV(v_[static_cast<Eigen::Index>(i)]));
+  return {
+      "voltage_mV", "Membrane voltage", "mV", On::kPoints, Scale::kSequential, 1, on_mesh(values, kNoValue)};
+}
+
+std::vector<Field> Monodomain::activation_fields() const {
+  const std::size_t count = points().size();
+  const std::vector<float> activated = log_.activation(count, 0), repolarised = log_.repolarisation(count, 0);
+  std::vector<float> duration(count);
+  for (std::size_t i = 0; i < count; ++i) duration[i] = repolarised[i] - activated[i];
+  const auto field = [&](const char* name, const char* title, const char* unit, Scale scale,
+                         const std::vector<float>& values) {
+    return Field{name, title, unit, On::kPoints, scale, 1, on_mesh(values, kNoValue)};
+  };
+  return {
+      field("activation_ms", "Activation time", "ms", Scale::kSequential, activated),
+      field("repolarisation_ms", "Repolarisation time", "ms", Scale::kSequential, repolarised),
+      field("apd_ms", "Action potential duration", "ms", Scale::kSequential, duration),
+      field("last_activation_ms", "Last activation", "ms", Scale::kSequential, log_.last_activation(count)),
+      field("activations", "Number of activations", "1", Scale::kWhole, log_.activation_counts(count))};
+}
+
+std::vector<double> Monodomain::potentials_mV() const {
+  std::vector<double> potentials;
+  for (const Eigen::VectorXd& weights : electrode_weights_) potentials.push_back(fem::dot(weights, v_));
+  return potentials;
+}
+
+}  // namespace voxtet

@@ -1,0 +1,33 @@
+// Where and when tissue is excited from outside.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "types/region.h"
+
+namespace voxtet {
+
+/// A current into the tissue of a region. It is given `count` times, `interval_ms` from start to start (S1),
+/// and then once after each interval of `extra_ms` (S2, S3, ...).
+struct Stimulus : Region {
+  std::string name;
+  double start_ms = 0;
+  double duration_ms = 2;
+  double strength_per_ms = 0.5;  ///< of the whole range of the membrane's voltage, each ms
+  int count = 1;
+  double interval_ms = 600;
+  std::vector<double> extra_ms;
+};
+
+/// The times at which it starts, ascending, ms.
+inline std::vector<double> start_times_ms(const Stimulus& stimulus) {
+  std::vector<double> times;
+  for (int beat = 0; beat < stimulus.count; ++beat)
+    times.push_back(stimulus.start_ms + beat * stimulus.interval_ms);
+  for (const double interval : stimulus.extra_ms)
+    times.push_back(times.empty() ? stimulus.start_ms : times.back() + interval);
+  return times;
+}
+
+}  // namespace voxtet
