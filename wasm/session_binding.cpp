@@ -17,8 +17,8 @@
 #include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
+#include "pipeline/results/stage_arrays.h"
 #include "pipeline/session.h"
-#include "pipeline/stages/stage_arrays.h"
 #include "pipeline/version/engine_version.h"
 
 namespace voxtet {

@@ -6,7 +6,7 @@
 
 #include "base/digest.h"
 #include "geometry/topology/compare_topology.h"
-#include "pipeline/stages/value_json.h"
+#include "pipeline/results/value_json.h"
 #include "pipeline/version/engine_version.h"
 
 namespace voxtet {

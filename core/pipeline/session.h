@@ -9,9 +9,9 @@
 
 #include "io/volume/read_volume.h"
 #include "pipeline/result_store.h"
+#include "pipeline/results/stage_results.h"
 #include "pipeline/stages/loaded_files.h"
 #include "pipeline/stages/stage.h"
-#include "pipeline/stages/stage_results.h"
 #include "recipe/recipe.h"
 #include "types/result.h"
 #include "types/run_context.h"

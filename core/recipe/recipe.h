@@ -10,6 +10,8 @@
 
 #include "phantom/make_phantom.h"
 #include "physics/diffusion/diffusion.h"
+#include "physics/monodomain/monodomain.h"
+#include "physics/tissue/make_tissue.h"
 #include "quality/measure_quality.h"
 #include "remesh/remesh_params.h"
 #include "sizing/build_sizing_field.h"
@@ -19,6 +21,7 @@
 #include "tetra/optimise/optimise_tets.h"
 #include "transfer/transfer_labels.h"
 #include "types/result.h"
+#include "types/stimulus.h"
 #include "volume/prepare_volume.h"
 
 namespace voxtet {
@@ -45,6 +48,9 @@ struct Limits {
 
 /// What is simulated on the mesh.
 struct PhysicsParams {
+  TissueParams tissue;
+  std::vector<Stimulus> stimuli;
+  std::optional<MonodomainParams> monodomain;
   std::optional<DiffusionParams> diffusion;
 };
 

@@ -51,6 +51,12 @@ struct Snapshot {
   std::vector<Field> fields;
 };
 
+/// One value at each of some times, such as the voltage at an electrode.
+struct Trace {
+  std::string name, title, unit;
+  std::vector<float> values;
+};
+
 /// The field with this name; null if there is none.
 inline const Field* find_field(const std::vector<Field>& fields, std::string_view name) {
   const auto found =

@@ -9,7 +9,7 @@
 namespace voxtet {
 
 /// A current into the tissue of a region. It is given `count` times, `interval_ms` from start to start (S1),
-/// and then once after each interval of `extra_ms` (S2, S3, ...).
+/// then once `s2_ms` after the last of these, and once `s3_ms` after that.
 struct Stimulus : Region {
   std::string name;
   double start_ms = 0;
@@ -17,7 +17,7 @@ struct Stimulus : Region {
   double strength_per_ms = 0.5;  ///< of the whole range of the membrane's voltage, each ms
   int count = 1;
   double interval_ms = 600;
-  std::vector<double> extra_ms;
+  double s2_ms = 0, s3_ms = 0;  ///< 0: none
 };
 
 /// The times at which it starts, ascending, ms.
@@ -25,8 +25,8 @@ inline std::vector<double> start_times_ms(const Stimulus& stimulus) {
   std::vector<double> times;
   for (int beat = 0; beat < stimulus.count; ++beat)
     times.push_back(stimulus.start_ms + beat * stimulus.interval_ms);
-  for (const double interval : stimulus.extra_ms)
-    times.push_back(times.empty() ? stimulus.start_ms : times.back() + interval);
+  for (const double interval : {stimulus.s2_ms, stimulus.s3_ms})
+    if (interval > 0) times.push_back(times.back() + interval);
   return times;
 }
 

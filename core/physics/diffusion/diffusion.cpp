@@ -16,11 +16,9 @@
 namespace voxtet {
 namespace {
 
-constexpr double kMostSteps = 1e6;
-/// Room for the rounding of a ratio of two times that should be a whole number.
-constexpr double kRounding = 1e-9;
+constexpr double kMostDiffusionSteps = 1e6;
 /// Points that an iteration goes through in some milliseconds.
-constexpr std::size_t kShortPart = 150'000;
+constexpr std::size_t kShortDiffusion = 150'000;
 
 Error field_error(const std::string& field, const std::string& found, const std::string& expected) {
   return usage_error(kDiffusionStage,
@@ -44,7 +42,7 @@ std::optional<Error> check(const TetMesh& mesh, const DiffusionParams& params) {
   if (auto error = check_positive("end_ms", params.end_ms, "ms")) return error;
   if (auto error = check_positive("step_ms", params.step_ms, "ms")) return error;
   if (auto error = check_positive("frame_ms", params.frame_ms, "ms")) return error;
-  if (params.end_ms / params.step_ms > kMostSteps)
+  if (params.end_ms / params.step_ms > kMostDiffusionSteps)
     return field_error("step_ms", as_text(params.step_ms) + " ms",
                        "at least a millionth of end_ms, " + as_text(params.end_ms) + " ms");
   const std::set<Label> held(mesh.labels.begin(), mesh.labels.end());
@@ -67,11 +65,8 @@ std::vector<bool> points_of(const TetMesh& mesh, Label label) {
 Result<Diffusion> Diffusion::start(std::shared_ptr<const TetMesh> mesh, const DiffusionParams& params) {
   if (auto error = check(*mesh, params)) return *std::move(error);
   Diffusion diffusion;
-  diffusion.steps_ =
-      std::max(1, static_cast<int>(std::ceil(params.end_ms / params.step_ms * (1 - kRounding))));
-  diffusion.step_ms_ = params.end_ms / diffusion.steps_;
-  diffusion.frame_ms_ = params.frame_ms;
-  diffusion.step_diffusivity_ = diffusion.step_ms_ * params.diffusivity_mm2_per_ms;
+  diffusion.steps_ = fem::TimeSteps(params.end_ms, params.step_ms, params.frame_ms);
+  diffusion.step_diffusivity_ = diffusion.steps_.step_ms() * params.diffusivity_mm2_per_ms;
 
   diffusion.held_ = points_of(*mesh, params.from);
   const auto count = static_cast<Eigen::Index>(mesh->points.size());
@@ -81,12 +76,6 @@ Result<Diffusion> Diffusion::start(std::shared_ptr<const TetMesh> mesh, const Di
     if (diffusion.held_[static_cast<std::size_t>(i)]) diffusion.temperature_[i] = 1;
   diffusion.mesh_ = std::move(mesh);
   return diffusion;
-}
-
-bool Diffusion::frame_due() const {
-  if (step_ == 0 || done()) return true;
-  const auto frames_by = [&](int step) { return std::floor(step_ms_ * step / frame_ms_ + kRounding); };
-  return frames_by(step_) > frames_by(step_ - 1);
 }
 
 /// One of three parts of about the same length: the matrices' pattern, the mass, the stiffness.
@@ -131,14 +120,14 @@ Result<bool> Diffusion::advance(int iterations) {
   if (solved) {
     change_ = solve_->x();
     for (Eigen::Index i = 0; i < change_.size(); ++i) temperature_[i] += change_[i];
-    ++step_;
+    steps_.next();
   }
   solve_.reset();
   return solved;
 }
 
 int Diffusion::short_part() const {
-  return static_cast<int>(std::max<std::size_t>(1, kShortPart / held_.size()));
+  return static_cast<int>(std::max<std::size_t>(1, kShortDiffusion / held_.size()));
 }
 
 Field Diffusion::temperature() const {

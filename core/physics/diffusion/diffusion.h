@@ -8,6 +8,7 @@
 
 #include "physics/fem/fixed_order.h"
 #include "physics/fem/solve_pcg.h"
+#include "physics/fem/time_steps.h"
 #include "types/field.h"
 #include "types/result.h"
 #include "types/tet_mesh.h"
@@ -35,12 +36,11 @@ class Diffusion {
   /// made.
   static Result<Diffusion> start(std::shared_ptr<const TetMesh> mesh, const DiffusionParams& params);
 
-  bool done() const { return step_ == steps_; }
-  double fraction() const { return static_cast<double>(step_) / steps_; }  ///< 0 to 1
-  double time_ms() const { return step_ms_ * step_; }
-  /// Whether temperature() is a frame to show: at 0, at the first step that reaches each multiple of
-  /// `frame_ms`, and at the end.
-  bool frame_due() const;
+  bool done() const { return steps_.done(); }
+  double fraction() const { return steps_.fraction(); }  ///< 0 to 1
+  double time_ms() const { return steps_.time_ms(); }
+  /// Whether temperature() is a frame to show.
+  bool frame_due() const { return steps_.frame_due(); }
 
   /// Works on the next step with at most so many iterations of its solver, in the first calls on its
   /// matrices; true when the step is complete, and with it time_ms() and temperature() are the new ones.
@@ -61,8 +61,7 @@ class Diffusion {
 
   std::shared_ptr<const TetMesh> mesh_;  ///< null when the matrices are made
   double step_diffusivity_ = 0;          ///< step times D, mm^2
-  int step_ = 0, steps_ = 0;
-  double step_ms_ = 0, frame_ms_ = 0;
+  fem::TimeSteps steps_;
   std::vector<bool> held_;                ///< by point
   fem::SparseMatrix step_stiffness_;      ///< step times D times stiffness, mm^3
   fem::SparseMatrix system_;              ///< mass + step_stiffness_ with points held, mm^3

@@ -19,12 +19,6 @@ std::string fault(const char* field, double found, const std::string& expected) 
   return text.str();
 }
 
-std::string as_text(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 }  // namespace
 
 std::optional<std::string> fault_of(const CellParams& cell) {
@@ -37,8 +31,7 @@ std::optional<std::string> fault_of(const CellParams& cell) {
   if (!(cell.gate > 0 && cell.gate < 0.5)) return fault("gate", cell.gate, "a number between 0 and 0.5");
   if (!cell.modified && !(4 * cell.tau_in_ms < cell.tau_out_ms))
     return fault("tau_in_ms", cell.tau_in_ms,
-                 "less than a quarter of tau_out_ms, " + as_text(cell.tau_out_ms) +
-                     " ms: else nothing excites the cell");
+                 "less than a quarter of tau_out_ms: else nothing excites the cell");
   return std::nullopt;
 }
 

@@ -17,12 +17,10 @@
 namespace voxtet {
 namespace {
 
-constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
-constexpr double kMostSteps = 1e7;
-/// Room for the rounding of a ratio of two times that should be a whole number.
-constexpr double kRounding = 1e-9;
+constexpr float kNotConducting = std::numeric_limits<float>::quiet_NaN();
+constexpr double kMostMonodomainSteps = 1e7;
 /// Iterations of the solver between two looks at the clock.
-constexpr int kShortPart = 4;
+constexpr int kIterationsAtOnce = 4;
 /// Of the change by one diffusion step, whose own error is far larger.
 constexpr fem::PcgParams kSolver{.relative_tolerance = 1e-8, .max_iterations = 1000};
 
@@ -40,7 +38,7 @@ std::optional<Error> check(const MonodomainParams& params) {
     return field_error("monodomain.frame_ms", params.frame_ms, "a finite number > 0 ms");
   if (!(positive(params.step_ms) && params.step_ms <= 0.5))
     return field_error("monodomain.step_ms", params.step_ms, "a number > 0 and at most 0.5 ms");
-  if (params.end_ms / params.step_ms > kMostSteps)
+  if (params.end_ms / params.step_ms > kMostMonodomainSteps)
     return field_error("monodomain.step_ms", params.step_ms, "at least a ten-millionth of end_ms");
   if (!(params.consistent_mass >= 0 && params.consistent_mass <= 1))
     return field_error("monodomain.consistent_mass", params.consistent_mass, "a number from 0 to 1");
@@ -72,9 +70,8 @@ Result<Monodomain> Monodomain::start(std::shared_ptr<const TetMesh> mesh, const 
   out.mesh_points_ = mesh->points.size();
   out.tissue_ = std::move(conducting).value();
   out.conducting_tets_ = out.tissue_.mesh.tets.size();
-  out.steps_ = std::max(1, static_cast<int>(std::ceil(params.end_ms / params.step_ms * (1 - kRounding))));
-  out.step_ms_ = params.end_ms / out.steps_;
-  for (const TissueKind& kind : tissue.kinds) out.cells_.emplace_back(kind.cell, out.step_ms_);
+  out.steps_ = fem::TimeSteps(params.end_ms, params.step_ms, params.frame_ms);
+  for (const TissueKind& kind : tissue.kinds) out.cells_.emplace_back(kind.cell, out.step_ms());
   for (std::size_t s = 0; s < stimuli.size(); ++s)
     if (Status added = out.add_current(stimuli[s], "stimuli[" + std::to_string(s) + "]"); !added)
       return added.error();
@@ -114,12 +111,6 @@ Status Monodomain::stimulate(Stimulus stimulus) {
   return add_current(stimulus, "stimulus");
 }
 
-bool Monodomain::frame_due() const {
-  if (step_ == 0 || done()) return true;
-  const auto frames_by = [&](int step) { return std::floor(step_ms_ * step / params_.frame_ms + kRounding); };
-  return frames_by(step_) > frames_by(step_ - 1);
-}
-
 /// Parts of about the same length.
 Status Monodomain::prepare() {
   const TetMesh& mesh = tissue_.mesh;
@@ -142,17 +133,17 @@ Status Monodomain::prepare() {
   if (params_.integration == Integration::kSemiImplicit) {
     const double consistent = params_.consistent_mass;
     for (Eigen::Index at = 0; at < system_.nonZeros(); ++at)
-      system[at] = consistent * system[at] + step_ms_ * stiffness[at];
+      system[at] = consistent * system[at] + step_ms() * stiffness[at];
     for (Eigen::Index i = 0; i < lumped_.size(); ++i) system_.coeffRef(i, i) += (1 - consistent) * lumped_[i];
   } else {
     most_step_ms_ = 2 / fem::largest_eigenvalue_bound(stiffness_, lumped_);
-    if (step_ms_ > most_step_ms_)
-      return field_error("monodomain.step_ms", step_ms_,
+    if (step_ms() > most_step_ms_)
+      return field_error("monodomain.step_ms", step_ms(),
                          "at most " + std::to_string(most_step_ms_) +
                              " ms, above which integration explicit is not stable on this mesh");
     for (Eigen::Index i = 0; i < lumped_.size(); ++i)
       for (int at = stiffness_.outerIndexPtr()[i]; at < stiffness_.outerIndexPtr()[i + 1]; ++at)
-        stiffness[at] *= step_ms_ / lumped_[i];
+        stiffness[at] *= step_ms() / lumped_[i];
     system_ = {};
   }
   tissue_.mesh.tets = {};
@@ -162,7 +153,7 @@ Status Monodomain::prepare() {
 
 /// The currents that flow during the step under way, by its middle.
 void Monodomain::set_currents() {
-  const double now = time_ms() + step_ms_ / 2;
+  const double now = time_ms() + step_ms() / 2;
   bool changed = false;
   for (std::size_t c = 0; c < currents_.size(); ++c) {
     const auto& starts = currents_[c].starts_ms;
@@ -220,12 +211,12 @@ Result<bool> Monodomain::diffuse_implicitly() {
   if (!solve_) {
     Eigen::VectorXd load;
     fem::multiply(stiffness_, next_, load);
-    for (double& entry : load) entry *= -step_ms_;
+    for (double& entry : load) entry *= -step_ms();
     auto started = fem::PcgSolve::start(system_, load, std::move(change_), kSolver);
     if (!started) return started.error();
     solve_ = *std::move(started);
   }
-  Result<bool> solved = solve_->iterate(system_, kShortPart);
+  Result<bool> solved = solve_->iterate(system_, kIterationsAtOnce);
   if (!solved || !*solved) return solved;
   change_ = solve_->x();
   for (Eigen::Index i = 0; i < change_.size(); ++i) next_[i] += change_[i];
@@ -234,9 +225,9 @@ Result<bool> Monodomain::diffuse_implicitly() {
 }
 
 void Monodomain::complete_step() {
-  log_.record(time_ms(), step_ms_, v_, next_);
+  log_.record(time_ms(), step_ms(), v_, next_);
   v_.swap(next_);
-  ++step_;
+  steps_.next();
   reacted_ = false;
 }
 
@@ -267,8 +258,13 @@ Field Monodomain::voltage() const {
   std::vector<float> values(points().size());
   for (std::size_t i = 0; i < values.size(); ++i)
     values[i] = static_cast<float>(membrane_mV(v_[static_cast<Eigen::Index>(i)]));
-  return {
-      "voltage_mV", "Membrane voltage", "mV", On::kPoints, Scale::kSequential, 1, on_mesh(values, kNoValue)};
+  return {"voltage_mV",
+          "Membrane voltage",
+          "mV",
+          On::kPoints,
+          Scale::kSequential,
+          1,
+          on_mesh(values, kNotConducting)};
 }
 
 std::vector<Field> Monodomain::activation_fields() const {
@@ -278,7 +274,7 @@ std::vector<Field> Monodomain::activation_fields() const {
   for (std::size_t i = 0; i < count; ++i) duration[i] = repolarised[i] - activated[i];
   const auto field = [&](const char* name, const char* title, const char* unit, Scale scale,
                          const std::vector<float>& values) {
-    return Field{name, title, unit, On::kPoints, scale, 1, on_mesh(values, kNoValue)};
+    return Field{name, title, unit, On::kPoints, scale, 1, on_mesh(values, kNotConducting)};
   };
   return {
       field("activation_ms", "Activation time", "ms", Scale::kSequential, activated),

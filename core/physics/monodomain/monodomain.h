@@ -8,6 +8,7 @@
 
 #include "physics/fem/fixed_order.h"
 #include "physics/fem/solve_pcg.h"
+#include "physics/fem/time_steps.h"
 #include "physics/monodomain/activation_log.h"
 #include "physics/monodomain/cell.h"
 #include "physics/monodomain/conducting_mesh.h"
@@ -48,13 +49,12 @@ class Monodomain {
                                   const std::vector<Stimulus>& stimuli, const MonodomainParams& params,
                                   int threads = 1);
 
-  bool done() const { return step_ == steps_; }
-  double fraction() const { return static_cast<double>(step_) / steps_; }
-  double time_ms() const { return step_ms_ * step_; }
-  double step_ms() const { return step_ms_; }
-  /// Whether now is a frame to show: at 0, at the first step that reaches each multiple of `frame_ms`, at the
-  /// end.
-  bool frame_due() const;
+  bool done() const { return steps_.done(); }
+  double fraction() const { return steps_.fraction(); }
+  double time_ms() const { return steps_.time_ms(); }
+  double step_ms() const { return steps_.step_ms(); }
+  /// Whether now is a frame to show.
+  bool frame_due() const { return steps_.frame_due(); }
 
   /// A short part of the work: a step, or some iterations of its solver, in the first calls on its matrices.
   /// True when a step is complete. However it is cut, its bytes are the same. May only be called when not
@@ -108,8 +108,8 @@ class Monodomain {
   std::vector<bool> flows_;      ///< of each of currents_, now
 
   int prepared_ = 0;  ///< parts of prepare() that are done
-  int step_ = 0, steps_ = 0;
-  double step_ms_ = 0, most_step_ms_ = 0;
+  fem::TimeSteps steps_;
+  double most_step_ms_ = 0;
   fem::SparseMatrix stiffness_;   ///< K, mm^3/ms; explicit: step M_L^-1 K
   fem::SparseMatrix system_;      ///< semi-implicit: M + step K, mm^3
   Eigen::VectorXd lumped_;        ///< M_L, mm^3

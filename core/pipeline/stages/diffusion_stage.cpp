@@ -2,7 +2,7 @@
 
 #include "base/digest.h"
 #include "physics/diffusion/diffusion.h"
-#include "pipeline/stages/stage_results.h"
+#include "pipeline/results/stage_results.h"
 #include "types/stage_names.h"
 
 namespace voxtet {
@@ -21,7 +21,7 @@ class DiffusionTask : public StageTask {
   }
   double fraction() const override { return diffusion_.fraction(); }
   void finish(StageOutput& out) override {
-    result_.frames_digest = frames_.hex();
+    result_.digest = frames_.hex();
     out.put(std::move(result_));
   }
 

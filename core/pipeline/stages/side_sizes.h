@@ -1,8 +1,8 @@
 // The sizing field, made with the files that the recipe names for it.
 #pragma once
 
+#include "pipeline/results/stage_results.h"
 #include "pipeline/stages/loaded_files.h"
-#include "pipeline/stages/stage_results.h"
 #include "sizing/build_sizing_field.h"
 #include "types/sizing_field.h"
 

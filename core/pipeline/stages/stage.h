@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "pipeline/results/stage_arrays.h"
 #include "pipeline/stages/loaded_files.h"
-#include "pipeline/stages/stage_arrays.h"
 #include "recipe/recipe.h"
 #include "types/result.h"
 #include "types/run_context.h"
@@ -31,9 +31,11 @@ enum class Stage {
   kOptimise,
   kTransfer,
   kQuality,
+  kTissue,
+  kMonodomain,
   kDiffusion
 };
-inline constexpr int kStageCount = 12;
+inline constexpr int kStageCount = 14;
 
 /// For each stage, the digest of everything that it depends on.
 using StageKeys = std::array<std::string, kStageCount>;

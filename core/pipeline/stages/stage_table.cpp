@@ -5,12 +5,14 @@
 
 #include "base/digest.h"
 #include "phantom/make_phantom.h"
-#include "pipeline/stages/describe_results.h"
+#include "physics/tissue/make_tissue.h"
+#include "pipeline/results/describe_results.h"
+#include "pipeline/results/stage_results.h"
 #include "pipeline/stages/diffusion_stage.h"
 #include "pipeline/stages/layer_warnings.h"
+#include "pipeline/stages/monodomain_stage.h"
 #include "pipeline/stages/side_sizes.h"
 #include "pipeline/stages/stage.h"
-#include "pipeline/stages/stage_results.h"
 #include "pipeline/stages/wall_values.h"
 #include "quality/measure_quality.h"
 #include "remesh/remesh_surface.h"
@@ -257,6 +259,12 @@ Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out
   return put(std::move(report), out);
 }
 
+Status run_tissue(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext&) {
+  return put(make_tissue(in.get<TetMesh>(Stage::kOptimise), in.get<LabelTransfer>(Stage::kTransfer),
+                         recipe.physics ? recipe.physics->tissue : TissueParams{}),
+             out);
+}
+
 template <class T>
 const T& value_of(const std::any& value) {
   return *std::any_cast<const std::shared_ptr<const T>&>(value);
@@ -382,6 +390,24 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .run = run_quality,
        .counts = counts<QualityReport>,
        .arrays = arrays<QualityReport>},
+      {.stage = Stage::kTissue,
+       .name = kTissueStage,
+       .title = "Tissue",
+       .shown = false,
+       .inputs = {Stage::kOptimise, Stage::kTransfer},
+       .reads = {"physics.tissue"},
+       .run = run_tissue,
+       .counts = counts<Tissue>},
+      {.stage = Stage::kMonodomain,
+       .name = kMonodomainStage,
+       .title = "Excitation wave",
+       .shown = false,
+       .inputs = {Stage::kOptimise, Stage::kTissue},
+       .reads = {"physics.stimuli", "physics.monodomain"},
+       .start = start_monodomain,
+       .counts = counts<Trajectory>,
+       .arrays = arrays<Trajectory>,
+       .digest = digest<Trajectory>},
       {.stage = Stage::kDiffusion,
        .name = kDiffusionStage,
        .title = "Heat diffusion",

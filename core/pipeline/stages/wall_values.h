@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "pipeline/stages/stage_results.h"
+#include "pipeline/results/stage_results.h"
 #include "types/label_volume.h"
 
 namespace voxtet {

@@ -76,7 +76,7 @@ TEST(Cell, GateClosesAndOpensExactlyForAConstantRate) {
 TEST(Cell, ParametersOutOfRangeAreNamed) {
   EXPECT_EQ(fault_of({}), std::nullopt);
   EXPECT_NE(fault_of({.tau_close_ms = 0})->find("tau_close_ms: found 0"), std::string::npos);
-  EXPECT_NE(fault_of({.tau_in_ms = 2})->find("a quarter of tau_out_ms, 6 ms"), std::string::npos);
+  EXPECT_NE(fault_of({.tau_in_ms = 2})->find("a quarter of tau_out_ms"), std::string::npos);
   EXPECT_NE(fault_of({.gate = 0.5})->find("gate"), std::string::npos);
   EXPECT_NE(fault_of({.tau_out_ms = NAN})->find("nan"), std::string::npos);
 }

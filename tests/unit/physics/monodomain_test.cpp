@@ -162,7 +162,7 @@ TEST(Monodomain, PacesAsOftenAsItIsTold) {
   stimulus.start_ms = 10;
   stimulus.count = 2;
   stimulus.interval_ms = 500;
-  stimulus.extra_ms = {400};
+  stimulus.s2_ms = 400;
   EXPECT_EQ(start_times_ms(stimulus), (std::vector<double>{10, 510, 910}));
   Monodomain heart = started(mesh, all_of(mesh), {stimulus}, {.end_ms = 1000, .step_ms = 0.1});
   ASSERT_TRUE(run(heart).ok());

@@ -1,4 +1,4 @@
-#include "pipeline/stages/value_json.h"
+#include "pipeline/results/value_json.h"
 
 #include <cstdio>
 

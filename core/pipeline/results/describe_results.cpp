@@ -1,8 +1,8 @@
-#include "pipeline/stages/describe_results.h"
+#include "pipeline/results/describe_results.h"
 
 #include <algorithm>
 
-#include "pipeline/stages/value_json.h"
+#include "pipeline/results/value_json.h"
 
 namespace voxtet {
 
@@ -48,6 +48,12 @@ json counts_of(const QualityReport&) {
   return json::object();
 }
 
+json counts_of(const Tissue& tissue) {
+  const auto conducts = [](std::uint16_t kind) { return kind != Tissue::kNone; };
+  return {{"kinds", tissue.kinds.size()},
+          {"conducting_tets", std::count_if(tissue.kind.begin(), tissue.kind.end(), conducts)}};
+}
+
 json counts_of(const Trajectory& result) {
   return {{"frames", result.times_ms.size()}, {"end_ms", result.times_ms.back()}};
 }
@@ -75,6 +81,7 @@ void add_arrays(const QualityReport& report, StageArrays& out) {
 
 void add_arrays(const Trajectory& result, StageArrays& out) {
   add_arrays(result.last.fields, out);
+  add_arrays(result.fields, out);
 }
 
 std::string digest_of(const VolumeResult& result) {
@@ -82,7 +89,7 @@ std::string digest_of(const VolumeResult& result) {
 }
 
 std::string digest_of(const Trajectory& result) {
-  return result.frames_digest;
+  return result.digest;
 }
 
 }  // namespace voxtet

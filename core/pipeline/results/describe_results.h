@@ -5,8 +5,8 @@
 #include <string>
 
 #include "base/digest.h"
-#include "pipeline/stages/stage_arrays.h"
-#include "pipeline/stages/stage_results.h"
+#include "pipeline/results/stage_arrays.h"
+#include "pipeline/results/stage_results.h"
 
 namespace voxtet {
 
@@ -19,6 +19,7 @@ nlohmann::json counts_of(const SizingField& field);     ///< {size, index_to_mm,
 nlohmann::json counts_of(const LayersResult& result);   ///< {walls}: those with exact layers
 nlohmann::json counts_of(const LabelTransfer& found);   ///< {labels}
 nlohmann::json counts_of(const QualityReport& report);  ///< {}: the report has it all elsewhere
+nlohmann::json counts_of(const Tissue& tissue);         ///< {kinds, conducting_tets}
 nlohmann::json counts_of(const Trajectory& result);     ///< {frames, end_ms}
 
 /// The arrays that a viewer may ask for, besides those of stage_arrays.h.
@@ -27,10 +28,11 @@ void add_arrays(const WallsResult& result, StageArrays& out);
 void add_arrays(const SizingField& field, StageArrays& out);
 void add_arrays(const LabelTransfer& found, StageArrays& out);
 void add_arrays(const QualityReport& report, StageArrays& out);
-void add_arrays(const Trajectory& result, StageArrays& out);  ///< of the last frame
+void add_arrays(const Trajectory& result,
+                StageArrays& out);  ///< of the last frame, and what is known at the end
 
 std::string digest_of(const VolumeResult& result);  ///< of the prepared volume
-std::string digest_of(const Trajectory& result);    ///< of all frames
+std::string digest_of(const Trajectory& result);    ///< of all frames, fields and traces
 
 // Of a mesh with layers, others see only the mesh without them.
 template <class Mesh>

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "pipeline/stages/stage_results.h"
+#include "pipeline/results/stage_results.h"
 
 namespace voxtet {
 namespace {
@@ -64,8 +64,15 @@ std::size_t memory_bytes(const QualityReport& report) {
   return bytes_of(report.fields);
 }
 
+std::size_t memory_bytes(const Tissue& tissue) {
+  return bytes_of(tissue.kind) + bytes_of(tissue.share) + bytes_of(tissue.fibre);
+}
+
 std::size_t memory_bytes(const Trajectory& result) {
-  return bytes_of(result.times_ms) + bytes_of(result.last.fields);
+  std::size_t bytes = bytes_of(result.times_ms) + bytes_of(result.last.fields) + bytes_of(result.fields) +
+                      bytes_of(result.trace_times_ms);
+  for (const Trace& trace : result.traces) bytes += bytes_of(trace.values);
+  return bytes;
 }
 
 }  // namespace voxtet

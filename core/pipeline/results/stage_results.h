@@ -12,6 +12,7 @@
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
+#include "types/tissue.h"
 #include "volume/prepare_volume.h"
 #include "walls/wall_field.h"
 #include "walls/wall_layers.h"
@@ -47,11 +48,14 @@ struct Layered {
   std::optional<Mesh> with_layers;
 };
 
-/// A result that changes with time: its last frame, and a digest over all frames.
+/// A result that changes with time: its last frame, and a digest over all frames, fields and traces.
 struct Trajectory {
   std::vector<double> times_ms;
   Snapshot last;
-  std::string frames_digest;
+  std::vector<Field> fields;  ///< what is known at the end, such as activation times
+  std::vector<double> trace_times_ms;
+  std::vector<Trace> traces;
+  std::string digest;
 };
 
 /// Bytes that a result holds, without those that it shares with others.
@@ -63,6 +67,7 @@ std::size_t memory_bytes(const SizingField& sizing);
 std::size_t memory_bytes(const LayersResult& result);
 std::size_t memory_bytes(const LabelTransfer& found);
 std::size_t memory_bytes(const QualityReport& report);
+std::size_t memory_bytes(const Tissue& tissue);
 std::size_t memory_bytes(const Trajectory& result);
 template <class Mesh>
 std::size_t memory_bytes(const Layered<Mesh>& result) {

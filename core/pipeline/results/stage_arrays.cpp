@@ -1,4 +1,4 @@
-#include "pipeline/stages/stage_arrays.h"
+#include "pipeline/results/stage_arrays.h"
 
 #include <algorithm>
 #include <cmath>
