@@ -19,13 +19,14 @@ constexpr std::array<std::array<std::uint8_t, 4>, 4> kEdge{
 /// counts as flat, and only its edges carry waves; a triangle likewise.
 constexpr double kFlat = 1e-12;
 
-// A point of the face is y = sum of m_i p_i, where the m_i add up to 1. With g_ij = (x - p_i) . C^-1 (x -
-// p_j) the function to minimise is m . t + sqrt(m . g m), and it is convex. Its minimum T over the plane of
-// the face satisfies
+// A point of the face is y = sum of m_i p_i, where the m_i add up to 1. Let g be the matrix of the products
+// (x - p_i) . C^-1 (x - p_j). The function to minimise is m . t + sqrt(m . g m), and it is convex. Its
+// minimum T over the plane of the face satisfies
 //
 //     (T - t) . g^-1 (T - t) = 1,   m a positive multiple of g^-1 (T - t),
 //
-// where T is taken from each component. This is a quadratic of which the greater root counts. Where all m_i
+// where T - t has the components T - t_i. This is a quadratic for T, of which the greater root counts. It has
+// none where times differ by more than the wave takes along the face: `room` is then negative. Where all m_i
 // are positive, y is on the face. Otherwise the minimum over the face is on an edge that y lies beyond: one
 // opposite a corner of negative m_i. For an edge and its two ends the same holds.
 
