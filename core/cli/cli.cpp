@@ -8,7 +8,9 @@
 #include "base/parallel.h"
 #include "cli/case_input.h"
 #include "cli/dump_results.h"
+#include "cli/options.h"
 #include "cli/print.h"
+#include "cli/simulate.h"
 #include "geometry/topology/adjacency.h"
 #include "io/bytes/files.h"
 #include "io/mesh/read_mesh.h"
@@ -27,45 +29,8 @@ namespace {
 
 using nlohmann::json;
 
-/// What the commands share: where results go.
-struct Output {
-  bool as_json = false;
-  double time_limit_s = 0;
-  int threads = hardware_threads();
-  std::string lps_or_ras = "ras";
-  PatientSpace space() const { return lps_or_ras == "lps" ? PatientSpace::kLps : PatientSpace::kRas; }
-};
-
-/// Names that are not UTF-8, as files may have, lose the bytes that JSON cannot hold.
-std::string text_of(const json& value) {
-  return value.dump(1, ' ', false, json::error_handler_t::replace);
-}
-
-void print_json(const json& value) {
-  std::printf("%s\n", text_of(value).c_str());
-}
-
-/// Prints why a run ended; nothing but the time limit cancels one.
-int fail_run(Error error, const Output& output) {
-  if (error.code == ErrorCode::kCancelled)
-    error.message = "given up after the " + json(output.time_limit_s).dump() + " s of --time-limit";
-  return fail(error);
-}
-
 bool is_nifti_name(const std::string& path) {
   return path.ends_with(".nii") || path.ends_with(".nii.gz");
-}
-
-int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::vector<Field> cell_data,
-                const std::string& path, const Output& output) {
-  Result<MeshFormat> format = mesh_format_of(path);
-  if (!format) return fail(format.error());
-  Result<std::vector<OutputFile>> files =
-      write_tet_mesh(mesh, *format, {output.space(), infos, std::move(cell_data), mesh_name_of(path)});
-  if (!files) return fail(files.error());
-  if (Status written = write_files(path, *files); !written) return fail(written.error());
-  if (*format == MeshFormat::kCarp) print_warning(path + ": " + std::string(kNoFibres));
-  return kExitOk;
 }
 
 /// What `mesh` writes, and how far it goes.
@@ -116,8 +81,9 @@ int run_mesh(const CaseOptions& options, const MeshOptions& wanted, const Output
     return fail_run(done.error(), output);
   }
   if (!wanted.out.empty())
-    if (const int code = export_mesh(*session.mesh(), session.volume()->infos,
-                                     exported_fields(session, wanted.measures), wanted.out, output);
+    if (const int code =
+            export_mesh(*session.mesh(), session.volume()->infos, exported_fields(session, wanted.measures),
+                        exported_point_fields(session), wanted.out, output);
         code != kExitOk)
       return code;
   if (Status written = write_report(session, wanted, report); !written) return fail(written.error());
@@ -215,7 +181,7 @@ int run_convert(const std::string& in, const std::string& out, const Output& out
     for (const std::string& name : arrays.left_out)
       print_warning(in + ": left out the array " + name + ", expected a finite number for each cell");
     add_label_faces(*mesh);
-    return export_mesh(*mesh, {}, std::move(arrays.cell_data), out, output);
+    return export_mesh(*mesh, {}, std::move(arrays.cell_data), {}, out, output);
   }
   std::vector<std::string> warnings;
   Result<LabelVolume> volume = read_volume_file(in, &warnings);
@@ -269,39 +235,6 @@ int run_verify(const CaseOptions& options, const Output& output) {
   return same ? kExitOk : kExitDiffers;
 }
 
-/// An empty text is what is left of a shell's variable that is not set.
-const CLI::Validator kNotEmpty(
-    [](const std::string& text) { return text.empty() ? std::string("found '', expected a value") : ""; },
-    "");
-
-void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
-                      const std::string& input_name) {
-  command
-      .add_option(input_name, options.input, "volume (.nii .nii.gz .nrrd .nhdr .mha .mhd), case.json or link")
-      ->required();
-  command.add_option("--labels", options.labels, "labels to mesh, as 1,2,5; all if absent")->delimiter(',');
-  command
-      .add_option("--merge", options.merge,
-                  "mesh the labels 1,5,6 as one region (once a group), or all of them; after the input")
-      ->expected(0, 1000)
-      ->allow_extra_args(false)
-      ->type_name("LABELS");
-  command
-      .add_option("--transfer,--look-up", options.transfer, "labels to transfer to the tetrahedra, as 5,6")
-      ->delimiter(',');
-  command.add_option("--edge-mm", options.edge_mm, "edge length, mm")->check(kNotEmpty);
-  command.add_option("--edge-label", options.edge_labels, "edge length inside a label, as 5=0.8");
-  command.add_option("--mask", options.masks, "label volume painted over the input, sized by --mask-edge");
-  command.add_option("--mask-edge", options.mask_edges, "edge length inside a label of the masks, as 1=0.8");
-  command.add_option("--size-image", options.size_images, "NIfTI image of edge lengths, mm");
-  command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");
-  command.add_flag("--json", output.as_json, "print the report as JSON");
-  command.add_option("--time-limit", output.time_limit_s, "give up after so many seconds")
-      ->check(CLI::NonNegativeNumber);
-  command.add_option("--threads", output.threads, "threads to use; the result is the same for any number")
-      ->check(CLI::PositiveNumber);
-}
-
 }  // namespace
 
 int run_cli(int argc, const char* const* argv) {
@@ -326,6 +259,11 @@ int run_cli(int argc, const char* const* argv) {
   mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")
       ->check(CLI::IsMember({"ras", "lps"}));
   mesh->callback([&] { code = run_mesh(options, wanted, output); });
+
+  SimulateOptions simulated;
+  CLI::App* simulate = app.add_subcommand("simulate", "mesh a case and simulate its physics on the mesh");
+  add_simulate_command(*simulate, options, simulated, output);
+  simulate->callback([&] { code = run_simulate(options, simulated, output); });
 
   CLI::App* field =
       app.add_subcommand("field", "write edge length, wall thickness or wall potential as an image");

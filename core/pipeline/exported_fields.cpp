@@ -15,4 +15,12 @@ std::vector<Field> exported_fields(const Session& session, bool measures) {
   return fields;
 }
 
+std::vector<Field> exported_point_fields(const Session& session) {
+  std::vector<Field> fields;
+  if (session.eikonal()) fields = session.eikonal()->fields;
+  if (session.monodomain())
+    fields.insert(fields.end(), session.monodomain()->fields.begin(), session.monodomain()->fields.end());
+  return fields;
+}
+
 }  // namespace voxtet

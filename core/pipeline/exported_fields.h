@@ -12,4 +12,7 @@ namespace voxtet {
 /// the quality report that have a finite value everywhere.
 std::vector<Field> exported_fields(const Session& session, bool measures);
 
+/// Fields on the points of Session::mesh(): what simulations found.
+std::vector<Field> exported_point_fields(const Session& session);
+
 }  // namespace voxtet

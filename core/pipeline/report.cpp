@@ -7,6 +7,7 @@
 #include "base/digest.h"
 #include "geometry/topology/compare_topology.h"
 #include "pipeline/results/value_json.h"
+#include "pipeline/simulation_report.h"
 #include "pipeline/version/engine_version.h"
 
 namespace voxtet {
@@ -174,6 +175,8 @@ json report_json(const Session& session) {
   }
   if (session.transfer() && !session.transfer()->labels.empty())
     out["transfer"] = transfer_json(*session.transfer());
+  if (json simulation = simulation_json(session); !simulation.empty())
+    out["simulation"] = std::move(simulation);
   if (session.quality()) {
     out["quality"] = quality_json(*session.quality());
     out["fidelity"] = fidelity_json(*session.quality());

@@ -86,6 +86,8 @@ class Session {
   const TetMesh* mesh() const;
   const LabelTransfer* transfer() const { return result<LabelTransfer>(Stage::kTransfer); }
   const QualityReport* quality() const { return result<QualityReport>(Stage::kQuality); }
+  const EikonalResult* eikonal() const { return result<EikonalResult>(Stage::kEikonal); }
+  const Trajectory* monodomain() const { return result<Trajectory>(Stage::kMonodomain); }
   const Trajectory* diffusion() const { return result<Trajectory>(Stage::kDiffusion); }
 
   /// Whether the result of a stage is at hand.

@@ -86,17 +86,37 @@ std::optional<Error> check_mesh(const TetMesh& mesh) {
   return check_elements(mesh.points, mesh.faces, mesh.face_sides.size(), "faces");
 }
 
-std::optional<Error> check_cell_data(const std::vector<Field>& cell_data, std::size_t tets) {
-  for (const Field& data : cell_data) {
+/// `elements`: what the values belong to, in words, and how many there are.
+std::optional<Error> check_data(const std::vector<Field>& fields, const std::string& elements,
+                                std::size_t count) {
+  for (const Field& data : fields) {
     if (!is_field_name(data.name))
-      return broken("cell data \"" + data.name + "\": expected a name of letters, digits and _");
-    if (data.values.size() != tets)
-      return broken("cell data " + data.name + ": " + std::to_string(data.values.size()) + " values for " +
-                    std::to_string(tets) + " tetrahedra");
-    if (!all_finite(data.values))
-      return broken("cell data " + data.name + " hold a value that is not finite");
+      return broken("data \"" + data.name + "\": expected a name of letters, digits and _");
+    if (data.values.size() != count * static_cast<std::size_t>(data.components))
+      return broken("data " + data.name + ": " + std::to_string(data.values.size()) + " values for " +
+                    std::to_string(count) + " " + elements);
   }
   return {};
+}
+
+std::optional<Error> check_cell_data(const std::vector<Field>& fields, std::size_t tets) {
+  for (const Field& data : fields)
+    if (!all_finite(data.values))
+      return broken("cell data " + data.name + " hold a value that is not finite");
+  return check_data(fields, "tetrahedra", tets);
+}
+
+std::optional<Error> check_point_data(const std::vector<Field>& fields, std::size_t points,
+                                      MeshFormat format) {
+  if (!fields.empty() && format != MeshFormat::kVtu && format != MeshFormat::kXdmf &&
+      format != MeshFormat::kCarp)
+    return Error{ErrorCode::kUsage,
+                 kMeshWriter,
+                 "values at points (" + fields[0].name +
+                     "): this format has no place for them, expected .vtu, .xdmf "
+                     "or .carp",
+                 {}};
+  return check_data(fields, "points", points);
 }
 
 }  // namespace
@@ -114,6 +134,7 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
                                                const WriteMeshOptions& options) {
   if (auto error = check_mesh(mesh)) return *std::move(error);
   if (auto error = check_cell_data(options.cell_data, mesh.tets.size())) return *std::move(error);
+  if (auto error = check_point_data(options.point_data, mesh.points.size(), format)) return *std::move(error);
   switch (format) {
     case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(mesh, options)}};
     case MeshFormat::kMsh: return write_msh(mesh, options);

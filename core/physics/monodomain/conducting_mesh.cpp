@@ -5,6 +5,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "geometry/elements/tet_measures.h"
 #include "physics/monodomain/cell.h"
@@ -23,12 +24,13 @@ std::optional<Error> check(const TetMesh& mesh, const Tissue& tissue) {
         ErrorCode::kInternal, kMonodomainStage, "tissue: expected an entry for each tetrahedron", {}};
   for (std::size_t k = 0; k < tissue.kinds.size(); ++k) {
     const TissueKind& kind = tissue.kinds[k];
-    const std::string name = "physics.tissue[" + std::to_string(k) + "].";
-    if (const auto fault = fault_of(kind.cell)) return usage_error(kMonodomainStage, name + "cell." + *fault);
-    for (const double speed : {kind.along_mm_per_ms, kind.across_mm_per_ms}) {
+    const std::string name = "physics.tissue.kinds[" + std::to_string(k) + "].";
+    if (const auto fault = fault_of(kind.cell)) return usage_error(kMonodomainStage, name + *fault);
+    for (const auto& [field, speed] : {std::pair{"along_mm_per_ms", kind.along_mm_per_ms},
+                                       std::pair{"across_mm_per_ms", kind.across_mm_per_ms}}) {
       if (std::isfinite(speed) && speed > 0) continue;
       std::ostringstream text;
-      text << name << "speed: found " << speed << " mm/ms, expected a finite number above 0";
+      text << name << field << ": found " << speed << ", expected a finite number above 0";
       return usage_error(kMonodomainStage, text.str());
     }
   }

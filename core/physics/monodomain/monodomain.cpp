@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "geometry/elements/region_distance.h"
 #include "physics/fem/assemble.h"
 #include "physics/fem/largest_eigenvalue.h"
 #include "physics/monodomain/membrane_voltage.h"
+#include "physics/tissue/stimulated_points.h"
 #include "types/stage_names.h"
 
 namespace voxtet {
@@ -45,17 +45,6 @@ std::optional<Error> check(const MonodomainParams& params) {
   return std::nullopt;
 }
 
-std::optional<Error> check(const Stimulus& stimulus, const std::string& name) {
-  if (!(std::isfinite(stimulus.start_ms) && stimulus.start_ms >= 0))
-    return field_error(name + ".start_ms", stimulus.start_ms, "a finite number of at least 0 ms");
-  if (!(stimulus.duration_ms > 0))
-    return field_error(name + ".duration_ms", stimulus.duration_ms, "more than 0 ms");
-  if (!(std::isfinite(stimulus.strength_per_ms) && stimulus.strength_per_ms > 0))
-    return field_error(name + ".strength_per_ms", stimulus.strength_per_ms, "a finite number > 0 1/ms");
-  if (stimulus.count < 1) return field_error(name + ".count", stimulus.count, "at least 1");
-  return std::nullopt;
-}
-
 }  // namespace
 
 Result<Monodomain> Monodomain::start(std::shared_ptr<const TetMesh> mesh, const Tissue& tissue,
@@ -73,7 +62,7 @@ Result<Monodomain> Monodomain::start(std::shared_ptr<const TetMesh> mesh, const 
   out.steps_ = fem::TimeSteps(params.end_ms, params.step_ms, params.frame_ms);
   for (const TissueKind& kind : tissue.kinds) out.cells_.emplace_back(kind.cell, out.step_ms());
   for (std::size_t s = 0; s < stimuli.size(); ++s)
-    if (Status added = out.add_current(stimuli[s], "stimuli[" + std::to_string(s) + "]"); !added)
+    if (Status added = out.add_current(stimuli[s], "physics.stimuli[" + std::to_string(s) + "]"); !added)
       return added.error();
   const auto count = static_cast<Eigen::Index>(out.points().size());
   out.v_ = Eigen::VectorXd::Zero(count);
@@ -84,24 +73,11 @@ Result<Monodomain> Monodomain::start(std::shared_ptr<const TetMesh> mesh, const 
   return out;
 }
 
-Status Monodomain::add_current(const Stimulus& stimulus, const std::string& name) {
-  if (auto error = check(stimulus, name)) return *std::move(error);
-  Current current{{}, start_times_ms(stimulus), stimulus.duration_ms, stimulus.strength_per_ms};
-  const RegionDistance distance(stimulus);
-  double nearest = HUGE_VAL;
-  for (std::size_t i = 0; i < tissue_.mesh.points.size(); ++i) {
-    const double away = distance.at(tissue_.mesh.points[i]);
-    nearest = std::min(nearest, away);
-    if (away == 0) current.points.push_back(static_cast<std::uint32_t>(i));
-  }
-  if (current.points.empty()) {
-    std::ostringstream text;
-    text << "physics." << name << (stimulus.name.empty() ? "" : " (" + stimulus.name + ")")
-         << ": found no point of conducting tissue in its region, expected at least one; the nearest is "
-         << nearest << " mm away";
-    return usage_error(kMonodomainStage, text.str());
-  }
-  currents_.push_back(std::move(current));
+Status Monodomain::add_current(const Stimulus& stimulus, const std::string& field) {
+  auto points = stimulated_points(tissue_.mesh.points, {}, stimulus, field);
+  if (!points) return points.error();
+  currents_.push_back(
+      {std::move(points).value(), start_times_ms(stimulus), stimulus.duration_ms, stimulus.strength_per_ms});
   flows_.push_back(false);
   return std::monostate{};
 }

@@ -90,7 +90,7 @@ class Monodomain {
 
   Monodomain() = default;
   Status prepare();
-  Status add_current(const Stimulus& stimulus, const std::string& name);
+  Status add_current(const Stimulus& stimulus, const std::string& field);
   void set_currents();
   void react();
   void diffuse_explicitly();

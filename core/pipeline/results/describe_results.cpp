@@ -1,6 +1,7 @@
 #include "pipeline/results/describe_results.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/results/value_json.h"
 
@@ -54,6 +55,12 @@ json counts_of(const Tissue& tissue) {
           {"conducting_tets", std::count_if(tissue.kind.begin(), tissue.kind.end(), conducts)}};
 }
 
+json counts_of(const EikonalResult& result) {
+  float last = 0;
+  for (const float time : result.fields[0].values) last = std::max(last, std::isnan(time) ? 0 : time);
+  return {{"last_ms", last}};
+}
+
 json counts_of(const Trajectory& result) {
   return {{"frames", result.times_ms.size()}, {"end_ms", result.times_ms.back()}};
 }
@@ -79,6 +86,10 @@ void add_arrays(const QualityReport& report, StageArrays& out) {
   add_arrays(report.fields, out);
 }
 
+void add_arrays(const EikonalResult& result, StageArrays& out) {
+  add_arrays(result.fields, out);
+}
+
 void add_arrays(const Trajectory& result, StageArrays& out) {
   add_arrays(result.last.fields, out);
   add_arrays(result.fields, out);
@@ -86,6 +97,12 @@ void add_arrays(const Trajectory& result, StageArrays& out) {
 
 std::string digest_of(const VolumeResult& result) {
   return result.prepared.prepared == result.source ? result.digest : digest_of(*result.prepared.prepared);
+}
+
+std::string digest_of(const EikonalResult& result) {
+  Sha256 digest;
+  for (const Field& field : result.fields) digest.update_values(field.values.data(), field.values.size());
+  return digest.hex();
 }
 
 std::string digest_of(const Trajectory& result) {

@@ -20,6 +20,7 @@ nlohmann::json counts_of(const LayersResult& result);   ///< {walls}: those with
 nlohmann::json counts_of(const LabelTransfer& found);   ///< {labels}
 nlohmann::json counts_of(const QualityReport& report);  ///< {}: the report has it all elsewhere
 nlohmann::json counts_of(const Tissue& tissue);         ///< {kinds, conducting_tets}
+nlohmann::json counts_of(const EikonalResult& result);  ///< {last_ms}: when the last point is activated
 nlohmann::json counts_of(const Trajectory& result);     ///< {frames, end_ms}
 
 /// The arrays that a viewer may ask for, besides those of stage_arrays.h.
@@ -28,11 +29,13 @@ void add_arrays(const WallsResult& result, StageArrays& out);
 void add_arrays(const SizingField& field, StageArrays& out);
 void add_arrays(const LabelTransfer& found, StageArrays& out);
 void add_arrays(const QualityReport& report, StageArrays& out);
+void add_arrays(const EikonalResult& result, StageArrays& out);
 void add_arrays(const Trajectory& result,
                 StageArrays& out);  ///< of the last frame, and what is known at the end
 
 std::string digest_of(const VolumeResult& result);  ///< of the prepared volume
-std::string digest_of(const Trajectory& result);    ///< of all frames, fields and traces
+std::string digest_of(const EikonalResult& result);
+std::string digest_of(const Trajectory& result);  ///< of all frames, fields and traces
 
 // Of a mesh with layers, others see only the mesh without them.
 template <class Mesh>

@@ -68,6 +68,10 @@ std::size_t memory_bytes(const Tissue& tissue) {
   return bytes_of(tissue.kind) + bytes_of(tissue.share) + bytes_of(tissue.fibre);
 }
 
+std::size_t memory_bytes(const EikonalResult& result) {
+  return bytes_of(result.fields);
+}
+
 std::size_t memory_bytes(const Trajectory& result) {
   std::size_t bytes = bytes_of(result.times_ms) + bytes_of(result.last.fields) + bytes_of(result.fields) +
                       bytes_of(result.trace_times_ms);

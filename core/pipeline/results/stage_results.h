@@ -48,6 +48,11 @@ struct Layered {
   std::optional<Mesh> with_layers;
 };
 
+/// When the first wave comes: `eikonal_ms` at the points.
+struct EikonalResult {
+  std::vector<Field> fields;
+};
+
 /// A result that changes with time: its last frame, and a digest over all frames, fields and traces.
 struct Trajectory {
   std::vector<double> times_ms;
@@ -68,6 +73,7 @@ std::size_t memory_bytes(const LayersResult& result);
 std::size_t memory_bytes(const LabelTransfer& found);
 std::size_t memory_bytes(const QualityReport& report);
 std::size_t memory_bytes(const Tissue& tissue);
+std::size_t memory_bytes(const EikonalResult& result);
 std::size_t memory_bytes(const Trajectory& result);
 template <class Mesh>
 std::size_t memory_bytes(const Layered<Mesh>& result) {

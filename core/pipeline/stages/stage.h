@@ -32,10 +32,11 @@ enum class Stage {
   kTransfer,
   kQuality,
   kTissue,
+  kEikonal,
   kMonodomain,
   kDiffusion
 };
-inline constexpr int kStageCount = 14;
+inline constexpr int kStageCount = 15;
 
 /// For each stage, the digest of everything that it depends on.
 using StageKeys = std::array<std::string, kStageCount>;

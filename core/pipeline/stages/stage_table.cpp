@@ -5,6 +5,7 @@
 
 #include "base/digest.h"
 #include "phantom/make_phantom.h"
+#include "physics/eikonal/eikonal_sources.h"
 #include "physics/tissue/make_tissue.h"
 #include "pipeline/results/describe_results.h"
 #include "pipeline/results/stage_results.h"
@@ -265,6 +266,20 @@ Status run_tissue(const StageInputs& in, const Recipe& recipe, StageOutput& out,
              out);
 }
 
+Status run_eikonal(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const TetMesh& mesh = in.get<TetMesh>(Stage::kOptimise);
+  const Tissue& tissue = in.get<Tissue>(Stage::kTissue);
+  const std::vector<Stimulus> stimuli = recipe.physics ? recipe.physics->stimuli : std::vector<Stimulus>{};
+  Result<std::vector<EikonalSource>> sources = eikonal_sources(mesh, tissue, stimuli);
+  if (!sources) return sources.error();
+  Result<std::vector<double>> times = solve_eikonal(mesh, tissue, *sources, ctx);
+  if (!times) return times.error();
+  Field field{"eikonal_ms", "Activation time, eikonal", "ms", On::kPoints, Scale::kSequential, 1, {}};
+  field.values.assign(times->begin(), times->end());
+  out.put(EikonalResult{{std::move(field)}});
+  return std::monostate{};
+}
+
 template <class T>
 const T& value_of(const std::any& value) {
   return *std::any_cast<const std::shared_ptr<const T>&>(value);
@@ -398,6 +413,16 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .reads = {"physics.tissue"},
        .run = run_tissue,
        .counts = counts<Tissue>},
+      {.stage = Stage::kEikonal,
+       .name = kEikonalStage,
+       .title = "Activation map",
+       .shown = false,
+       .inputs = {Stage::kOptimise, Stage::kTissue},
+       .reads = {"physics.stimuli"},
+       .run = run_eikonal,
+       .counts = counts<EikonalResult>,
+       .arrays = arrays<EikonalResult>,
+       .digest = digest<EikonalResult>},
       {.stage = Stage::kMonodomain,
        .name = kMonodomainStage,
        .title = "Excitation wave",

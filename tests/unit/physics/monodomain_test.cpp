@@ -240,7 +240,8 @@ TEST(Monodomain, SaysWhatIsWrong) {
   EXPECT_NE(fault(dead, {}, {}).find("found no tetrahedron that conducts"), std::string::npos);
   Tissue still = slab.tissue;
   still.kinds[0].across_mm_per_ms = 0;
-  EXPECT_NE(fault(still, {}, {}).find("physics.tissue[0].speed: found 0"), std::string::npos);
+  EXPECT_NE(fault(still, {}, {}).find("physics.tissue.kinds[0].across_mm_per_ms: found 0"),
+            std::string::npos);
   EXPECT_NE(fault(slab.tissue, {}, {.step_ms = 0}).find("monodomain.step_ms: found 0"), std::string::npos);
   EXPECT_NE(fault(slab.tissue, {}, {.consistent_mass = 2}).find("consistent_mass: found 2"),
             std::string::npos);

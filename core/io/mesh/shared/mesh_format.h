@@ -22,6 +22,7 @@ struct WriteMeshOptions {
   PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
   std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
   std::vector<Field> cell_data{};           ///< written with the tetrahedra; not with surfaces
+  std::vector<Field> point_data{};          ///< written with the points of tetrahedra: VTU, XDMF, openCARP
   std::string name = "mesh";                ///< base name of the files, where one refers to another
 };
 
@@ -31,8 +32,8 @@ inline constexpr std::string_view kNoFibres =
     "no fibres are known, so no .lon file is written; openCARP requires one: make the fibres, a direction "
     "for each element of .elem, before simulating";
 
-/// A file of an export: openCARP makes three, XDMF two, every other format one; cell data may add more.
-/// `suffix` is appended to the base name.
+/// A file of an export: openCARP makes three, XDMF two, every other format one; cell and point data may add
+/// more. `suffix` is appended to the base name.
 struct OutputFile {
   std::string suffix;  ///< ".vtu", ".msh", "_data.msh", ".pts", ".fraction_5.dat", ...
   Bytes bytes;

@@ -52,6 +52,14 @@ inline Eigen::Vector3d in_space(const Eigen::Vector3d& ras, PatientSpace space) 
   // 0 - x and not -x: a coordinate of 0 stays without a sign.
   return space == PatientSpace::kRas ? ras : Eigen::Vector3d(0.0 - ras.x(), 0.0 - ras.y(), ras.z());
 }
+/// The values of a field in the requested space: vectors, of three components, are turned.
+inline std::vector<float> in_space(const Field& field, PatientSpace space) {
+  std::vector<float> values = field.values;
+  if (space == PatientSpace::kRas || field.components != 3) return values;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (i % 3 != 2) values[i] = 0.0F - values[i];
+  return values;
+}
 inline const char* to_string(PatientSpace space) {
   return space == PatientSpace::kRas ? "RAS" : "LPS";
 }

@@ -1,5 +1,6 @@
 #include "io/mesh/write/write_carp.h"
 
+#include <cmath>
 #include <string>
 
 #include "io/bytes/byte_writer.h"
@@ -43,10 +44,11 @@ Bytes write_note() {
   return out.take();
 }
 
+/// NaN, which is no number to openCARP, is -1 there: not activated.
 Bytes write_values(const std::vector<float>& values) {
   ByteWriter out(12 * values.size() + 64);
   for (const float value : values) {
-    out.real(value);
+    out.real(std::isnan(value) ? -1 : value);
     out.text("\n");
   }
   return out.take();
@@ -58,8 +60,8 @@ std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& 
   std::vector<OutputFile> files{{".pts", write_points(mesh, options.space)},
                                 {".elem", write_elements(mesh)},
                                 {".lon.txt", write_note()}};
-  for (const Field& data : options.cell_data)
-    files.push_back({"." + data.name + ".dat", write_values(data.values)});
+  for (const auto* fields : {&options.cell_data, &options.point_data})
+    for (const Field& data : *fields) files.push_back({"." + data.name + ".dat", write_values(data.values)});
   return files;
 }
 

@@ -76,6 +76,20 @@ void append_grid(ByteWriter& out, const std::vector<Eigen::Vector3d>& points, Pa
   for (std::size_t i = 0; i < cells.size(); ++i) out.raw(cell_type);
 }
 
+void declare_data(VtuHeader& header, const std::vector<Field>& fields) {
+  for (const Field& data : fields)
+    header.array(
+        "Float32", data.name, 4 * data.values.size(),
+        data.components == 1 ? "" : " NumberOfComponents=\"" + std::to_string(data.components) + "\"");
+}
+
+void append_data(ByteWriter& out, const std::vector<Field>& fields, PatientSpace space) {
+  for (const Field& data : fields) {
+    out.raw(std::uint64_t{4 * data.values.size()});
+    for (const float value : in_space(data, space)) out.raw(value);
+  }
+}
+
 constexpr const char* kFooter = "\n</AppendedData>\n</VTKFile>\n";
 
 }  // namespace
@@ -85,16 +99,19 @@ Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
   declare_grid<4>(header, mesh.points.size(), mesh.tets.size());
   header.open("CellData Scalars=\"label\"");
   header.array("Int32", "label", 4 * mesh.tets.size());
-  for (const Field& data : options.cell_data) header.array("Float32", data.name, 4 * data.values.size());
+  declare_data(header, options.cell_data);
   header.open("/CellData");
+  if (!options.point_data.empty()) {
+    header.open("PointData");
+    declare_data(header, options.point_data);
+    header.open("/PointData");
+  }
   ByteWriter out = header.finish();
   append_grid(out, mesh.points, options.space, mesh.tets, kVtkTetra);
   out.raw(std::uint64_t{4 * mesh.labels.size()});
   for (const Label label : mesh.labels) out.raw(std::int32_t{label});
-  for (const Field& data : options.cell_data) {
-    out.raw(std::uint64_t{4 * data.values.size()});
-    for (const float value : data.values) out.raw(value);
-  }
+  append_data(out, options.cell_data, options.space);
+  append_data(out, options.point_data, options.space);
   out.text(kFooter);
   return out.take();
 }

@@ -39,12 +39,21 @@ std::string data_item(const Hdf5Array& array, const std::string& file) {
          "\" Format=\"HDF\">" + file + ":/" + array.name + "</DataItem>\n";
 }
 
-/// The arrays of the .h5: points, tets, and then the cell attributes.
-std::vector<Hdf5Array> arrays_of(const TetMesh& mesh, const std::vector<Field>& cell_data) {
+constexpr std::size_t kGridArrays = 2;
+
+std::vector<std::uint64_t> shape_of(const Field& field) {
+  const auto components = static_cast<std::uint64_t>(field.components);
+  if (components == 1) return {field.values.size()};
+  return {field.values.size() / components, components};
+}
+
+/// The arrays of the .h5: points, tets, and then the attributes of cells and of points.
+std::vector<Hdf5Array> arrays_of(const TetMesh& mesh, const WriteMeshOptions& options) {
   std::vector<Hdf5Array> arrays{{"points", Hdf5Type::kFloat64, {mesh.points.size(), 3}},
                                 {"tets", Hdf5Type::kInt32, {mesh.tets.size(), 4}},
                                 {"label", Hdf5Type::kInt32, {mesh.tets.size()}}};
-  for (const Field& data : cell_data) arrays.push_back({data.name, Hdf5Type::kFloat32, {mesh.tets.size()}});
+  for (const auto* fields : {&options.cell_data, &options.point_data})
+    for (const Field& data : *fields) arrays.push_back({data.name, Hdf5Type::kFloat32, shape_of(data)});
   return arrays;
 }
 
@@ -58,8 +67,9 @@ Bytes write_numbers(const TetMesh& mesh, const WriteMeshOptions& options,
   for (const Tet& tet : mesh.tets)
     for (const std::uint32_t corner : tet) out.raw(static_cast<std::int32_t>(corner));
   for (const Label label : mesh.labels) out.raw(std::int32_t{label});
-  for (const Field& data : options.cell_data)
-    for (const float value : data.values) out.raw(value);
+  for (const auto* fields : {&options.cell_data, &options.point_data})
+    for (const Field& data : *fields)
+      for (const float value : in_space(data, options.space)) out.raw(value);
   return out.take();
 }
 
@@ -73,9 +83,11 @@ Bytes write_description(const WriteMeshOptions& options, const std::vector<Hdf5A
       "</Geometry>\n<Topology TopologyType=\"Tetrahedron\" NodesPerElement=\"4\" "
       "NumberOfElements=\"" +
       std::to_string(arrays[1].shape[0]) + "\">\n" + data_item(arrays[1], file) + "</Topology>\n";
-  for (std::size_t i = 2; i < arrays.size(); ++i)
-    xml += "<Attribute Name=\"" + arrays[i].name + "\" AttributeType=\"Scalar\" Center=\"Cell\">\n" +
-           data_item(arrays[i], file) + "</Attribute>\n";
+  const std::size_t first_of_points = arrays.size() - options.point_data.size();
+  for (std::size_t i = kGridArrays; i < arrays.size(); ++i)
+    xml += "<Attribute Name=\"" + arrays[i].name + "\" AttributeType=\"" +
+           (arrays[i].shape.size() == 1 ? "Scalar" : "Vector") + "\" Center=\"" +
+           (i < first_of_points ? "Cell" : "Node") + "\">\n" + data_item(arrays[i], file) + "</Attribute>\n";
   xml += "</Grid>\n</Domain>\n</Xdmf>\n";
   return {xml.begin(), xml.end()};
 }
@@ -90,7 +102,7 @@ Result<std::vector<OutputFile>> write_xdmf(const TetMesh& mesh, const WriteMeshO
                      ": an XDMF file cannot refer to an .h5 of this name, expected no colon, no control "
                      "character, no space at either end",
                  {}};
-  const std::vector<Hdf5Array> arrays = arrays_of(mesh, options.cell_data);
+  const std::vector<Hdf5Array> arrays = arrays_of(mesh, options);
   return std::vector<OutputFile>{{".xdmf", write_description(options, arrays)},
                                  {".h5", write_numbers(mesh, options, arrays)}};
 }

@@ -1,0 +1,44 @@
+// What the commands share: options, and what is done with results.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "base/parallel.h"
+#include "cli/case_input.h"
+#include "io/mesh/write_mesh.h"
+#include "types/field.h"
+#include "types/result.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet {
+
+/// Where results go.
+struct Output {
+  bool as_json = false;
+  double time_limit_s = 0;
+  int threads = hardware_threads();
+  std::string lps_or_ras = "ras";
+  PatientSpace space() const { return lps_or_ras == "lps" ? PatientSpace::kLps : PatientSpace::kRas; }
+};
+
+/// Refuses an empty text: what is left of a shell's variable that is not set.
+extern const CLI::Validator kNotEmpty;
+
+/// The options of commands that open a case.
+void add_case_options(CLI::App& command, CaseOptions& options, Output& output, const std::string& input_name);
+
+/// JSON as text. Names that are not UTF-8, as files may have, lose the bytes that JSON cannot hold.
+std::string text_of(const nlohmann::json& value);
+void print_json(const nlohmann::json& value);
+
+/// Prints why a run ended, and returns its exit code; nothing but the time limit cancels one.
+int fail_run(Error error, const Output& output);
+
+/// Writes a mesh with its fields, and returns the exit code.
+int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::vector<Field> cell_data,
+                std::vector<Field> point_data, const std::string& path, const Output& output);
+
+}  // namespace voxtet

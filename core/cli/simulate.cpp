@@ -1,0 +1,107 @@
+#include "cli/simulate.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/cli.h"
+#include "cli/print.h"
+#include "io/bytes/files.h"
+#include "pipeline/exported_fields.h"
+#include "pipeline/report.h"
+#include "types/stage_names.h"
+
+namespace voxtet {
+namespace {
+
+using nlohmann::json;
+
+Status check_simulate_outputs(const CaseOptions& options, const SimulateOptions& wanted) {
+  if (!wanted.out.empty())
+    if (Result<MeshFormat> format = mesh_format_of(wanted.out); !format) return format.error();
+  return check_outputs({{"-o", wanted.out}, {"--report", wanted.report}, {"--traces", wanted.traces}},
+                       inputs_of(options));
+}
+
+/// A column of times, then one for each trace.
+std::string traces_csv(const Trajectory& result) {
+  std::ostringstream out;
+  out << "time_ms";
+  for (const Trace& trace : result.traces) out << "," << trace.name << "_" << trace.unit;
+  for (std::size_t i = 0; i < result.trace_times_ms.size(); ++i) {
+    out << "\n" << result.trace_times_ms[i];
+    for (const Trace& trace : result.traces) out << "," << trace.values[i];
+  }
+  out << "\n";
+  return out.str();
+}
+
+void print_simulation(const json& simulation) {
+  for (const auto& [name, found] : simulation.items()) {
+    std::printf("%s\n", name.c_str());
+    for (const auto& [key, value] : found.items())
+      std::printf("  %-22s %s\n", key.c_str(), value.dump().c_str());
+  }
+}
+
+/// What the case asks for.
+Result<Stage> stage_to_run(const Recipe& recipe, const std::string& what) {
+  if (!recipe.physics)
+    return usage_error("cli", "physics: found none in the case, expected what is to be simulated");
+  if (!what.empty()) return stage_of(what);
+  return recipe.physics->monodomain ? Stage::kMonodomain : Stage::kEikonal;
+}
+
+}  // namespace
+
+void add_simulate_command(CLI::App& command, CaseOptions& options, SimulateOptions& wanted, Output& output) {
+  add_case_options(command, options, output, "CASE.json");
+  command
+      .add_option("-o,--output", wanted.out, "mesh file with what was found at its points: .vtu .xdmf .carp")
+      ->check(kNotEmpty);
+  command.add_option("--report", wanted.report, "write the report as JSON to this file")->check(kNotEmpty);
+  command.add_option("--traces", wanted.traces, "write the electrodes' potentials as CSV to this file")
+      ->check(kNotEmpty);
+  command.add_option("--what", wanted.what, "monodomain, or eikonal: the activation map alone")
+      ->check(CLI::IsMember({kMonodomainStage, kEikonalStage}));
+  command.add_option("--space", output.lps_or_ras, "patient space of the mesh file")
+      ->check(CLI::IsMember({"ras", "lps"}));
+}
+
+int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, const Output& output) {
+  if (Status there = check_simulate_outputs(options, wanted); !there) return fail(there.error());
+  Session session;
+  if (Status opened = open_case(options, session); !opened) return fail(opened.error());
+  const Result<Stage> stage = stage_to_run(session.recipe(), wanted.what);
+  if (!stage) return fail(stage.error());
+  if (!wanted.traces.empty() &&
+      (*stage != Stage::kMonodomain || session.recipe().physics->monodomain->electrodes.empty()))
+    return fail(
+        usage_error("cli", "--traces: found no physics.monodomain.electrodes, expected at least one"));
+  RunContext ctx = printing_context(output.time_limit_s, output.threads);
+  Status done = session.run(Stage::kQuality, ctx);
+  if (done) done = session.run(*stage, ctx);
+  json report = report_json(session);
+  if (!done) report["error"] = error_json(done.error());
+  if (!wanted.report.empty())
+    if (Status written = write_text_file(wanted.report, text_of(report)); !written)
+      return fail(written.error());
+  if (output.as_json) print_json(report);
+  if (!done) return fail_run(done.error(), output);
+  if (!wanted.traces.empty())
+    if (Status written = write_text_file(wanted.traces, traces_csv(*session.monodomain())); !written)
+      return fail(written.error());
+  if (!wanted.out.empty())
+    if (const int code =
+            export_mesh(*session.mesh(), session.volume()->infos, exported_fields(session, false),
+                        exported_point_fields(session), wanted.out, output);
+        code != kExitOk)
+      return code;
+  if (!output.as_json) {
+    print_stages(report["stages"], stdout);
+    print_simulation(report["simulation"]);
+  }
+  return kExitOk;
+}
+
+}  // namespace voxtet

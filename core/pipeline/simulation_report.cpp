@@ -1,0 +1,83 @@
+#include "pipeline/simulation_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace voxtet {
+namespace {
+
+using nlohmann::json;
+
+/// Whether each point of the mesh touches tissue that conducts.
+std::vector<bool> conducting_points(const TetMesh& mesh, const Tissue& tissue) {
+  std::vector<bool> conducts(mesh.points.size(), false);
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    if (tissue.kind[t] != Tissue::kNone)
+      for (const std::uint32_t point : mesh.tets[t]) conducts[point] = true;
+  return conducts;
+}
+
+struct Finite {
+  std::size_t count = 0;
+  double sum = 0, largest = 0;
+};
+
+Finite finite_of(const std::vector<float>& values) {
+  Finite found;
+  for (const float value : values) {
+    if (!std::isfinite(value)) continue;
+    ++found.count;
+    found.sum += value;
+    found.largest = std::max(found.largest, static_cast<double>(value));
+  }
+  return found;
+}
+
+/// When the last stimulus of all began; 0 without any.
+double last_stimulus_ms(const std::vector<Stimulus>& stimuli, double end_ms) {
+  double last = 0;
+  for (const Stimulus& stimulus : stimuli)
+    for (const double start : start_times_ms(stimulus))
+      if (start < end_ms) last = std::max(last, start);
+  return last;
+}
+
+json monodomain_json(const Trajectory& result, const Recipe& recipe, double conducting) {
+  const auto values = [&](const char* name) { return finite_of(find_field(result.fields, name)->values); };
+  const Finite activated = values("activation_ms"), durations = values("apd_ms"),
+               last = values("last_activation_ms");
+  const double end = result.times_ms.back();
+  const double paced = last_stimulus_ms(recipe.physics->stimuli, end);
+  json out{{"end_ms", end},
+           {"frames", result.times_ms.size()},
+           {"activated", static_cast<double>(activated.count) / conducting},
+           {"total_activation_ms", activated.largest},
+           {"most_activations", values("activations").largest},
+           {"last_stimulus_ms", paced},
+           {"last_activation_ms", last.largest},
+           {"lasted_ms", std::max(0.0, last.largest - paced)}};
+  if (durations.count > 0) out["mean_apd_ms"] = durations.sum / static_cast<double>(durations.count);
+  return out;
+}
+
+}  // namespace
+
+json simulation_json(const Session& session) {
+  json out = json::object();
+  const Tissue* tissue = session.result<Tissue>(Stage::kTissue);
+  if (!tissue) return out;
+  const std::vector<bool> conducts = conducting_points(*session.mesh(), *tissue);
+  const auto conducting = static_cast<double>(std::count(conducts.begin(), conducts.end(), true));
+  if (session.eikonal()) {
+    const Finite times = finite_of(session.eikonal()->fields[0].values);
+    out["eikonal"] = {{"last_ms", times.largest},
+                      {"activated", static_cast<double>(times.count) / conducting}};
+  }
+  if (session.monodomain())
+    out["monodomain"] = monodomain_json(*session.monodomain(), session.recipe(), conducting);
+  return out;
+}
+
+}  // namespace voxtet
