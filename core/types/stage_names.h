@@ -15,5 +15,6 @@ inline constexpr const char* kOptimiseStage = "optimise";
 inline constexpr const char* kTransferStage = "transfer";
 inline constexpr const char* kQualityStage = "quality";
 inline constexpr const char* kDiffusionStage = "diffusion";
+inline constexpr const char* kFibresStage = "fibres";
 
 }  // namespace voxtet

@@ -1,6 +1,5 @@
 #include "physics/fem/assemble.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -8,31 +7,12 @@
 #include <type_traits>
 #include <vector>
 
+#include "physics/fem/element.h"
+
 namespace voxtet::fem {
 namespace {
 
 using ElementMatrix = std::array<std::array<double, 4>, 4>;
-
-/// A tetrahedron's volume in mm^3 and the constant gradients of its four functions in 1/mm.
-struct Element {
-  double volume = 0;
-  std::array<Eigen::Vector3d, 4> gradient;
-};
-
-Element element_of(const TetMesh& mesh, std::size_t t) {
-  const Tet& tet = mesh.tets[t];
-  const Eigen::Vector3d& p = mesh.points[tet[0]];
-  const Eigen::Vector3d a = mesh.points[tet[1]] - p, b = mesh.points[tet[2]] - p, c = mesh.points[tet[3]] - p;
-  const Eigen::Vector3d across_a = b.cross(c), across_b = c.cross(a), across_c = a.cross(b);
-  const double six_volumes = a.dot(across_a);
-  Element element;
-  element.volume = six_volumes / 6;
-  element.gradient[1] = across_a / six_volumes;
-  element.gradient[2] = across_b / six_volumes;
-  element.gradient[3] = across_c / six_volumes;
-  element.gradient[0] = -(element.gradient[1] + element.gradient[2] + element.gradient[3]);
-  return element;
-}
 
 /// The tetrahedra at each point: those of point i are tets[begin[i]] to tets[begin[i + 1] - 1], ascending.
 struct PointTets {
