@@ -4,16 +4,13 @@
 
 #include <cmath>
 
-#include "support/ellipsoid.h"
+#include "support/heart_fibres.h"
 
 namespace voxtet {
 namespace {
 
 std::vector<Field> coordinates_of(const test::HeartBody& body) {
-  const RunContext ctx;
-  const auto potentials = ventricular_potentials(body.mesh, body.surfaces, ctx);
-  EXPECT_TRUE(potentials.ok());
-  auto fields = ventricular_coordinates(body.mesh, body.surfaces, *potentials, ctx);
+  auto fields = ventricular_coordinates(body.mesh, body.surfaces, test::potentials_of(body), {});
   EXPECT_TRUE(fields.ok()) << (fields.ok() ? "" : fields.error().message);
   for (const Field& field : *fields) {
     EXPECT_EQ(field.on, On::kPoints);

@@ -7,16 +7,12 @@
 #include <string>
 
 #include "support/check_tets.h"
-#include "support/ellipsoid.h"
+#include "support/heart_fibres.h"
 
 namespace voxtet {
 namespace {
 
-VentricularPotentials potentials_of(const test::HeartBody& body) {
-  auto potentials = ventricular_potentials(body.mesh, body.surfaces, {});
-  EXPECT_TRUE(potentials.ok()) << (potentials.ok() ? "" : potentials.error().message);
-  return *std::move(potentials);
-}
+using test::potentials_of;
 
 /// The root of the mean square error of the potential at the points of half a shell from 6 to 12 mm, through
 /// whose base nothing flows.
