@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace voxtet {
@@ -15,6 +16,13 @@ enum class HeartSurface : std::uint8_t {
   kRvSeptum,       ///< around the right cavity, on the side of the septum
   kBase,           ///< the rim that is left where the ventricles are cut off or open into valves
 };
+
+/// As it stands in files: "none", "epicardium", "lv_endocardium", "rv_endocardium", "rv_septum", "base".
+inline std::string_view name_of(HeartSurface surface) {
+  constexpr std::string_view kNames[] = {"none",           "epicardium", "lv_endocardium",
+                                         "rv_endocardium", "rv_septum",  "base"};
+  return kNames[static_cast<int>(surface)];
+}
 
 /// A single ventricle has no kRvEndocardium and no kRvSeptum.
 struct HeartSurfaces {

@@ -14,6 +14,7 @@ inline constexpr const char* kTetraStage = "tetra";
 inline constexpr const char* kOptimiseStage = "optimise";
 inline constexpr const char* kTransferStage = "transfer";
 inline constexpr const char* kQualityStage = "quality";
+inline constexpr const char* kAnatomyStage = "anatomy";
 inline constexpr const char* kDiffusionStage = "diffusion";
 inline constexpr const char* kAnatomyStage = "anatomy";
 inline constexpr const char* kFibresStage = "fibres";
