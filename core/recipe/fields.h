@@ -287,6 +287,33 @@ void visit_fields(V& v, DiffusionParams& p) {
 }
 
 template <class V>
+void visit_fields(V& v, AnatomyParams& p) {
+  v.field(
+      {"wall", "", 1, 65535, "Meshed labels of the ventricles' wall, with scar; none: all but the pools."},
+      p.wall);
+  v.field({"lv_pool", "", 1, 65535,
+           "Labels of the left cavity, meshed or not; none: found as a cavity of the wall."},
+          p.lv_pool);
+  v.field({"rv_pool", "", 1, 65535, "Labels of the right cavity."}, p.rv_pool);
+}
+
+template <class V>
+void visit_fields(V& v, FibreAngles& p) {
+  v.field({"alpha_endo_deg", "deg", -180, 180, "Helix angle at the endocardium."}, p.alpha_endo);
+  v.field({"alpha_epi_deg", "deg", -180, 180, "Helix angle at the epicardium."}, p.alpha_epi);
+  v.field({"beta_endo_deg", "deg", -180, 180, "Sheet angle at the endocardium."}, p.beta_endo);
+  v.field({"beta_epi_deg", "deg", -180, 180, "Sheet angle at the epicardium."}, p.beta_epi);
+}
+
+template <class V>
+void visit_fields(V& v, FibreParams& p) {
+  v.choice({"rule", "", 0, 0, "linear: angles linear in the depth of the wall; bayer: as published in 2012."},
+           p.rule, Choices<FibreRule>{{"linear", FibreRule::kLinear}, {"bayer", FibreRule::kBayer}});
+  visit_fields(v, p.wall);
+  v.optional_group({"septum", "", 0, 0, "Angles of the septum, from its left to its right side."}, p.septum);
+}
+
+template <class V>
 void visit_fields(V& v, TissueLabels& p) {
   v.field({"labels", "", 1, 65535, "Labels that are this kind of tissue."}, p.labels);
   v.field({"along_mm_per_ms", "mm/ms", 0.01, 10, "Speed of a plane wave along the fibres, in rested tissue."},
@@ -361,6 +388,8 @@ void visit_fields(V& v, MonodomainParams& p) {
 
 template <class V>
 void visit_fields(V& v, PhysicsParams& p) {
+  v.optional_group({"anatomy", "", 0, 0, "Named surfaces and coordinates of the ventricles."}, p.anatomy);
+  v.optional_group({"fibres", "", 0, 0, "Fibres by rule; needs anatomy."}, p.fibres);
   v.group({"tissue", "", 0, 0, "Which labels conduct, and how."}, p.tissue);
   v.list({"stimuli", "", 0, 0, "Where and when the tissue is excited from outside."}, p.stimuli);
   v.optional_group({"monodomain", "", 0, 0, "The excitation wave, with its recovery."}, p.monodomain);

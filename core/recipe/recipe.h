@@ -8,10 +8,12 @@
 #include <string_view>
 #include <vector>
 
+#include "anatomy/find_heart_surfaces.h"
 #include "phantom/make_phantom.h"
 #include "physics/diffusion/diffusion.h"
 #include "physics/monodomain/monodomain.h"
 #include "physics/tissue/make_tissue.h"
+#include "physics/ventricles/fibre_params.h"
 #include "quality/measure_quality.h"
 #include "remesh/remesh_params.h"
 #include "sizing/build_sizing_field.h"
@@ -48,6 +50,8 @@ struct Limits {
 
 /// What is simulated on the mesh.
 struct PhysicsParams {
+  std::optional<AnatomyParams> anatomy;
+  std::optional<FibreParams> fibres;  ///< needs `anatomy`
   TissueParams tissue;
   std::vector<Stimulus> stimuli;
   std::optional<MonodomainParams> monodomain;

@@ -16,7 +16,6 @@ inline constexpr const char* kTransferStage = "transfer";
 inline constexpr const char* kQualityStage = "quality";
 inline constexpr const char* kAnatomyStage = "anatomy";
 inline constexpr const char* kDiffusionStage = "diffusion";
-inline constexpr const char* kAnatomyStage = "anatomy";
 inline constexpr const char* kFibresStage = "fibres";
 inline constexpr const char* kTissueStage = "tissue";
 inline constexpr const char* kEikonalStage = "eikonal";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "anatomy/facet_sets.h"
 #include "pipeline/results/value_json.h"
 
 namespace voxtet {
@@ -49,6 +50,18 @@ json counts_of(const QualityReport&) {
   return json::object();
 }
 
+json counts_of(const AnatomyResult& result) {
+  if (!result.surfaces) return json::object();
+  json faces;
+  for (const NamedSet& set : facet_sets(*result.surfaces)) faces[set.name] = set.members.size();
+  return {{"surfaces", faces}};
+}
+
+json counts_of(const FibresResult& result) {
+  const auto& fibres = result.fibres.fibre;
+  return {{"tets", std::count_if(fibres.begin(), fibres.end(), [](const auto& f) { return !f.isZero(0); })}};
+}
+
 json counts_of(const Tissue& tissue) {
   const auto conducts = [](std::uint16_t kind) { return kind != Tissue::kNone; };
   return {{"kinds", tissue.kinds.size()},
@@ -84,6 +97,14 @@ void add_arrays(const LabelTransfer& found, StageArrays& out) {
 
 void add_arrays(const QualityReport& report, StageArrays& out) {
   add_arrays(report.fields, out);
+}
+
+void add_arrays(const AnatomyResult& result, StageArrays& out) {
+  add_arrays(result.fields, out);
+}
+
+void add_arrays(const FibresResult& result, StageArrays& out) {
+  add_arrays(result.fields, out);
 }
 
 void add_arrays(const EikonalResult& result, StageArrays& out) {

@@ -19,7 +19,10 @@ nlohmann::json counts_of(const SizingField& field);     ///< {size, index_to_mm,
 nlohmann::json counts_of(const LayersResult& result);   ///< {walls}: those with exact layers
 nlohmann::json counts_of(const LabelTransfer& found);   ///< {labels}
 nlohmann::json counts_of(const QualityReport& report);  ///< {}: the report has it all elsewhere
-nlohmann::json counts_of(const Tissue& tissue);         ///< {kinds, conducting_tets}
+nlohmann::json counts_of(
+    const AnatomyResult& result);                      ///< {surfaces: {name: faces}}, {} where there are none
+nlohmann::json counts_of(const FibresResult& result);  ///< {tets}: those with a fibre
+nlohmann::json counts_of(const Tissue& tissue);        ///< {kinds, conducting_tets}
 nlohmann::json counts_of(const EikonalResult& result);  ///< {last_ms}: when the last point is activated
 nlohmann::json counts_of(const Trajectory& result);     ///< {frames, end_ms}
 
@@ -29,6 +32,8 @@ void add_arrays(const WallsResult& result, StageArrays& out);
 void add_arrays(const SizingField& field, StageArrays& out);
 void add_arrays(const LabelTransfer& found, StageArrays& out);
 void add_arrays(const QualityReport& report, StageArrays& out);
+void add_arrays(const AnatomyResult& result, StageArrays& out);
+void add_arrays(const FibresResult& result, StageArrays& out);
 void add_arrays(const EikonalResult& result, StageArrays& out);
 void add_arrays(const Trajectory& result,
                 StageArrays& out);  ///< of the last frame, and what is known at the end

@@ -64,6 +64,19 @@ std::size_t memory_bytes(const QualityReport& report) {
   return bytes_of(report.fields);
 }
 
+std::size_t memory_bytes(const AnatomyResult& result) {
+  const VentricularPotentials& p = result.potentials;
+  std::size_t bytes = bytes_of(result.fields);
+  for (const Eigen::VectorXd* potential : {&p.epi, &p.lv, &p.rv, &p.base, &p.free_wall})
+    bytes += static_cast<std::size_t>(potential->size()) * sizeof(double);
+  if (result.surfaces) bytes += bytes_of(result.surfaces->faces) + result.surfaces->wall.size() / 8;
+  return bytes;
+}
+
+std::size_t memory_bytes(const FibresResult& result) {
+  return bytes_of(result.fibres.fibre) + bytes_of(result.fibres.sheet) + bytes_of(result.fields);
+}
+
 std::size_t memory_bytes(const Tissue& tissue) {
   return bytes_of(tissue.kind) + bytes_of(tissue.share) + bytes_of(tissue.fibre);
 }

@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "physics/ventricles/ventricular_potentials.h"
+#include "types/fibres.h"
 #include "types/field.h"
+#include "types/heart_surfaces.h"
 #include "types/label_transfer.h"
 #include "types/quality_report.h"
 #include "types/sizing_field.h"
@@ -48,6 +51,19 @@ struct Layered {
   std::optional<Mesh> with_layers;
 };
 
+/// Empty where the recipe does not ask for it.
+struct AnatomyResult {
+  std::optional<HeartSurfaces> surfaces;
+  VentricularPotentials potentials;
+  std::vector<Field> fields;  ///< coordinates of the points
+};
+
+/// Empty where the recipe does not ask for them.
+struct FibresResult {
+  Fibres fibres;              ///< of the tetrahedra
+  std::vector<Field> fields;  ///< `fibre` and `sheet` of the tetrahedra
+};
+
 /// When the first wave comes: `eikonal_ms` at the points.
 struct EikonalResult {
   std::vector<Field> fields;
@@ -72,6 +88,8 @@ std::size_t memory_bytes(const SizingField& sizing);
 std::size_t memory_bytes(const LayersResult& result);
 std::size_t memory_bytes(const LabelTransfer& found);
 std::size_t memory_bytes(const QualityReport& report);
+std::size_t memory_bytes(const AnatomyResult& result);
+std::size_t memory_bytes(const FibresResult& result);
 std::size_t memory_bytes(const Tissue& tissue);
 std::size_t memory_bytes(const EikonalResult& result);
 std::size_t memory_bytes(const Trajectory& result);

@@ -31,12 +31,14 @@ enum class Stage {
   kOptimise,
   kTransfer,
   kQuality,
+  kAnatomy,
+  kFibres,
   kTissue,
   kEikonal,
   kMonodomain,
   kDiffusion
 };
-inline constexpr int kStageCount = 15;
+inline constexpr int kStageCount = 17;
 
 /// For each stage, the digest of everything that it depends on.
 using StageKeys = std::array<std::string, kStageCount>;

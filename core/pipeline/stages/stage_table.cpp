@@ -5,11 +5,10 @@
 
 #include "base/digest.h"
 #include "phantom/make_phantom.h"
-#include "physics/eikonal/eikonal_sources.h"
-#include "physics/tissue/make_tissue.h"
 #include "pipeline/results/describe_results.h"
 #include "pipeline/results/stage_results.h"
 #include "pipeline/stages/diffusion_stage.h"
+#include "pipeline/stages/heart_stages.h"
 #include "pipeline/stages/layer_warnings.h"
 #include "pipeline/stages/monodomain_stage.h"
 #include "pipeline/stages/side_sizes.h"
@@ -260,26 +259,6 @@ Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out
   return put(std::move(report), out);
 }
 
-Status run_tissue(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext&) {
-  return put(make_tissue(in.get<TetMesh>(Stage::kOptimise), in.get<LabelTransfer>(Stage::kTransfer),
-                         recipe.physics ? recipe.physics->tissue : TissueParams{}),
-             out);
-}
-
-Status run_eikonal(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
-  const TetMesh& mesh = in.get<TetMesh>(Stage::kOptimise);
-  const Tissue& tissue = in.get<Tissue>(Stage::kTissue);
-  const std::vector<Stimulus> stimuli = recipe.physics ? recipe.physics->stimuli : std::vector<Stimulus>{};
-  Result<std::vector<EikonalSource>> sources = eikonal_sources(mesh, tissue, stimuli);
-  if (!sources) return sources.error();
-  Result<std::vector<double>> times = solve_eikonal(mesh, tissue, *sources, ctx);
-  if (!times) return times.error();
-  Field field{"eikonal_ms", "Activation time, eikonal", "ms", On::kPoints, Scale::kSequential, 1, {}};
-  field.values.assign(times->begin(), times->end());
-  out.put(EikonalResult{{std::move(field)}});
-  return std::monostate{};
-}
-
 template <class T>
 const T& value_of(const std::any& value) {
   return *std::any_cast<const std::shared_ptr<const T>&>(value);
@@ -405,11 +384,29 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .run = run_quality,
        .counts = counts<QualityReport>,
        .arrays = arrays<QualityReport>},
+      {.stage = Stage::kAnatomy,
+       .name = kAnatomyStage,
+       .title = "Anatomy",
+       .shown = false,
+       .inputs = {Stage::kVolume, Stage::kOptimise},
+       .reads = {"physics.anatomy"},
+       .run = run_anatomy,
+       .counts = counts<AnatomyResult>,
+       .arrays = arrays<AnatomyResult>},
+      {.stage = Stage::kFibres,
+       .name = kFibresStage,
+       .title = "Fibres",
+       .shown = false,
+       .inputs = {Stage::kOptimise, Stage::kAnatomy},
+       .reads = {"physics.fibres"},
+       .run = run_fibres,
+       .counts = counts<FibresResult>,
+       .arrays = arrays<FibresResult>},
       {.stage = Stage::kTissue,
        .name = kTissueStage,
        .title = "Tissue",
        .shown = false,
-       .inputs = {Stage::kOptimise, Stage::kTransfer},
+       .inputs = {Stage::kOptimise, Stage::kTransfer, Stage::kFibres},
        .reads = {"physics.tissue"},
        .run = run_tissue,
        .counts = counts<Tissue>},
