@@ -1,10 +1,10 @@
 # voxtet_source_digest: SHA-256 of everything that decides the bytes of a mesh, equal in every build of one tree. These
 # are the sources below and the releases of CGAL and Eigen. Not among them are `io`, whose volumes are named by digests
-# of their own; `transfer`, `quality` and `physics`, which work on a mesh that is made; and `cli`. A file that changes makes CMake
-# configure again, so that the digest cannot be old.
+# of their own; `anatomy`, `transfer`, `quality` and `physics`, which work on a mesh that is made; and `cli`. A file that
+# changes makes CMake configure again, so that the digest cannot be old.
 file(GLOB_RECURSE voxtet_deciding CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/core/*.h ${CMAKE_SOURCE_DIR}/core/*.cpp
   ${CMAKE_SOURCE_DIR}/core/*.patch)
-list(FILTER voxtet_deciding EXCLUDE REGEX "^${CMAKE_SOURCE_DIR}/core/(io|transfer|quality|physics|cli)/")
+list(FILTER voxtet_deciding EXCLUDE REGEX "^${CMAKE_SOURCE_DIR}/core/(io|anatomy|transfer|quality|physics|cli)/")
 list(APPEND voxtet_deciding ${CMAKE_SOURCE_DIR}/cmake/flags.cmake)
 list(SORT voxtet_deciding)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${voxtet_deciding})
