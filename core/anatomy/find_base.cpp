@@ -12,7 +12,7 @@ namespace {
 constexpr double kSquaredCosine = 0.5;  ///< of 45 degrees
 constexpr double kEvenCosine = 0.77;    ///< of 40 degrees: the turn of an edge that is no crease
 constexpr double kLeastOpening = 0.2;   ///< of the longest border of an opening
-constexpr int kRounds = 5;
+constexpr int kGrowthRounds = 5;
 
 bool is_inner(std::uint8_t kind) {
   return kind >= wall::kInner;
@@ -107,7 +107,7 @@ void grow_rim(std::size_t point_count, const WallSurface& surface, const std::ve
 /// surfaces stay as they are: the rim of a thin wall is one face wide.
 void even_out(std::size_t point_count, const WallSurface& surface, FaceKinds& kinds) {
   const std::vector<bool> inner = points_of(point_count, surface, kinds, is_inner);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kGrowthRounds; ++round) {
     std::vector<double> rim_mm(kinds.size(), 0);  // minus what leads to the outer surface
     for (const Contact& contact : surface.contacts) {
       if (!is_even(surface, contact)) continue;
