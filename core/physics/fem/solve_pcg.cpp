@@ -31,9 +31,19 @@ Error sizes_differ(const SparseMatrix& a, const Eigen::VectorXd& b, const Eigen:
   return solver_error(message.str());
 }
 
-/// y += factor x
-void add(Eigen::VectorXd& y, double factor, const Eigen::VectorXd& x) {
-  for (Eigen::Index i = 0; i < y.size(); ++i) y[i] += factor * x[i];
+/// y = A p, and returns p . y.
+double multiply_and_dot(const SparseMatrix& a, const Eigen::VectorXd& p, Eigen::VectorXd& y) {
+  const int* const row = a.outerIndexPtr();
+  const int* const column = a.innerIndexPtr();
+  const double* const value = a.valuePtr();
+  double sum = 0;
+  for (Eigen::Index i = 0; i < p.size(); ++i) {
+    double entry = 0;
+    for (int at = row[i]; at < row[i + 1]; ++at) entry += value[at] * p[column[at]];
+    y[i] = entry;
+    sum += p[i] * entry;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -43,23 +53,26 @@ Result<PcgSolve> PcgSolve::start(const SparseMatrix& a, const Eigen::VectorXd& b
   if (a.rows() != a.cols() || b.size() != a.rows() || x0.size() != a.rows()) return sizes_differ(a, b, x0);
   PcgSolve solve;
   solve.params_ = params;
-  solve.diagonal_ = a.diagonal();
-  for (const double entry : solve.diagonal_)
+  solve.inverse_diagonal_ = a.diagonal();
+  for (double& entry : solve.inverse_diagonal_) {
     if (!(entry > 0)) return not_positive("diagonal entry", entry);
+    entry = 1 / entry;
+  }
   solve.b_norm_ = std::sqrt(dot(b, b));
   solve.x_ = std::move(x0);
   if (solve.b_norm_ == 0)
     solve.x_.setZero();  // the solution, which no number of iterations would reach exactly
   multiply(a, solve.x_, solve.product_);
   solve.residual_ = b;
-  add(solve.residual_, -1, solve.product_);
+  for (Eigen::Index i = 0; i < b.size(); ++i) solve.residual_[i] -= solve.product_[i];
   solve.direction_ = Eigen::VectorXd::Zero(b.size());
+  solve.sum_residual();
   return solve;
 }
 
 Result<bool> PcgSolve::iterate(const SparseMatrix& a, int iterations) {
   for (int done = 0;; ++done) {
-    const double relative_residual = b_norm_ == 0 ? 0 : std::sqrt(dot(residual_, residual_)) / b_norm_;
+    const double relative_residual = b_norm_ == 0 ? 0 : std::sqrt(residual2_) / b_norm_;
     if (relative_residual <= params_.relative_tolerance) return true;
     if (iterations_ == params_.max_iterations) return not_converged(relative_residual, params_);
     if (done == iterations) return false;
@@ -67,20 +80,29 @@ Result<bool> PcgSolve::iterate(const SparseMatrix& a, int iterations) {
   }
 }
 
-Status PcgSolve::iterate_once(const SparseMatrix& a) {
-  double current = 0;
-  for (Eigen::Index i = 0; i < x_.size(); ++i) current += residual_[i] * (residual_[i] / diagonal_[i]);
-  const double keep = previous_ > 0 ? current / previous_ : 0;
-  for (Eigen::Index i = 0; i < x_.size(); ++i)
-    direction_[i] = residual_[i] / diagonal_[i] + keep * direction_[i];
-  previous_ = current;
+void PcgSolve::sum_residual() {
+  current_ = residual2_ = 0;
+  for (Eigen::Index i = 0; i < residual_.size(); ++i) {
+    const double square = residual_[i] * residual_[i];
+    residual2_ += square;
+    current_ += square * inverse_diagonal_[i];
+  }
+}
 
-  multiply(a, direction_, product_);
-  const double curvature = dot(direction_, product_);
+Status PcgSolve::iterate_once(const SparseMatrix& a) {
+  const double keep = previous_ > 0 ? current_ / previous_ : 0;
+  for (Eigen::Index i = 0; i < x_.size(); ++i)
+    direction_[i] = residual_[i] * inverse_diagonal_[i] + keep * direction_[i];
+  previous_ = current_;
+
+  const double curvature = multiply_and_dot(a, direction_, product_);
   if (!(curvature > 0)) return not_positive("p . A p of a search direction p", curvature);
-  const double step = current / curvature;
-  add(x_, step, direction_);
-  add(residual_, -step, product_);
+  const double step = current_ / curvature;
+  for (Eigen::Index i = 0; i < x_.size(); ++i) {
+    x_[i] += step * direction_[i];
+    residual_[i] -= step * product_[i];
+  }
+  sum_residual();
   ++iterations_;
   return std::monostate{};
 }

@@ -34,12 +34,14 @@ class PcgSolve {
  private:
   PcgSolve() = default;
   Status iterate_once(const SparseMatrix& a);
+  void sum_residual();
 
   PcgParams params_;
   double b_norm_ = 0;
-  double previous_ = 0;  ///< r . P^-1 r of the iteration before
+  double residual2_ = 0;               ///< r . r
+  double current_ = 0, previous_ = 0;  ///< r . P^-1 r now, and in the iteration before
   int iterations_ = 0;
-  Eigen::VectorXd x_, diagonal_, residual_, direction_, product_;
+  Eigen::VectorXd x_, inverse_diagonal_, residual_, direction_, product_;
 };
 
 }  // namespace voxtet::fem

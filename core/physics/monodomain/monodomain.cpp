@@ -22,7 +22,7 @@ constexpr double kMostMonodomainSteps = 1e7;
 /// Iterations of the solver between two looks at the clock.
 constexpr int kIterationsAtOnce = 4;
 /// Of the change by one diffusion step, whose own error is far larger.
-constexpr fem::PcgParams kSolver{.relative_tolerance = 1e-8, .max_iterations = 1000};
+constexpr fem::PcgParams kSolver{.relative_tolerance = 1e-6, .max_iterations = 1000};
 
 Error field_error(const std::string& field, double found, const std::string& expected) {
   std::ostringstream text;
