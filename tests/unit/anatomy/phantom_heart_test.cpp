@@ -48,7 +48,9 @@ void expect_named(const PhantomParams& params, const TetMesh& mesh, const HeartS
   PhantomParams with_pools = params;
   with_pools.blood_pools = true;
   const auto label_at = phantom_body(with_pools);
-  const auto in_wall = [&](Label label) { return std::find(wall.begin(), wall.end(), label) != wall.end(); };
+  const auto in_wall = [&](Label label) {
+    return std::surfaces_of_heart(wall.begin(), wall.end(), label) != wall.end();
+  };
   ASSERT_EQ(found.faces.size(), mesh.faces.size());
   ASSERT_EQ(found.wall.size(), mesh.tets.size());
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) EXPECT_EQ(found.wall[t], in_wall(mesh.labels[t]));
@@ -83,7 +85,7 @@ void expect_named(const PhantomParams& params, const TetMesh& mesh, const HeartS
   EXPECT_LT((mesh.points[found.apex] - tip).norm(), kEdge) << mesh.points[found.apex].transpose();
 }
 
-HeartSurfaces find(const TetMesh& mesh, const LabelVolume& image, const AnatomyParams& params) {
+HeartSurfaces surfaces_of_heart(const TetMesh& mesh, const LabelVolume& image, const AnatomyParams& params) {
   RunContext ctx;
   const Result<HeartSurfaces> found = find_heart_surfaces(mesh, image, params, ctx);
   EXPECT_TRUE(found.ok()) << (found.ok() ? "" : found.error().message);
@@ -95,7 +97,7 @@ TEST(PhantomSurfaces, AreFoundByPools) {
   const LabelVolume image = make_phantom(params).value();
   const std::vector<Label> wall{1, 2, 5, 6};
   const TetMesh mesh = test::mesh_image(image, wall, kEdge);
-  expect_named(params, mesh, find(mesh, image, {wall, {3}, {4}}), wall);
+  expect_named(params, mesh, surfaces_of_heart(mesh, image, {wall, {3}, {4}}), wall);
 }
 
 TEST(PhantomSurfaces, AreFoundWithoutPools) {
@@ -104,15 +106,15 @@ TEST(PhantomSurfaces, AreFoundWithoutPools) {
   const LabelVolume image = make_phantom(params).value();
   const std::vector<Label> wall{1, 2, 5, 6};
   const TetMesh mesh = test::mesh_image(image, wall, kEdge);
-  expect_named(params, mesh, find(mesh, image, {wall, {}, {}}), wall);
+  expect_named(params, mesh, surfaces_of_heart(mesh, image, {wall, {}, {}}), wall);
 }
 
 TEST(PhantomSurfaces, AreFoundBesideMeshedPools) {
   PhantomParams params;
   const LabelVolume image = make_phantom(params).value();
   const TetMesh mesh = test::mesh_image(image, {}, kEdge + 1);
-  expect_named(params, mesh, find(mesh, image, {{1, 2}, {3}, {4}}), {1, 2});
-  expect_named(params, mesh, find(mesh, image, {{1, 2}, {}, {}}), {1, 2});
+  expect_named(params, mesh, surfaces_of_heart(mesh, image, {{1, 2}, {3}, {4}}), {1, 2});
+  expect_named(params, mesh, surfaces_of_heart(mesh, image, {{1, 2}, {}, {}}), {1, 2});
 }
 
 TEST(PhantomSurfaces, AreFoundInTurnedAndMirroredImages) {
@@ -122,14 +124,14 @@ TEST(PhantomSurfaces, AreFoundInTurnedAndMirroredImages) {
   params.blood_pools = false;
   const LabelVolume image = make_phantom(params).value();
   const TetMesh mesh = test::mesh_image(image, {}, kEdge);
-  expect_named(params, mesh, find(mesh, image, {{1, 2}, {}, {}}), {1, 2});
+  expect_named(params, mesh, surfaces_of_heart(mesh, image, {{1, 2}, {}, {}}), {1, 2});
 }
 
 TEST(PhantomSurfaces, AreFoundWhereTheMeshMergesScarAndWall) {
   const PhantomParams params = rough_heart();
   const LabelVolume image = make_phantom(params).value();
   const TetMesh mesh = test::mesh_image(image, {1, 2, 5, 6}, kEdge, {{1, 5, 6}});
-  expect_named(params, mesh, find(mesh, image, {{1, 2}, {3}, {4}}), {1, 2});
+  expect_named(params, mesh, surfaces_of_heart(mesh, image, {{1, 2}, {3}, {4}}), {1, 2});
 }
 
 // Background in the pools, as papillary muscles leave it, and a hole in the right free wall.
@@ -144,7 +146,7 @@ TEST(PhantomSurfaces, AreFoundInSpiteOfFaultyLabels) {
     if (way.tail<2>().norm() < 2.5 && std::abs(way.x()) < 12 && image.labels[at] == 2) image.labels[at] = 0;
   });
   const TetMesh mesh = test::mesh_image(image, {1, 2}, kEdge);
-  const HeartSurfaces found = find(mesh, image, {{1, 2}, {3}, {4}});
+  const HeartSurfaces found = surfaces_of_heart(mesh, image, {{1, 2}, {3}, {4}});
   for (const HeartSurface surface : {HeartSurface::kEpicardium, HeartSurface::kLvEndocardium,
                                      HeartSurface::kRvEndocardium, HeartSurface::kRvSeptum})
     EXPECT_EQ(test::count_parts(mesh, found, surface), 1) << name_of(surface);

@@ -268,7 +268,7 @@ describe('EngineClient', () => {
 
     it('and hands over every frame in order, with room for a texture', async () => {
       const { frames, stages, simulation } = await meshed();
-      expect((await simulation).name).toBe('diffusion');
+      expect((await simulation).summary.name).toBe('diffusion');
       expect(frames.map(({ timeMs }) => timeMs)).toEqual(Array.from({ length: 20 }, (_, i) => 5 * (i + 1)));
       expect(frames[3].values.temperature[0]).toBeCloseTo(0.2, 6);
       expect(frames[3].values.temperature.length).toBe(frames[3].fields[0].count);

@@ -6,6 +6,7 @@ import {
   type ExportedFile,
   type ExportFormat,
   type FileSource,
+  type FoundFields,
   type Frame,
   type Recipe,
   type Reply,
@@ -232,7 +233,7 @@ export class EngineClient {
     source: Recipe['source'],
     stage: SimulationName,
     handlers: SimulationHandlers,
-  ): Promise<SimulationSummary> {
+  ): Promise<{ summary: SimulationSummary; found: FoundFields }> {
     return this.job(async (generation) => {
       await this.prepare(generation, recipeJson, source);
       const progress = Comlink.proxy((name: string, fraction: number) => handlers.onProgress(name, fraction));
@@ -240,7 +241,8 @@ export class EngineClient {
       const simulation = this.answer(generation, stage, generation.api.simulate(stage, progress, frames));
       generation.simulation = simulation;
       try {
-        return await simulation;
+        const summary = await simulation;
+        return { summary, found: await this.answer(generation, stage, generation.api.found(stage)) };
       } finally {
         generation.simulation = null;
       }

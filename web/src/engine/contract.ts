@@ -7,8 +7,8 @@ export * from './recipe_types';
 export { stageNames };
 export type StageName = (typeof stageNames)[number];
 
-/** Stages that are worked on in short steps and give frames. They run when they are asked for. */
-export type SimulationName = 'diffusion';
+/** Stages of physics. They run when they are asked for; those that are worked on in short steps give frames. */
+export type SimulationName = 'eikonal' | 'monodomain' | 'diffusion';
 
 export type ErrorCode =
   | 'usage'
@@ -208,6 +208,8 @@ export interface SchemaField {
 export interface Schema {
   version: string;
   fields: SchemaField[];
+  /** Groups that a recipe may leave out, by their paths. */
+  optional_groups: string[];
 }
 
 /** What meshing will take, as foretold from the sizing field. */
@@ -309,6 +311,12 @@ export interface StageArrays {
   quality: { fields: FieldInfo[]; values: Record<string, Float32Array> };
 }
 
+/** In place of a value at a point that has none: for shaders, which cannot tell what is not a number. */
+export const noValue = -1e30;
+
+/** Fields that a simulation has found, at its end. */
+export type FoundFields = StageArrays['quality'];
+
 /** What the worker answers; every call is one message there and one back. */
 export interface EngineApi {
   start(module: WebAssembly.Module, scriptUrl: string, lock: string): Promise<EngineInfo>;
@@ -326,6 +334,8 @@ export interface EngineApi {
     onProgress: (stage: string, fraction: number) => void,
     onFrame: (frame: Frame) => Promise<void>,
   ): Promise<Reply<SimulationSummary>>;
+  /** The fields of a simulation that is done, `noValue` where points have none. */
+  found(stage: SimulationName): Reply<FoundFields>;
   pauseSimulation(paused: boolean): void;
   /** It answers `cancelled`; what was complete before it stays. */
   endSimulation(): void;

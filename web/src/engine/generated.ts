@@ -211,6 +211,111 @@ export interface RecipeFields {
     sample_spacing_voxels: number;
   };
   physics?: {
+    anatomy?: {
+      /** Meshed labels of the ventricles' wall, with scar; none: all but the pools. */
+      wall: number[];
+      /** Labels of the left cavity, meshed or not; none: found as a cavity of the wall. */
+      lv_pool: number[];
+      /** Labels of the right cavity. */
+      rv_pool: number[];
+    };
+    fibres?: {
+      /** linear: angles linear in the depth of the wall; bayer: as published in 2012. */
+      rule: 'linear' | 'bayer';
+      /** Helix angle at the endocardium; deg. */
+      alpha_endo_deg: number;
+      /** Helix angle at the epicardium; deg. */
+      alpha_epi_deg: number;
+      /** Sheet angle at the endocardium; deg. */
+      beta_endo_deg: number;
+      /** Sheet angle at the epicardium; deg. */
+      beta_epi_deg: number;
+      septum?: {
+        /** Helix angle at the endocardium; deg. */
+        alpha_endo_deg: number;
+        /** Helix angle at the epicardium; deg. */
+        alpha_epi_deg: number;
+        /** Sheet angle at the endocardium; deg. */
+        beta_endo_deg: number;
+        /** Sheet angle at the epicardium; deg. */
+        beta_epi_deg: number;
+      };
+    };
+    tissue: {
+      /** Where a tetrahedron's label comes from: the mesh, or labels transferred to it by centroid, majority or as fractions. */
+      by: 'mesh' | 'centroid' | 'majority' | 'fraction';
+      /** Kinds of tissue; labels without an entry do not conduct. */
+      kinds: {
+        /** Labels that are this kind of tissue. */
+        labels: number[];
+        /** Speed of a plane wave along the fibres, in rested tissue; mm/ms. */
+        along_mm_per_ms: number;
+        /** Speed across the fibres; counts where there are fibres; mm/ms. */
+        across_mm_per_ms: number;
+        /** Mitchell and Schaeffer's cell, or that of Corrado and Niederer, which never paces itself. */
+        cell: 'ms' | 'mms';
+        /** Time of the inward current: how fast cells depolarise; ms. */
+        tau_in_ms: number;
+        /** Time of the outward current; more than four times tau_in_ms; ms. */
+        tau_out_ms: number;
+        /** Time in which the gate opens again: how fast cells recover; ms. */
+        tau_open_ms: number;
+        /** Time in which the gate closes: how long an action potential lasts; ms. */
+        tau_close_ms: number;
+        /** Voltage, as a part of its range, at which the gate turns. */
+        gate: number;
+      }[];
+    };
+    /** Where and when the tissue is excited from outside. */
+    stimuli: {
+      /** Name of the stimulus. */
+      name: string;
+      /** Shape of the region. */
+      shape: 'sphere' | 'box' | 'capsule';
+      /** Centre of sphere or box, first end of a capsule; RAS; mm. */
+      centre_mm: Vec3;
+      /** Second end of a capsule; RAS; mm. */
+      end_mm: Vec3;
+      /** Half edges of a box; mm. */
+      half_size_mm: Vec3;
+      /** Rotation of a box about x, then y, then z; deg. */
+      axes_deg: Vec3;
+      /** Radius of sphere or capsule; mm. */
+      radius_mm: number;
+      /** When it is first given; ms. */
+      start_ms: number;
+      /** How long the current flows; ms. */
+      duration_ms: number;
+      /** The current, as a part of the voltage's range each ms; 1/ms. */
+      strength_per_ms: number;
+      /** How often it is given (S1). */
+      count: number;
+      /** From one start to the next; ms. */
+      interval_ms: number;
+      /** Interval of one extra stimulus after these (S2); 0: none; ms. */
+      s2_ms: number;
+      /** Interval of one more after that (S3); 0: none; ms. */
+      s3_ms: number;
+    }[];
+    monodomain?: {
+      /** Steps in time: semi_implicit, with half-lumped mass, for results; explicit, with lumped mass, for a quick look. */
+      integration: 'explicit' | 'semi_implicit';
+      /** Time at the end; ms. */
+      end_ms: number;
+      /** Time step; ms. */
+      step_ms: number;
+      /** Time between two frames; ms. */
+      frame_ms: number;
+      /** semi_implicit: share of the consistent mass; the rest is lumped. */
+      consistent_mass: number;
+      /** Places where the extracellular potential is recorded. */
+      electrodes: {
+        /** Name of the electrode. */
+        name: string;
+        /** Where it is; RAS; mm. */
+        at_mm: Vec3;
+      }[];
+    };
     diffusion?: {
       /** Label from which heat spreads. */
       from: number;
@@ -344,7 +449,39 @@ export const optionalDefaults = {
     "name": "",
     "sha256": ""
   },
-  "physics": {},
+  "physics": {
+    "tissue": {
+      "by": "mesh",
+      "kinds": []
+    },
+    "stimuli": []
+  },
+  "physics.anatomy": {
+    "wall": [],
+    "lv_pool": [],
+    "rv_pool": []
+  },
+  "physics.fibres": {
+    "rule": "linear",
+    "alpha_endo_deg": 60,
+    "alpha_epi_deg": -60,
+    "beta_endo_deg": -65,
+    "beta_epi_deg": 25
+  },
+  "physics.fibres.septum": {
+    "alpha_endo_deg": 60,
+    "alpha_epi_deg": -60,
+    "beta_endo_deg": -65,
+    "beta_epi_deg": 25
+  },
+  "physics.monodomain": {
+    "integration": "semi_implicit",
+    "end_ms": 400,
+    "step_ms": 0.05,
+    "frame_ms": 5,
+    "consistent_mass": 0.5,
+    "electrodes": []
+  },
   "physics.diffusion": {
     "from": 1,
     "diffusivity_mm2_per_ms": 1,
@@ -478,6 +615,58 @@ export const stageSpecs = [
     ],
     "reads": [
       "quality"
+    ]
+  },
+  {
+    "name": "anatomy",
+    "inputs": [
+      "volume",
+      "optimise"
+    ],
+    "reads": [
+      "physics.anatomy"
+    ]
+  },
+  {
+    "name": "fibres",
+    "inputs": [
+      "optimise",
+      "anatomy"
+    ],
+    "reads": [
+      "physics.fibres"
+    ]
+  },
+  {
+    "name": "tissue",
+    "inputs": [
+      "optimise",
+      "transfer",
+      "fibres"
+    ],
+    "reads": [
+      "physics.tissue"
+    ]
+  },
+  {
+    "name": "eikonal",
+    "inputs": [
+      "optimise",
+      "tissue"
+    ],
+    "reads": [
+      "physics.stimuli"
+    ]
+  },
+  {
+    "name": "monodomain",
+    "inputs": [
+      "optimise",
+      "tissue"
+    ],
+    "reads": [
+      "physics.stimuli",
+      "physics.monodomain"
     ]
   },
   {

@@ -1,7 +1,7 @@
 /** Runs of the engine in parts: between two of them the worker hears what else is wanted. */
-import { withRoom } from '../geometry/rows';
+import { withNone, withRoom } from '../geometry/rows';
 import { guarded } from './failures';
-import type { FieldInfo, Frame, Reply } from './contract';
+import { noValue, type FieldInfo, type Frame, type Reply } from './contract';
 import type { Session } from './session_api';
 
 interface Part<Summary> {
@@ -40,7 +40,7 @@ function takeFrames(session: Session): Frame[] {
     const values: Frame['values'] = {};
     for (const { name } of value.fields) {
       const view = session.snapshotArray(name);
-      if (view) values[name] = withRoom(view as Float32Array<ArrayBuffer>);
+      if (view) values[name] = withRoom(withNone(view as Float32Array, noValue));
     }
     frames.push({ timeMs: value.time_ms, fields: value.fields, values });
   }

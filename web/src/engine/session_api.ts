@@ -1,4 +1,4 @@
-import { withRoom } from '../geometry/rows';
+import { withNone, withRoom } from '../geometry/rows';
 import { smoothNormals } from '../geometry/smooth_normals';
 import { tetFaces } from '../geometry/tet_faces';
 import { tetNeighbours } from '../geometry/tet_neighbours';
@@ -12,7 +12,7 @@ import type {
   SurfaceArrays,
   TetArrays,
 } from './contract';
-import { stageNames } from './contract';
+import { noValue, stageNames } from './contract';
 import { guarded } from './failures';
 import { PartedRuns } from './parts';
 
@@ -58,11 +58,6 @@ const arrayNames: Partial<Record<StageName, readonly string[]>> = {
 /** What was transferred stands with the evidence. */
 const stagesOfEvidence = ['quality', 'transfer'];
 
-/** For shaders, which cannot tell what is not a number: `none` in its place. */
-function withNone(values: Float32Array, none: number): Float32Array {
-  return values.map((value) => (Number.isNaN(value) ? none : value));
-}
-
 /** Share of the time until there are good tetrahedra that filling the surface takes. */
 const fillingShare = 0.7;
 
@@ -81,17 +76,18 @@ function copied(view: View): View {
   return view.slice() as View;
 }
 
-function fieldsOf(session: Session, stages: readonly string[]): StageArrays['quality'] {
+/** Numbers, one for each element; `none` stands for those that are missing. */
+function fieldsOf(session: Session, stages: readonly string[], none: number): StageArrays['quality'] {
   const fields: FieldInfo[] = [];
   const values: Record<string, Float32Array> = {};
   for (const stage of stages) {
     const reply = JSON.parse(session.describe(stage)) as Reply<FieldInfo[]>;
     for (const field of reply.ok ? reply.value : []) {
       const view = session.array(stage, field.name) as Float32Array | undefined;
-      if (!view) continue;
+      if (!view || field.components !== 1) continue;
       fields.push(field);
       const gaps = field.scale === 'whole' || field.on === 'points';
-      values[field.name] = gaps ? withNone(view, -1) : (copied(view) as Float32Array);
+      values[field.name] = gaps ? withNone(view, none) : (copied(view) as Float32Array);
     }
   }
   return { fields, values };
@@ -119,6 +115,7 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
       }),
 
     simulate: (stage, onProgress, onFrame) => runs.run(stage, onProgress, onFrame),
+    found: (stage) => guarded(stage, () => ({ ok: true, value: fieldsOf(session, [stage], noValue) })),
     pauseSimulation: (paused) => runs.pause(paused),
     endSimulation: () => runs.end(),
 
@@ -133,7 +130,7 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
             if (view) arrays[name] = copied(view);
           }
         };
-        if (stage === 'quality') return { ok: true, value: fieldsOf(session, stagesOfEvidence) as never };
+        if (stage === 'quality') return { ok: true, value: fieldsOf(session, stagesOfEvidence, -1) as never };
         keep(stage, arrayNames[stage] ?? []);
         const thickness = stage === 'sizing' && session.array('walls', 'thickness_mm');
         if (thickness) arrays.thickness_mm = withNone(thickness as Float32Array, 0);

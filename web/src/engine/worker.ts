@@ -69,6 +69,7 @@ const api: EngineApi = {
       );
     return releasing(current().simulate(stage, onProgress, hand), onProgress, onFrame);
   },
+  found: (stage) => handOver(current().found(stage)),
   pauseSimulation: (paused) => current().pauseSimulation(paused),
   endSimulation: () => current().endSimulation(),
   forecast: (elements) => current().forecast(elements),

@@ -30,3 +30,8 @@ export function inRows<T extends Texels>(array: T, channels: 1 | 4): T {
   rows.set(array);
   return rows;
 }
+
+/** For shaders, which cannot tell what is not a number: `none` in its place. */
+export function withNone(values: Float32Array, none: number): Float32Array<ArrayBuffer> {
+  return Float32Array.from(values, (value) => (Number.isNaN(value) ? none : value));
+}

@@ -41,6 +41,8 @@ export interface Legend {
   map: ColourMapName;
   /** Of few whole numbers. */
   whole?: boolean;
+  /** Colours change at multiples of this, with a line: isochrones. */
+  bands?: number;
 }
 
 export interface Picked {

@@ -56,6 +56,7 @@ export class Workers {
         return stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress);
       },
       simulate: (stage, onProgress, onFrame) => session.simulate(stage, onProgress, onFrame),
+      found: (stage) => session.found(stage),
       pauseSimulation: (paused) => session.pauseSimulation(paused),
       endSimulation: () => session.endSimulation(),
       forecast: (elements) =>

@@ -78,6 +78,8 @@ function SizingSection({ current }: { current: Recipe }) {
   );
 }
 
+const PhysicsSection = fetched(() => import('./physics_section').then((part) => part.PhysicsSection));
+
 const SimulationSection = fetched(() =>
   import('./simulation_section').then((part) => part.SimulationSection),
 );
@@ -96,6 +98,7 @@ export function CasePanel() {
           <LabelSection current={current} />
           <SizingSection current={current} />
           <StageSection current={current} />
+          <PhysicsSection current={current} />
           {developer && <SimulationSection current={current} />}
         </>
       )}

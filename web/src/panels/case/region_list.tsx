@@ -1,24 +1,21 @@
-import type { Recipe, RegionShape, SizeRegion, Vec3 } from '../../engine/contract';
-import { toMm } from '../../geometry/orientation';
+import type { Recipe, RegionShape, SizeRegion } from '../../engine/contract';
 import { volume } from '../../store/case/input';
 import { editRecipe } from '../../store/case/recipe';
-import { gizmoMode, regionShown, slicePlaces } from '../../store/view';
+import { gizmoMode, regionShown } from '../../store/view';
+import { crosshairMm } from '../../store/view_place';
 import { NumberField, Segments, SelectField, VectorField } from '../controls/fields';
 import { FoldedItem } from '../controls/folded_item';
 import { Icon } from '../controls/icons';
 
-/** Where the crosshair is, and how long the image is. */
-function placeForRegion(): { centre: Vec3; extent: number } {
+/** How long the image is, mm. */
+function imageExtent(): number {
   const known = volume.value;
-  if (!known) return { centre: [0, 0, 0], extent: 60 };
-  const index = slicePlaces.value.map((place, axis) => Math.round(place * (known.size[axis] - 1)));
-  const centre = toMm(known.index_to_mm, index).map((x) => Math.round(10 * x) / 10) as Vec3;
-  return { centre, extent: Math.max(...known.size.map((size, axis) => size * known.spacing_mm[axis])) };
+  return known ? Math.max(...known.size.map((size, axis) => size * known.spacing_mm[axis])) : 60;
 }
 
 function newRegion(shape: RegionShape, current: Recipe): SizeRegion {
-  const { centre, extent } = placeForRegion();
-  const radius = Math.max(1, Math.round(extent / 8));
+  const centre = crosshairMm();
+  const radius = Math.max(1, Math.round(imageExtent() / 8));
   const edge = Number((current.sizing.edge_mm / 2).toPrecision(2));
   return {
     name: `Region ${current.sizing.regions.length + 1}`,

@@ -1,9 +1,10 @@
-import type { DiffusionParams, Recipe } from '../../engine/contract';
+import type { DiffusionParams, Physics, Recipe } from '../../engine/contract';
 import { nameOf, volume } from '../../store/case/input';
 import { editRecipe } from '../../store/case/recipe';
 import { upToDate } from '../../store/run/report';
 import { simulate } from '../../store/run/simulate';
-import { activity, schema } from '../../store/run/stages';
+import { groupDefaults } from '../../store/run/schema_defaults';
+import { activity } from '../../store/run/stages';
 import { CheckField, NumberField, SelectField } from '../controls/fields';
 import { Icon } from '../controls/icons';
 
@@ -12,11 +13,10 @@ type NumberKey = 'diffusivity_mm2_per_ms' | 'end_ms' | 'step_ms' | 'frame_ms';
 const group = 'physics.diffusion.';
 
 /** The engine's own values, but for the label, which has to be one that is meshed. */
-function startingParams(from: number): DiffusionParams {
-  const fields = schema.value?.fields.filter(({ path }) => path.startsWith(group)) ?? [];
-  const defaults = Object.fromEntries(fields.map((field) => [field.path.slice(group.length), field.default]));
-  return { ...(defaults as unknown as DiffusionParams), from };
-}
+const startingParams = (from: number): DiffusionParams => ({
+  ...groupDefaults<DiffusionParams>('physics.diffusion'),
+  from,
+});
 
 function DiffusionFields({ params, labels }: { params: DiffusionParams; labels: readonly number[] }) {
   const set = (change: Partial<DiffusionParams>, label: string) =>
@@ -54,7 +54,7 @@ function DiffusionFields({ params, labels }: { params: DiffusionParams; labels: 
         data-testid="simulate"
         disabled={!upToDate.value || activity.value !== 'idle'}
         title={upToDate.value ? 'Compute on the mesh, and play it' : 'Run the mesh first'}
-        onClick={() => void simulate()}
+        onClick={() => void simulate('diffusion')}
       >
         <Icon name="play" size={13} /> Simulate
       </button>
@@ -69,8 +69,10 @@ export function SimulationSection({ current }: { current: Recipe }) {
   const params = current.physics?.diffusion;
   const toggle = (on: boolean) =>
     editRecipe('Heat diffusion', (draft) => {
-      if (on) draft.physics = { diffusion: startingParams(labels[0]) };
-      else delete draft.physics;
+      const physics = draft.physics ?? groupDefaults<Physics>('physics');
+      if (on) physics.diffusion = startingParams(labels[0]);
+      else delete physics.diffusion;
+      draft.physics = physics;
     });
   return (
     <section class="section">

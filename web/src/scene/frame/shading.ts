@@ -13,6 +13,13 @@ in vec3 vCorner;
 #ifdef SMOOTH
 in vec3 vNormal;
 #endif
+#ifdef FIELD
+/** A value, and 1 where there is one. */
+in vec2 vValue;
+uniform sampler2D scale;
+uniform vec2 range;
+uniform float bands;
+#endif
 #ifdef PICK
 layout(location = 0) out uvec4 outPick;
 #else
@@ -28,6 +35,25 @@ float edgeLine() {
   return (1.0 - min(min(near.x, near.y), near.z)) * (1.0 - smoothstep(0.12, 0.45, crowd));
 }
 
+#ifdef FIELD
+vec3 fieldColour() {
+  if (vValue.y < 0.999) return vColour;
+  float value = vValue.x;
+  float line = 0.0;
+  if (bands > 0.0) {
+    float place = value / bands;
+    float width = max(fwidth(place), 1e-6);
+    float away = abs(place - round(place));
+    line = (1.0 - smoothstep(0.6 * width, 1.4 * width, away)) * (1.0 - smoothstep(0.2, 0.6, width));
+    value = bands * (floor(place) + 0.5);
+  }
+  float x = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
+  return mix(texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb, vec3(0.05), 0.7 * line);
+}
+#else
+vec3 fieldColour() { return vColour; }
+#endif
+
 vec3 shaded() {
 #ifdef SMOOTH
   vec3 n = normalize(vNormal);
@@ -39,7 +65,8 @@ vec3 shaded() {
   float key = max(dot(n, normalize(vec3(0.35, 0.55, 0.75))), 0.0);
   float fill = max(dot(n, normalize(vec3(-0.6, -0.1, 0.5))), 0.0);
   float sky = 0.5 + 0.5 * n.y;
-  vec3 base = vColour * vColour;
+  vec3 base = fieldColour();
+  base *= base;
   vec3 lit = base * (0.3 + 0.16 * sky + 0.66 * key + 0.22 * fill);
   lit += 0.05 * pow(max(dot(n, normalize(toEye + vec3(0.35, 0.55, 0.75))), 0.0), 24.0);
   return sqrt(clamp(lit, 0.0, 1.0));

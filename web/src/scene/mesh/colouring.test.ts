@@ -2,7 +2,7 @@ import { afterEach, describe, expect, it } from 'vitest';
 import type { FieldInfo, StageArrays } from '../../engine/contract';
 import { colourBy } from '../../store/view';
 import { forgetFrames, keepFrame } from '../../store/run/frames';
-import { playedPaint, roundEnds, tetPaint } from './colouring';
+import { simulatedPaint, roundEnds, tetPaint } from './colouring';
 
 function field(name: string, values: Float32Array, told: Partial<FieldInfo> = {}): StageArrays['quality'] {
   const info = { name, title: name, unit: '1', on: 'tets', scale: 'sequential', components: 1 } as const;
@@ -67,9 +67,9 @@ describe('colours of what is played', () => {
   it('go on between points, on one scale in round numbers', () => {
     const { fields } = field('temperature', parts, { on: 'points', range: [-0.005, 1] });
     keepFrame({ timeMs: 0, fields, values: { temperature: parts } });
-    expect(playedPaint()).toBeNull();
+    expect(simulatedPaint()).toBeNull();
     colourBy.value = 'temperature';
-    expect(playedPaint()).toMatchObject({ kind: 'nodal', values: parts, legend: { lo: 0, hi: 1 } });
+    expect(simulatedPaint()).toMatchObject({ kind: 'nodal', values: parts, legend: { lo: 0, hi: 1 } });
   });
 
   it.each([

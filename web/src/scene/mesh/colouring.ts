@@ -1,4 +1,5 @@
 /** From what the store shows to colours: pure choices, no three.js. */
+import { untracked } from '@preact/signals';
 import type { FieldInfo, StageArrays, SurfaceArrays } from '../../engine/contract';
 import { colourTable, rgbOf } from '../../geometry/colours';
 import {
@@ -11,7 +12,7 @@ import {
 } from '../../geometry/faces';
 import { valuesAt } from '../../geometry/grid_values';
 import { nameOf } from '../../store/case/input';
-import { frameShown, playedFields } from '../../store/run/frames';
+import { foundFields, playedFields, simulatedValues } from '../../store/run/frames';
 import { shownKeys } from '../../store/run/results';
 import { sizingFields } from '../../store/run/sizing_fields';
 import { colourBy, colourOf, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
@@ -88,12 +89,24 @@ export function roundEnds([least, most]: readonly [number, number]): { lo: numbe
   return { lo: rounded(least), hi: rounded(most) };
 }
 
-/** The field that is played, on the scale of all its frames; nothing where it is not what is coloured by. */
-export function playedPaint(): TetPaint | null {
-  const field = playedFields.value.find(({ info }) => info.name === colourBy.value);
-  const values = frameShown.peek()?.values[colourBy.value];
+/** The width of bands, in round numbers, of which there are about twelve. */
+export function bandWidth({ lo, hi }: { lo: number; hi: number }): number {
+  const about = (hi - lo) / 12;
+  const power = 10 ** Math.floor(Math.log10(about));
+  return power * ([1, 2, 5, 10].find((step) => step * power >= about * 0.999) ?? 10);
+}
+
+/** A field of a simulation, on the scale of all its frames; nothing where it is not what is coloured by. */
+export function simulatedPaint(): TetPaint | null {
+  const named = ({ info }: { info: FieldInfo }) => info.name === colourBy.value;
+  const played = playedFields.value.find(named);
+  const field = played ?? foundFields.value.find(named);
+  const values = untracked(() => simulatedValues(colourBy.value));
   if (!field || !values) return null;
-  const legend: Legend = { ...scaleOf(field.info), ...roundEnds(field.range) };
+  const ends = roundEnds(field.range);
+  // Times that are found once are read as isochrones.
+  const bands = !played && field.info.unit === 'ms' ? bandWidth(ends) : undefined;
+  const legend: Legend = { ...scaleOf(field.info), ...ends, bands };
   return { kind: field.info.on === 'points' ? 'nodal' : 'scale', values, legend };
 }
 

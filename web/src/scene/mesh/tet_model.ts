@@ -78,6 +78,7 @@ export class TetModel {
       counts: { value: new Vector2(extents[0], extents[1]) },
       reach: { value: extents[2] },
       range: { value: new Vector2(0, 1) },
+      bands: { value: 0 },
       explode: { value: 0 },
       apart: { value: false },
       singled: { value: -1 },
@@ -133,6 +134,7 @@ export class TetModel {
     if ('legend' in paint) {
       this.replace('scale', scaleTexture(paint.legend.map));
       this.shared.range.value.set(paint.legend.lo, paint.legend.hi);
+      this.shared.bands.value = paint.legend.bands ?? 0;
     }
     for (const one of [this.solid, this.cap]) one.material.uniforms.paint.value = paintCodes[paint.kind];
   }
@@ -187,7 +189,7 @@ export class TetModel {
       glslVersion: GLSL3,
       vertexShader,
       fragmentShader: shadingFragment,
-      defines: look.lines ? { LINES: 1 } : {},
+      defines: look.lines ? { LINES: 1 } : { FIELD: 1 },
       side: DoubleSide,
       transparent: look.ghost === true || look.lines === true,
       depthWrite: !look.ghost && !look.lines,

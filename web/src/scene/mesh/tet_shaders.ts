@@ -21,6 +21,7 @@ flat out uint vElement;
 out vec3 vView;
 out vec3 vWorld;
 out vec3 vCorner;
+out vec2 vValue;
 
 ivec2 at(int i) { return ivec2(i & 2047, i >> 11); }
 ivec2 ofLabel(int label) { return ivec2(label & 255, label >> 8); }
@@ -39,12 +40,18 @@ vec3 colourOf(int tet, int label) {
   if (paint == 3) return plain;
   float value = paint == 4 ? faceValue : paint == 6 ? vertexValue : texelFetch(values, at(tet), 0).r;
   if ((paint == 4 || paint == 5) && value < 0.0) return plain;
+  if (paint == 6) {
+    // Coloured pixel by pixel, where all corners have a value.
+    if (value < -1e29) return plain;
+    vValue = vec2(value, tet == singled ? 0.0 : 1.0);
+  }
   if (paint == 2) return texelFetch(palette, ofLabel(int(value)), 0).rgb;
   float x = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
   return texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb;
 }
 
 void place(int tet, vec3 p) {
+  vValue = vec2(0.0);
   int label = int(texelFetch(centres, at(tet), 0).w);
   vColour = colourOf(tet, label);
   vElement = uint(tet);
@@ -56,6 +63,7 @@ void place(int tet, vec3 p) {
 
 void leaveOut() {
   vColour = vView = vWorld = vCorner = vec3(0.0);
+  vValue = vec2(0.0);
   vElement = 0u;
   gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }`;

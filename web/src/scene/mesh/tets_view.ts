@@ -12,10 +12,10 @@ import {
   legend,
   type Brush,
 } from '../../store/view';
-import { frameShown } from '../../store/run/frames';
+import { simulatedValues } from '../../store/run/frames';
 import type { BodyView } from './body_view';
 import type { Canvas } from '../frame/canvas';
-import { playedPaint, tetPaint } from './colouring';
+import { simulatedPaint, tetPaint } from './colouring';
 import type { Plane, TetModel } from './tet_model';
 
 export interface TetSource {
@@ -87,7 +87,7 @@ export function followTets(
     effect(() => {
       const shown = source();
       if (!shown || !body.model) return;
-      const paint = (leads && playedPaint()) || tetPaint(shown.measures);
+      const paint = (leads && simulatedPaint()) || tetPaint(shown.measures);
       const scaled = 'legend' in paint;
       if (leads) legend.value = scaled ? paint.legend : null;
       // Two runs are compared on one scale: that of the run that leads.
@@ -97,7 +97,7 @@ export function followTets(
     }),
     // From frame to frame only values change.
     effect(() => {
-      const values = frameShown.value?.values[colourBy.value];
+      const values = simulatedValues(colourBy.value);
       if (!leads || !values || !body.model || !source()) return;
       body.model.setValues(values);
       canvas.invalidate();

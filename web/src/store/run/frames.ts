@@ -1,6 +1,6 @@
 /** The frames of the simulation on the mesh that is shown. They stand outside the signals, which hold their times only. */
 import { computed, signal } from '@preact/signals';
-import type { FieldInfo, Frame } from '../../engine/contract';
+import { noValue, type FieldInfo, type FoundFields, type Frame } from '../../engine/contract';
 import { time } from '../view';
 import { FrameRing } from './frame_ring';
 
@@ -24,6 +24,35 @@ export interface PlayedField {
 }
 
 export const playedFields = signal<readonly PlayedField[]>([]);
+
+/** What simulations of this mesh have found at their ends, by the name of the field. */
+const found = new Map<string, Float32Array>();
+export const foundFields = signal<readonly PlayedField[]>([]);
+
+/** Fields of the same names, of an earlier simulation, give way. */
+export function keepFound({ fields, values }: FoundFields): void {
+  const fresh = fields
+    .filter(({ name }) => !playedFields.peek().some(({ info }) => info.name === name))
+    .map((info): PlayedField => ({ info, range: info.range ?? [0, 1] }));
+  for (const { info } of fresh) found.set(info.name, values[info.name]);
+  const names = new Set(fresh.map(({ info }) => info.name));
+  foundFields.value = [...foundFields.peek().filter(({ info }) => !names.has(info.name)), ...fresh];
+}
+
+/** Of another mesh, or of none. */
+export function forgetFound(): void {
+  found.clear();
+  foundFields.value = [];
+}
+
+/** The values that the mesh is coloured by, of the frame at the time cursor or as they were found. */
+export function simulatedValues(name: string): Float32Array | undefined {
+  void foundFields.value;
+  return frameShown.value?.values[name] ?? found.get(name);
+}
+
+/** Whether a point has a value. */
+export const hasValue = (value: number): boolean => value > noValue / 2;
 
 export function forgetFrames(): void {
   ring = new FrameRing(maxBytes);

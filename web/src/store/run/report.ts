@@ -3,7 +3,7 @@ import { computed, signal } from '@preact/signals';
 import type { Expected, Recipe, Report } from '../../engine/contract';
 import { verdictOf } from '../../link/verdict';
 import { recipe } from '../case/recipe';
-import { forgetFrames } from './frames';
+import { forgetFound, forgetFrames } from './frames';
 import { sameMesh } from './stage_inputs';
 
 export interface Expectation {
@@ -36,4 +36,5 @@ export function forgetReport(): void {
   meshedRecipe.value = null;
   meshedMinimal.value = null;
   forgetFrames();
+  forgetFound();
 }

@@ -1,5 +1,5 @@
 /** What is simulated on the mesh that is shown. Its run can be held, and given up without losing the mesh. */
-import { EngineError } from '../../engine/contract';
+import { EngineError, type SimulationName } from '../../engine/contract';
 import { recipe } from '../case/recipe';
 import { announcement } from '../notices';
 import { colourBy, stageShown } from '../view';
@@ -8,6 +8,7 @@ import { engine, takeTurn, tellError } from './engine';
 import { forecastUnderWay } from './forecast';
 import {
   forgetFrames,
+  keepFound,
   keepFrame,
   playedFields,
   simulation,
@@ -20,10 +21,13 @@ import { activity } from './stages';
 
 let count = 0;
 
-/** Runs the diffusion that the recipe asks for, and plays it as it comes. */
-export async function simulate(): Promise<void> {
+/** Whether it gives frames, which are played as they come. */
+const lives = (name: SimulationName): boolean => name !== 'eikonal';
+
+/** Computes what the recipe asks for on the mesh that is shown. */
+export async function simulate(name: SimulationName): Promise<void> {
   const physics = recipe.value?.physics;
-  if (!meshedRecipe.value || !physics?.diffusion || activity.value !== 'idle') return;
+  if (!meshedRecipe.value || !physics || activity.value !== 'idle') return;
   const current = { ...meshedRecipe.value, physics };
   const newest = takeTurn();
   const mine = ++count;
@@ -34,15 +38,17 @@ export async function simulate(): Promise<void> {
   activity.value = 'run';
   announcement.value = 'Simulation started';
   startClock();
-  forgetFrames();
-  simulationEndMs.value = physics.diffusion.end_ms;
-  simulation.value = 'running';
+  if (lives(name)) {
+    forgetFrames();
+    simulationEndMs.value = (name === 'diffusion' ? physics.diffusion : physics.monodomain)?.end_ms ?? 0;
+    simulation.value = 'running';
+    play();
+  }
   stageShown.value = 'quality';
-  play();
   try {
     await forecastUnderWay()?.done;
     if (!newest()) return settle('cancelled');
-    await engine.simulate(JSON.stringify(current), current.source, 'diffusion', {
+    const { found } = await engine.simulate(JSON.stringify(current), current.source, name, {
       onProgress: () => undefined,
       onFrame(frame) {
         if (!newest()) return;
@@ -50,11 +56,14 @@ export async function simulate(): Promise<void> {
         keepFrame(frame);
       },
     });
-    settle('done');
+    if (lives(name)) settle('done');
+    if (!newest()) return;
+    keepFound(found);
+    if (!lives(name)) colourBy.value = found.fields[0].name;
     if (newest()) announcement.value = 'Simulation ready';
   } catch (error) {
     const cancelled = error instanceof EngineError && error.code === 'cancelled';
-    settle(cancelled ? 'cancelled' : 'failed');
+    if (lives(name)) settle(cancelled ? 'cancelled' : 'failed');
     if (newest()) tellError(error);
   } finally {
     if (newest()) {

@@ -1,0 +1,344 @@
+import type {
+  FibreParams,
+  MonodomainParams,
+  Physics,
+  Recipe,
+  Stimulus,
+  TissueKind,
+} from '../../engine/contract';
+import { nameOf } from '../../store/case/input';
+import { meshedLabels, newStimulus, newTissue, startingPhysics } from '../../store/case/physics';
+import { editRecipe } from '../../store/case/recipe';
+import { upToDate } from '../../store/run/report';
+import { groupDefaults } from '../../store/run/schema_defaults';
+import { simulate } from '../../store/run/simulate';
+import { activity } from '../../store/run/stages';
+import { crosshairMm } from '../../store/view_place';
+import { CheckField, NumberField, SelectField, VectorField } from '../controls/fields';
+import { short } from '../controls/format';
+import { Icon } from '../controls/icons';
+import { LabelChips } from '../controls/label_chips';
+import { SizeList } from '../controls/size_list';
+
+/** Changes what is there already. */
+function editPhysics(label: string, key: string, change: (physics: Physics) => void): void {
+  editRecipe(label, (draft) => void (draft.physics && change(draft.physics)), `physics ${key}`);
+}
+
+/** Keys of a type's numbers. */
+type NumberKey<T> = { [K in keyof T]-?: T[K] extends number ? K & string : never }[keyof T];
+
+/** Number fields of one object of the recipe. */
+function numbersOf<T extends object>(
+  path: string,
+  owner: string,
+  value: T,
+  set: (label: string, change: Partial<T>) => void,
+) {
+  return (label: string, key: NumberKey<T>, unit: string, step: number) => (
+    <NumberField
+      label={label}
+      owner={owner}
+      unit={unit}
+      path={`${path}.${key}`}
+      step={step}
+      value={value[key] as number}
+      onChange={(next) => set(label, { [key]: next } as Partial<T>)}
+    />
+  );
+}
+
+const presets: Record<string, [string, number, number, number, number]> = {
+  cemrg: ['60 to −60° (CEMRG)', 60, -60, -65, 25],
+  bayer: ['40 to −50° (Bayer 2012)', 40, -50, -65, 25],
+  strocchi: ['80 to −60° (Strocchi 2020)', 80, -60, -65, 25],
+  kit: ['60 to −60°, sheets 45° (KIT)', 60, -60, -45, 45],
+};
+
+function presetOf(params: FibreParams): string {
+  const { alpha_endo_deg, alpha_epi_deg, beta_endo_deg, beta_epi_deg } = params;
+  const angles = [alpha_endo_deg, alpha_epi_deg, beta_endo_deg, beta_epi_deg];
+  return (
+    Object.keys(presets).find((name) => angles.every((angle, i) => angle === presets[name][i + 1])) ?? ''
+  );
+}
+
+function FibreFields({ params }: { params: FibreParams }) {
+  const set = (label: string, change: Partial<FibreParams>) =>
+    editPhysics(label, `fibres ${label}`, ({ fibres }) => void (fibres && Object.assign(fibres, change)));
+  const number = numbersOf('physics.fibres', 'Fibres', params, set);
+  const preset = presetOf(params);
+  const options = Object.entries(presets).map(([name, [title]]) => [name, title] as const);
+  return (
+    <>
+      <SelectField
+        label="Angles"
+        value={preset}
+        options={preset ? options : [['', 'Own angles'], ...options]}
+        onChange={(name) => {
+          const [, alpha_endo_deg, alpha_epi_deg, beta_endo_deg, beta_epi_deg] = presets[name];
+          set('Angles of fibres', { alpha_endo_deg, alpha_epi_deg, beta_endo_deg, beta_epi_deg });
+        }}
+      />
+      <details class="more">
+        <summary>Rule and angles</summary>
+        <SelectField
+          label="Rule"
+          value={params.rule}
+          options={[
+            ['linear', 'Linear in depth'],
+            ['bayer', 'Bayer et al. 2012'],
+          ]}
+          onChange={(rule) => set('Rule', { rule })}
+        />
+        {number('Helix, inside', 'alpha_endo_deg', '°', 5)}
+        {number('Helix, outside', 'alpha_epi_deg', '°', 5)}
+        {number('Sheet, inside', 'beta_endo_deg', '°', 5)}
+        {number('Sheet, outside', 'beta_epi_deg', '°', 5)}
+      </details>
+    </>
+  );
+}
+
+function TissueFields(props: {
+  kind: TissueKind;
+  index: number;
+  name: string;
+  taken: number[];
+  fibres: boolean;
+}) {
+  const { kind, index, name } = props;
+  const set = (label: string, change: Partial<TissueKind>) =>
+    editPhysics(
+      label,
+      `tissue ${index} ${label}`,
+      ({ tissue }) => void Object.assign(tissue.kinds[index], change),
+    );
+  const number = numbersOf('physics.tissue.kinds', name, kind, set);
+  return (
+    <>
+      <LabelChips
+        legend="Labels"
+        hint="Labels that are this kind of tissue"
+        chosen={kind.labels}
+        taken={props.taken}
+        onChange={(labels) => set('Labels of tissue', { labels })}
+      />
+      {number(props.fibres ? 'Speed along fibres' : 'Speed', 'along_mm_per_ms', 'm/s', 0.05)}
+      {props.fibres && number('Speed across', 'across_mm_per_ms', 'm/s', 0.05)}
+      <details class="more">
+        <summary>Cells</summary>
+        <SelectField
+          label="Model"
+          value={kind.cell}
+          options={[
+            ['ms', 'Mitchell–Schaeffer'],
+            ['mms', 'Corrado–Niederer'],
+          ]}
+          onChange={(cell) => set('Cell', { cell })}
+        />
+        {number('Inward current', 'tau_in_ms', 'ms', 0.05)}
+        {number('Outward current', 'tau_out_ms', 'ms', 0.5)}
+        {number('Gate opens in', 'tau_open_ms', 'ms', 10)}
+        {number('Gate closes in', 'tau_close_ms', 'ms', 10)}
+      </details>
+    </>
+  );
+}
+
+function StimulusFields({ stimulus, index, name }: { stimulus: Stimulus; index: number; name: string }) {
+  const set = (label: string, change: Partial<Stimulus>) =>
+    editPhysics(
+      label,
+      `stimulus ${index} ${label}`,
+      ({ stimuli }) => void Object.assign(stimuli[index], change),
+    );
+  const number = numbersOf('physics.stimuli', name, stimulus, set);
+  return (
+    <>
+      <VectorField
+        label="Centre"
+        unit="mm"
+        value={stimulus.centre_mm}
+        onChange={(centre_mm) => set('Move stimulus', { centre_mm })}
+      />
+      <button
+        type="button"
+        class="button small"
+        title="Moves the stimulus to the crosshair of the slices"
+        onClick={() => set('Move stimulus', { centre_mm: crosshairMm() })}
+      >
+        <Icon name="target" size={13} /> To the crosshair
+      </button>
+      {number('Radius', 'radius_mm', 'mm', 1)}
+      {number('Start', 'start_ms', 'ms', 10)}
+      {number('Beats (S1)', 'count', '', 1)}
+      {stimulus.count > 1 && number('Every', 'interval_ms', 'ms', 10)}
+      {number('S2 after', 's2_ms', 'ms', 10)}
+      {stimulus.s2_ms > 0 && number('S3 after', 's3_ms', 'ms', 10)}
+      <details class="more">
+        <summary>Current</summary>
+        {number('Duration', 'duration_ms', 'ms', 0.5)}
+        {number('Strength', 'strength_per_ms', '1/ms', 0.1)}
+      </details>
+    </>
+  );
+}
+
+function WaveFields({ params }: { params: MonodomainParams }) {
+  const set = (label: string, change: Partial<MonodomainParams>) =>
+    editPhysics(
+      label,
+      `wave ${label}`,
+      ({ monodomain }) => void (monodomain && Object.assign(monodomain, change)),
+    );
+  const number = numbersOf('physics.monodomain', 'Wave', params, set);
+  return (
+    <>
+      {number('Until', 'end_ms', 'ms', 50)}
+      <details class="more">
+        <summary>Time steps</summary>
+        {number('Step', 'step_ms', 'ms', 0.01)}
+        {number('Frame every', 'frame_ms', 'ms', 1)}
+        <SelectField
+          label="Integration"
+          value={params.integration}
+          options={[
+            ['semi_implicit', 'Semi-implicit, for results'],
+            ['explicit', 'Explicit, for a quick look'],
+          ]}
+          onChange={(integration) => set('Integration', { integration })}
+        />
+      </details>
+    </>
+  );
+}
+
+function RunButtons() {
+  const ready = upToDate.value && activity.value === 'idle';
+  const wait = upToDate.value ? '' : ' (run the mesh first)';
+  return (
+    <div class="run-buttons">
+      <button
+        type="button"
+        class="button"
+        data-testid="activation-map"
+        disabled={!ready}
+        title={`When the first wave comes to each point, at once, by the eikonal equation${wait}`}
+        onClick={() => void simulate('eikonal')}
+      >
+        Activation map
+      </button>
+      <button
+        type="button"
+        class="button primary"
+        data-testid="simulate-wave"
+        disabled={!ready}
+        title={`The excitation wave with its recovery, played as it is computed${wait}`}
+        onClick={() => void simulate('monodomain')}
+      >
+        <Icon name="play" size={13} /> Simulate
+      </button>
+    </div>
+  );
+}
+
+function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics }) {
+  const { fibres, tissue, monodomain } = physics;
+  const toggleFibres = (on: boolean) =>
+    editPhysics('Fibres', 'fibres', (draft) => {
+      if (on) {
+        draft.anatomy = groupDefaults('physics.anatomy');
+        draft.fibres = groupDefaults('physics.fibres');
+        for (const kind of draft.tissue.kinds)
+          kind.across_mm_per_ms = Number((kind.along_mm_per_ms / 2).toPrecision(2));
+      } else {
+        delete draft.fibres;
+        delete draft.anatomy;
+      }
+    });
+  const used = tissue.kinds.flatMap(({ labels }) => labels);
+  return (
+    <>
+      <SizeList<TissueKind>
+        title="Tissue"
+        kind="Kind"
+        hint="Labels without a kind do not conduct."
+        of={(recipe) => recipe.physics?.tissue.kinds ?? []}
+        current={current}
+        fresh={() => newTissue(meshedLabels(current).filter((label) => !used.includes(label)))}
+        nameOf={({ labels }) => labels.map(nameOf).join(', ') || 'No label'}
+        noteOf={({ along_mm_per_ms }) => `${short(along_mm_per_ms)} m/s`}
+        fields={(kind, index, name) => (
+          <TissueFields
+            kind={kind}
+            index={index}
+            name={name}
+            taken={used.filter((label) => !kind.labels.includes(label))}
+            fibres={fibres !== undefined}
+          />
+        )}
+      />
+      <CheckField
+        label="Fibres by rule"
+        checked={fibres !== undefined}
+        hint="Muscle fibres turn through the wall; the wave is faster along them. For hearts with two ventricles or one."
+        onChange={toggleFibres}
+      />
+      {fibres && <FibreFields params={fibres} />}
+      <SizeList<Stimulus>
+        title="Stimuli"
+        kind="Stimulus"
+        hint="Where and when the wave starts."
+        of={(recipe) => recipe.physics?.stimuli ?? []}
+        current={current}
+        fresh={() => newStimulus(physics.stimuli.length)}
+        nameOf={({ name }) => name || 'Stimulus'}
+        noteOf={({ start_ms, count }) => (count > 1 ? `${count} beats` : `${short(start_ms)} ms`)}
+        fields={(stimulus, index, name) => <StimulusFields stimulus={stimulus} index={index} name={name} />}
+      />
+      {monodomain && <WaveFields params={monodomain} />}
+      <RunButtons />
+    </>
+  );
+}
+
+/** The heart's excitation on the mesh; shown when it is asked for. */
+export function PhysicsSection({ current }: { current: Recipe }) {
+  const { physics } = current;
+  const wave = physics?.monodomain !== undefined;
+  const add = () =>
+    editRecipe('Add simulation', (draft) => {
+      draft.physics = {
+        ...startingPhysics(current),
+        ...(physics?.diffusion && { diffusion: physics.diffusion }),
+      };
+    });
+  return (
+    <section class="section">
+      <div class="section-head">
+        <h2>Physics</h2>
+        {wave ? (
+          <button
+            type="button"
+            class="icon-button small"
+            aria-label="Remove simulation"
+            title="Remove"
+            onClick={() => editRecipe('Remove simulation', (draft) => void delete draft.physics)}
+          >
+            <Icon name="trash" size={14} />
+          </button>
+        ) : (
+          <button type="button" class="button small" onClick={add}>
+            <Icon name="plus" size={13} /> Simulate
+          </button>
+        )}
+      </div>
+      {wave && physics ? (
+        <PhysicsFields current={current} physics={physics} />
+      ) : (
+        <p class="hint">How excitation spreads through the heart, on this mesh.</p>
+      )}
+    </section>
+  );
+}

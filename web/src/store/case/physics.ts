@@ -1,0 +1,60 @@
+/** What a simulation of the heart begins with, until the user says otherwise. */
+import type { MonodomainParams, Physics, Recipe, Stimulus, TissueKind, Vec3 } from '../../engine/contract';
+import { shownResult } from '../run/results';
+import { groupDefaults, itemDefaults } from '../run/schema_defaults';
+import { nameOf, volume } from './input';
+
+/** Names of labels that do not conduct, and of those that conduct slowly. */
+const noTissue = /pool|blood|scar|core|cavity|lumen|fat|fibrosis|valve/i;
+const slow = /border|gr[ae]y/i;
+
+/** Labels that are meshed. */
+export function meshedLabels(current: Recipe): number[] {
+  const known = volume.value?.labels.map(({ label }) => label) ?? [];
+  return current.labels.length > 0 ? [...current.labels] : known;
+}
+
+export const newTissue = (labels: number[]): TissueKind => ({
+  ...itemDefaults<TissueKind>('physics.tissue.kinds'),
+  labels,
+});
+
+/** The lowest point of the mesh, which is the apex of most hearts; without a mesh the middle of the volume. */
+function lowestPoint(): { at: Vec3; radius: number } {
+  const points = shownResult('optimise')?.points;
+  if (!points) return { at: [0, 0, 0], radius: 10 };
+  let lowest = 0;
+  let highest = 0;
+  for (let i = 0; i < points.length; i += 3) {
+    if (points[i + 2] < points[lowest + 2]) lowest = i;
+    if (points[i + 2] > points[highest + 2]) highest = i;
+  }
+  const round = (x: number) => Math.round(10 * x) / 10;
+  const at = [points[lowest], points[lowest + 1], points[lowest + 2]].map(round) as Vec3;
+  return { at, radius: Math.max(1, Math.round((points[highest + 2] - points[lowest + 2]) / 10)) };
+}
+
+export function newStimulus(count: number): Stimulus {
+  const { at, radius } = lowestPoint();
+  return {
+    ...itemDefaults<Stimulus>('physics.stimuli'),
+    name: `Stimulus ${count + 1}`,
+    centre_mm: at,
+    radius_mm: radius,
+  };
+}
+
+export function startingPhysics(current: Recipe): Physics {
+  const labels = meshedLabels(current);
+  const conducting = labels.filter((label) => !noTissue.test(nameOf(label)) || slow.test(nameOf(label)));
+  const healthy = conducting.filter((label) => !slow.test(nameOf(label)));
+  const border = conducting.filter((label) => slow.test(nameOf(label)));
+  const physics = groupDefaults<Physics>('physics');
+  physics.tissue.kinds = [newTissue(healthy.length > 0 ? healthy : labels)];
+  // A tenth of the diffusivity.
+  if (healthy.length > 0 && border.length > 0)
+    physics.tissue.kinds.push({ ...newTissue(border), along_mm_per_ms: 0.16, across_mm_per_ms: 0.16 });
+  physics.stimuli = [newStimulus(0)];
+  physics.monodomain = { ...groupDefaults<MonodomainParams>('physics.monodomain'), step_ms: 0.1 };
+  return physics;
+}
