@@ -63,7 +63,7 @@ int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::v
   if (!format) return fail(format.error());
   Result<std::vector<OutputFile>> files = write_tet_mesh(
       mesh, *format,
-      {output.space(), infos, std::move(cell_data), std::move(point_data), mesh_name_of(path)});
+      {output.space(), infos, std::move(cell_data), mesh_name_of(path), std::move(point_data)});
   if (!files) return fail(files.error());
   if (Status written = write_files(path, *files); !written) return fail(written.error());
   if (*format == MeshFormat::kCarp) print_warning(path + ": " + std::string(kNoFibres));

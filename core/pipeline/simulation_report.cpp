@@ -66,9 +66,9 @@ json monodomain_json(const Trajectory& result, const Recipe& recipe, double cond
 
 json simulation_json(const Session& session) {
   json out = json::object();
-  const Tissue* tissue = session.result<Tissue>(Stage::kTissue);
-  if (!tissue) return out;
-  const std::vector<bool> conducts = conducting_points(*session.mesh(), *tissue);
+  const TissueResult* found = session.result<TissueResult>(Stage::kTissue);
+  if (!found) return out;
+  const std::vector<bool> conducts = conducting_points(*session.mesh(), found->tissue);
   const auto conducting = static_cast<double>(std::count(conducts.begin(), conducts.end(), true));
   if (session.eikonal()) {
     const Finite times = finite_of(session.eikonal()->fields[0].values);

@@ -193,6 +193,18 @@ void visit_fields(V& v, CurvatureSize& p) {
 }
 
 template <class V>
+void visit_fields(V& v, WaveSize& p) {
+  v.field({"labels", "", 1, 65535, "Labels in which; none: all."}, p.labels);
+  v.field({"speed_mm_per_ms", "mm/ms", 0.01, 10,
+           "Speed of the wave in its slowest direction, across the fibres."},
+          p.speed_mm_per_ms);
+  v.field({"error_percent", "%", 0.1, 50, "Error of its speed that the mesh may cause."}, p.error_percent);
+  v.field(
+      {"consistent_mass", "", 0, 1, "Share of the consistent mass in the simulation to come; explicit: 0."},
+      p.consistent_mass);
+}
+
+template <class V>
 void visit_fields(V& v, SizingParams& p) {
   v.field({"edge_mm", "mm", 0.01, 1000, "Edge length wherever nothing smaller is asked."}, p.edge_mm);
   v.list({"labels", "", 0, 0, "Edge length inside single labels, instead of edge_mm."}, p.labels);
@@ -203,6 +215,8 @@ void visit_fields(V& v, SizingParams& p) {
   v.list({"masks", "", 0, 0, "Edge lengths painted over the volume."}, p.masks);
   v.list({"images", "", 0, 0, "Images of edge lengths, instead of edge_mm where they have one."}, p.images);
   v.list({"curvature", "", 0, 0, "Edge length by the curvature of the label surface."}, p.curvature);
+  v.list({"waves", "", 0, 0, "Edge length by the error that it causes in the speed of an excitation wave."},
+         p.waves);
   v.field({"edge_min_mm", "mm", 0.01, 1000, "No edge length below this is asked."}, p.edge_min_mm);
   v.field({"edge_max_mm", "mm", 0.01, 1000, "No edge length above this is asked."}, p.edge_max_mm);
   v.field({"gradation", "mm/mm", 0.01, 1, "Bound on how fast the edge length may change per mm."},

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "base/wave_speed_error.h"
 #include "geometry/elements/region_distance.h"
 #include "geometry/grid/distance_transform.h"
 #include "geometry/grid/fast_sweeping.h"
@@ -64,6 +65,15 @@ void add_label_sizes(const LabelVolume& volume, const SizingParams& params, cons
     if (label == kBackground) return;
     const float size = std::min(size_of[label], base.empty() ? kFar : base[at]);
     field.h_mm[at] = size < kFar ? size : edge;
+  });
+}
+
+void add_wave_size(const LabelVolume& volume, const WaveSize& rule, SizingField& field) {
+  const auto edge = static_cast<float>(edge_of(rule));
+  std::vector<bool> concerned(65536, rule.labels.empty());
+  for (const Label label : rule.labels) concerned[label] = true;
+  for_each_voxel(volume, field, [&](Label label, std::size_t at) {
+    if (label != kBackground && concerned[label]) field.h_mm[at] = std::min(field.h_mm[at], edge);
   });
 }
 
@@ -143,6 +153,12 @@ void warn_of_clamped(const SizingParams& params, const RunContext& ctx) {
 
 }  // namespace
 
+double edge_of(const WaveSize& rule) {
+  constexpr double kSpeedPerRoot = 1.0866;  // of a plane wave, for a diffusivity of 1 mm^2/ms
+  const double root = rule.speed_mm_per_ms / kSpeedPerRoot;
+  return edge_for_wave_speed_error(rule.error_percent, root * root, rule.consistent_mass);
+}
+
 Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingParams& params, RunContext& ctx,
                                        const SizingSources& sources) {
   if (const auto error = find_volume_error(volume)) return *error;
@@ -160,6 +176,7 @@ Result<SizingField> build_sizing_field(const LabelVolume& volume, const SizingPa
         !done)
       return done.error();
   add_label_sizes(volume, params, base, field);
+  for (const WaveSize& rule : params.waves) add_wave_size(volume, rule, field);
   for (const DistanceSize& rule : params.distances) {
     if (ctx.cancelled() || !add_distance_size(volume, rule, field, ctx)) return cancelled_error(kSizingStage);
   }

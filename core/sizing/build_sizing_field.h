@@ -82,6 +82,16 @@ struct CurvatureSize {
   double edge_min_mm = 0.5;  ///< no edge below this is asked, however sharp the bend
 };
 
+/// Size for an excitation wave: the longest edge at which its speed is wrong by no more than `error_percent`
+/// (base/wave_speed_error.h). The diffusivity is that of a plane wave in Mitchell and Schaeffer's cell of
+/// usual times.
+struct WaveSize {
+  std::vector<Label> labels;     ///< in which; none: all
+  double speed_mm_per_ms = 0.5;  ///< the slowest direction's, across the fibres
+  double error_percent = 2;
+  double consistent_mass = 0.5;  ///< of the simulation to come; explicit steps: 0
+};
+
 struct SizingParams {
   double edge_mm = 2;                    ///< wherever nothing smaller is asked
   std::vector<LabelSize> labels;         ///< replaces edge_mm inside these labels (smaller or larger)
@@ -91,6 +101,7 @@ struct SizingParams {
   std::vector<MaskSize> masks;           ///< minimum with everything else
   std::vector<ImageSize> images;         ///< replaces edge_mm where it has a length, minimum with all else
   std::vector<CurvatureSize> curvature;  ///< minimum with everything else
+  std::vector<WaveSize> waves;           ///< minimum with everything else
   double edge_min_mm = 0.1;
   double edge_max_mm = 50;
   double gradation = 0.3;  ///< bound on |grad h|; 0 < g <= 1
@@ -105,6 +116,9 @@ struct SizingSources {
   /// The smoothed label surface, where SizingParams::curvature asks for it.
   const SurfaceMesh* surface = nullptr;
 };
+
+/// The edge length (mm) that a wave asks for.
+double edge_of(const WaveSize& rule);
 
 /// The minimum of all sources at the volume's voxels, clamped to [edge_min_mm, edge_max_mm], then
 /// gradation-limited: h*(x) = min_y h(y) + g|x - y| by fast sweeping (fast_sweeping.h states its accuracy).

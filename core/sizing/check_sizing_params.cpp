@@ -100,6 +100,17 @@ void check_thickness(Checker& check, const ThicknessSize& rule, const std::strin
                 field + ".thick_mm", rule.thick_mm, "more than thin_mm, or both 0");
 }
 
+void check_wave(Checker& check, const HeldLabels& held, const WaveSize& rule, const std::string& field) {
+  for (std::size_t l = 0; l < rule.labels.size(); ++l)
+    check_label(check, held, item(field + ".labels", l), rule.labels[l]);
+  check.require(std::isfinite(rule.speed_mm_per_ms) && rule.speed_mm_per_ms > 0, field + ".speed_mm_per_ms",
+                rule.speed_mm_per_ms, "a finite speed > 0 mm/ms");
+  check.require(std::isfinite(rule.error_percent) && rule.error_percent > 0, field + ".error_percent",
+                rule.error_percent, "a finite number > 0 %");
+  check.require(rule.consistent_mass >= 0 && rule.consistent_mass <= 1, field + ".consistent_mass",
+                rule.consistent_mass, "a number from 0 to 1");
+}
+
 void check_curvature(Checker& check, const HeldLabels& held, const CurvatureSize& rule,
                      const std::string& field) {
   for (std::size_t i = 0; i < rule.labels.size(); ++i)
@@ -149,6 +160,8 @@ std::optional<Error> find_sizing_error(const LabelVolume& volume, const SizingPa
   }
   for (std::size_t i = 0; i < params.thickness.size(); ++i)
     check_thickness(check, params.thickness[i], item("thickness", i));
+  for (std::size_t i = 0; i < params.waves.size(); ++i)
+    check_wave(check, held, params.waves[i], item("waves", i));
   for (std::size_t i = 0; i < params.curvature.size(); ++i)
     check_curvature(check, held, params.curvature[i], item("curvature", i));
   return check.error();

@@ -62,7 +62,8 @@ json counts_of(const FibresResult& result) {
   return {{"tets", std::count_if(fibres.begin(), fibres.end(), [](const auto& f) { return !f.isZero(0); })}};
 }
 
-json counts_of(const Tissue& tissue) {
+json counts_of(const TissueResult& result) {
+  const Tissue& tissue = result.tissue;
   const auto conducts = [](std::uint16_t kind) { return kind != Tissue::kNone; };
   return {{"kinds", tissue.kinds.size()},
           {"conducting_tets", std::count_if(tissue.kind.begin(), tissue.kind.end(), conducts)}};
@@ -104,6 +105,10 @@ void add_arrays(const AnatomyResult& result, StageArrays& out) {
 }
 
 void add_arrays(const FibresResult& result, StageArrays& out) {
+  add_arrays(result.fields, out);
+}
+
+void add_arrays(const TissueResult& result, StageArrays& out) {
   add_arrays(result.fields, out);
 }
 

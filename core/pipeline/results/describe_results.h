@@ -22,7 +22,7 @@ nlohmann::json counts_of(const QualityReport& report);  ///< {}: the report has 
 nlohmann::json counts_of(
     const AnatomyResult& result);                      ///< {surfaces: {name: faces}}, {} where there are none
 nlohmann::json counts_of(const FibresResult& result);  ///< {tets}: those with a fibre
-nlohmann::json counts_of(const Tissue& tissue);        ///< {kinds, conducting_tets}
+nlohmann::json counts_of(const TissueResult& result);  ///< {kinds, conducting_tets}
 nlohmann::json counts_of(const EikonalResult& result);  ///< {last_ms}: when the last point is activated
 nlohmann::json counts_of(const Trajectory& result);     ///< {frames, end_ms}
 
@@ -34,6 +34,7 @@ void add_arrays(const LabelTransfer& found, StageArrays& out);
 void add_arrays(const QualityReport& report, StageArrays& out);
 void add_arrays(const AnatomyResult& result, StageArrays& out);
 void add_arrays(const FibresResult& result, StageArrays& out);
+void add_arrays(const TissueResult& result, StageArrays& out);
 void add_arrays(const EikonalResult& result, StageArrays& out);
 void add_arrays(const Trajectory& result,
                 StageArrays& out);  ///< of the last frame, and what is known at the end

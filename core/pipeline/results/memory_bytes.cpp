@@ -77,8 +77,9 @@ std::size_t memory_bytes(const FibresResult& result) {
   return bytes_of(result.fibres.fibre) + bytes_of(result.fibres.sheet) + bytes_of(result.fields);
 }
 
-std::size_t memory_bytes(const Tissue& tissue) {
-  return bytes_of(tissue.kind) + bytes_of(tissue.share) + bytes_of(tissue.fibre);
+std::size_t memory_bytes(const TissueResult& result) {
+  const Tissue& tissue = result.tissue;
+  return bytes_of(tissue.kind) + bytes_of(tissue.share) + bytes_of(tissue.fibre) + bytes_of(result.fields);
 }
 
 std::size_t memory_bytes(const EikonalResult& result) {

@@ -64,6 +64,11 @@ struct FibresResult {
   std::vector<Field> fields;  ///< `fibre` and `sheet` of the tetrahedra
 };
 
+struct TissueResult {
+  Tissue tissue;
+  std::vector<Field> fields;  ///< `speed_error_percent` of the tetrahedra, to be expected of a simulation
+};
+
 /// When the first wave comes: `eikonal_ms` at the points.
 struct EikonalResult {
   std::vector<Field> fields;
@@ -90,7 +95,7 @@ std::size_t memory_bytes(const LabelTransfer& found);
 std::size_t memory_bytes(const QualityReport& report);
 std::size_t memory_bytes(const AnatomyResult& result);
 std::size_t memory_bytes(const FibresResult& result);
-std::size_t memory_bytes(const Tissue& tissue);
+std::size_t memory_bytes(const TissueResult& result);
 std::size_t memory_bytes(const EikonalResult& result);
 std::size_t memory_bytes(const Trajectory& result);
 template <class Mesh>

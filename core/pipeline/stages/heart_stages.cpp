@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "physics/eikonal/eikonal_sources.h"
+#include "physics/monodomain/speed_error.h"
 #include "physics/tissue/make_tissue.h"
 #include "physics/ventricles/ventricular_coordinates.h"
 #include "physics/ventricles/ventricular_fibres.h"
@@ -88,13 +89,22 @@ Status run_tissue(const StageInputs& in, const Recipe& recipe, StageOutput& out,
                        "physics.anatomy.wall: found " + std::to_string(without) +
                            " conducting tetrahedra outside of the wall, which have no fibre, expected "
                            "all labels of physics.tissue in the wall");
-  out.put(std::move(tissue).value());
+  const bool wave = recipe.physics && recipe.physics->monodomain;
+  const double mass = consistent_mass_of(wave ? *recipe.physics->monodomain : MonodomainParams{});
+  Field error{"speed_error_percent",
+              "Error of the wave's speed to be expected",
+              "%",
+              On::kTets,
+              Scale::kDiverging,
+              1,
+              speed_errors_percent(in.get<TetMesh>(Stage::kOptimise), *tissue, mass)};
+  out.put(TissueResult{std::move(tissue).value(), {std::move(error)}});
   return std::monostate{};
 }
 
 Status run_eikonal(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   const TetMesh& mesh = in.get<TetMesh>(Stage::kOptimise);
-  const Tissue& tissue = in.get<Tissue>(Stage::kTissue);
+  const Tissue& tissue = in.get<TissueResult>(Stage::kTissue).tissue;
   const std::vector<Stimulus> stimuli = recipe.physics ? recipe.physics->stimuli : std::vector<Stimulus>{};
   Result<std::vector<EikonalSource>> sources = eikonal_sources(mesh, tissue, stimuli);
   if (!sources) return sources.error();

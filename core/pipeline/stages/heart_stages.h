@@ -11,8 +11,8 @@ Status run_anatomy(const StageInputs& in, const Recipe& recipe, StageOutput& out
 /// FibresResult, if the recipe has physics.fibres. Errors: kUsage without physics.anatomy.
 Status run_fibres(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx);
 
-/// Tissue with the fibres that there are. Errors: kUsage where tissue that conducts has none, though there
-/// are fibres.
+/// Tissue with the fibres that there are (TissueResult). Errors: kUsage where tissue that conducts has none,
+/// though there are fibres.
 Status run_tissue(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx);
 
 /// EikonalResult of the recipe's stimuli.

@@ -79,8 +79,9 @@ Result<std::unique_ptr<StageTask>> start_monodomain(const StageInputs& in, const
     return usage_error(kMonodomainStage,
                        "physics.monodomain: found none, expected when and how long to simulate");
   const MonodomainParams& params = *recipe.physics->monodomain;
-  Result<Monodomain> heart = Monodomain::start(
-      in.share<TetMesh>(Stage::kOptimise), in.get<Tissue>(Stage::kTissue), recipe.physics->stimuli, params);
+  Result<Monodomain> heart =
+      Monodomain::start(in.share<TetMesh>(Stage::kOptimise), in.get<TissueResult>(Stage::kTissue).tissue,
+                        recipe.physics->stimuli, params);
   if (!heart) return heart.error();
   return std::unique_ptr<StageTask>(
       std::make_unique<MonodomainTask>(std::move(heart).value(), params.electrodes));

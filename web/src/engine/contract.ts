@@ -314,7 +314,7 @@ export interface StageArrays {
 /** In place of a value at a point that has none: for shaders, which cannot tell what is not a number. */
 export const noValue = -1e30;
 
-/** Fields that a simulation has found, at its end. */
+/** Fields that a simulation has found, at its end, and those that it was made from. */
 export type FoundFields = StageArrays['quality'];
 
 /** What the worker answers; every call is one message there and one back. */

@@ -58,6 +58,9 @@ const arrayNames: Partial<Record<StageName, readonly string[]>> = {
 /** What was transferred stands with the evidence. */
 const stagesOfEvidence = ['quality', 'transfer'];
 
+/** What a simulation is made from can be looked at beside what it found. */
+const stagesBefore = ['anatomy', 'tissue'];
+
 /** Share of the time until there are good tetrahedra that filling the surface takes. */
 const fillingShare = 0.7;
 
@@ -86,7 +89,7 @@ function fieldsOf(session: Session, stages: readonly string[], none: number): St
       const view = session.array(stage, field.name) as Float32Array | undefined;
       if (!view || field.components !== 1) continue;
       fields.push(field);
-      const gaps = field.scale === 'whole' || field.on === 'points';
+      const gaps = none === noValue || field.scale === 'whole' || field.on === 'points';
       values[field.name] = gaps ? withNone(view, none) : (copied(view) as Float32Array);
     }
   }
@@ -115,7 +118,8 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
       }),
 
     simulate: (stage, onProgress, onFrame) => runs.run(stage, onProgress, onFrame),
-    found: (stage) => guarded(stage, () => ({ ok: true, value: fieldsOf(session, [stage], noValue) })),
+    found: (stage) =>
+      guarded(stage, () => ({ ok: true, value: fieldsOf(session, [...stagesBefore, stage], noValue) })),
     pauseSimulation: (paused) => runs.pause(paused),
     endSimulation: () => runs.end(),
 

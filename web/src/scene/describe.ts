@@ -1,7 +1,8 @@
 /** The numbers of one element, in words: no three.js. */
-import type { StageArrays, StageName, TetArrays } from '../engine/contract';
+import { noValue, type StageArrays, type StageName, type TetArrays } from '../engine/contract';
 import { coordinate } from '../geometry/orientation';
 import { nameOf, voxelMm } from '../store/case/input';
+import { foundFields, hasValue, playedFields, simulatedValues } from '../store/run/frames';
 import { shownResult } from '../store/run/results';
 import { fractionLabel, type Picked } from '../store/view';
 
@@ -58,6 +59,27 @@ function distanceLines(
   return [['To the labels', `${largest.toFixed(3)} mm (${(largest / voxelMm.value).toFixed(2)} voxels)`]];
 }
 
+/** "4 % slow here". */
+export function speedErrorText(percent: number): string {
+  const size = Math.abs(percent);
+  if (size < 0.05) return 'right here';
+  return `${size < 1 ? size.toFixed(1) : size.toFixed(0)} % ${percent < 0 ? 'slow' : 'fast'} here`;
+}
+
+/** What simulations say of one tet: of points, the mean of its corners. */
+function simulatedLines({ tets }: TetArrays, tet: number): [string, string][] {
+  return [...playedFields.value, ...foundFields.value].flatMap(({ info }): [string, string][] => {
+    const values = simulatedValues(info.name);
+    const places = info.on === 'points' ? [0, 1, 2, 3].map((corner) => tets[4 * tet + corner]) : [tet];
+    const known = places.map((place) => values?.[place] ?? noValue);
+    if (!known.every(hasValue)) return [];
+    const mean = known.reduce((sum, value) => sum + value, 0) / known.length;
+    if (info.name === 'speed_error_percent') return [['Wave expected', speedErrorText(mean)]];
+    const unit = info.unit === '1' ? '' : ` ${info.unit}`;
+    return [[info.title, `${info.scale === 'whole' ? mean.toFixed(0) : mean.toPrecision(4)}${unit}`]];
+  });
+}
+
 export function describe(stage: StageName, element: number, point?: readonly number[]): Picked | null {
   const at: [string, string][] = point ? [['At', `${point.map(coordinate).join(', ')} mm`]] : [];
   if (stage === 'optimise' || stage === 'quality') {
@@ -70,6 +92,7 @@ export function describe(stage: StageName, element: number, point?: readonly num
         ['Label', nameOf(mesh.labels[element])],
         ...(measures ? measureLines(measures, element) : []),
         ...(measures ? distanceLines(measures, mesh, element) : []),
+        ...simulatedLines(mesh, element),
         ...at,
       ],
     };

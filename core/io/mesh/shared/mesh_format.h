@@ -22,8 +22,8 @@ struct WriteMeshOptions {
   PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
   std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
   std::vector<Field> cell_data{};           ///< written with the tetrahedra; not with surfaces
-  std::vector<Field> point_data{};          ///< written with the points of tetrahedra: VTU, XDMF, openCARP
   std::string name = "mesh";                ///< base name of the files, where one refers to another
+  std::vector<Field> point_data{};          ///< written with the points of tetrahedra: VTU, XDMF, openCARP
 };
 
 /// Message for a mesh written for openCARP without fibres. A placeholder in .lon, whatever its direction,

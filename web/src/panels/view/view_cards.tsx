@@ -1,4 +1,4 @@
-import { colourStops } from '../../geometry/colours';
+import { colourStops, colourTable, hexOf } from '../../geometry/colours';
 import { focusTet, layout, picked, type Legend } from '../../store/view';
 import { short } from '../controls/format';
 import { Icon } from '../controls/icons';
@@ -26,6 +26,23 @@ export function ScaleStrip({ shown }: { shown: Legend }) {
   );
 }
 
+/** The height of the scale, px. */
+const scaleHeight = 120;
+
+/** Bands from bottom to top: where each begins and ends, in px from the top, and its colour. */
+function bandsOf({ lo, hi, map, bands = 1 }: Legend): { y: number; height: number; colour: string }[] {
+  const table = colourTable(map);
+  const place = (value: number) => Math.max(0, Math.min(1, (value - lo) / (hi - lo)));
+  const first = Math.floor(lo / bands);
+  const count = Math.max(1, Math.ceil(hi / bands) - first);
+  return Array.from({ length: count }, (_, i) => {
+    const [from, to] = [place((first + i) * bands), place((first + i + 1) * bands)];
+    const at = 3 * Math.round(255 * place((first + i + 0.5) * bands));
+    const colour = hexOf([table[at], table[at + 1], table[at + 2]]);
+    return { y: scaleHeight * (1 - to), height: scaleHeight * (to - from), colour };
+  });
+}
+
 export function LegendCard({ shown }: { shown: Legend | null }) {
   if (!shown) return null;
   if (layout.value !== 'model') {
@@ -48,6 +65,7 @@ export function LegendCard({ shown }: { shown: Legend | null }) {
       <span class="legend-title">
         {shown.title}
         {shown.unit && <span class="unit"> {shown.unit}</span>}
+        {shown.bands && <span class="unit">, lines every {short(shown.bands)}</span>}
       </span>
       <div class="legend-body">
         <svg width="14" height="120" aria-hidden="true">
@@ -58,7 +76,21 @@ export function LegendCard({ shown }: { shown: Legend | null }) {
               ))}
             </linearGradient>
           </defs>
-          <rect width="14" height="120" rx="2" fill="url(#legend-scale)" />
+          {shown.bands ? (
+            bandsOf(shown).map(({ y, height, colour }) => (
+              <rect
+                key={y}
+                y={y}
+                width="14"
+                height={height}
+                fill={colour}
+                stroke="#0008"
+                stroke-width="0.5"
+              />
+            ))
+          ) : (
+            <rect width="14" height={scaleHeight} rx="2" fill="url(#legend-scale)" />
+          )}
         </svg>
         <div class="legend-ticks">
           {ticks.map((t) => (

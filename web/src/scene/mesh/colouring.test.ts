@@ -1,8 +1,8 @@
 import { afterEach, describe, expect, it } from 'vitest';
 import type { FieldInfo, StageArrays } from '../../engine/contract';
 import { colourBy } from '../../store/view';
-import { forgetFrames, keepFrame } from '../../store/run/frames';
-import { simulatedPaint, roundEnds, tetPaint } from './colouring';
+import { forgetFound, forgetFrames, keepFound, keepFrame } from '../../store/run/frames';
+import { bandWidth, roundEnds, simulatedPaint, tetPaint } from './colouring';
 
 function field(name: string, values: Float32Array, told: Partial<FieldInfo> = {}): StageArrays['quality'] {
   const info = { name, title: name, unit: '1', on: 'tets', scale: 'sequential', components: 1 } as const;
@@ -79,4 +79,29 @@ describe('colours of what is played', () => {
   ])('from %f to %f have ends at %f and %f', (least, most, lo, hi) => {
     expect(roundEnds([least, most])).toEqual({ lo, hi });
   });
+});
+
+describe('colours of what a simulation found', () => {
+  afterEach(() => {
+    colourBy.value = 'label';
+    forgetFound();
+  });
+
+  it('are bands of round numbers where it is a time', () => {
+    const { fields } = field('activation_ms', parts, { on: 'points', unit: 'ms', range: [0, 137] });
+    keepFound({ fields, values: { activation_ms: parts } });
+    colourBy.value = 'activation_ms';
+    expect(simulatedPaint()).toMatchObject({
+      kind: 'nodal',
+      values: parts,
+      legend: { unit: 'ms', bands: 20 },
+    });
+  });
+
+  it.each([
+    [0, 60, 5],
+    [0, 135, 20],
+    [10, 22, 1],
+    [0, 1, 0.1],
+  ])('from %f to %f are %f wide', (lo, hi, width) => expect(bandWidth({ lo, hi })).toBeCloseTo(width));
 });

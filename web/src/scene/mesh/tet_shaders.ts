@@ -40,11 +40,9 @@ vec3 colourOf(int tet, int label) {
   if (paint == 3) return plain;
   float value = paint == 4 ? faceValue : paint == 6 ? vertexValue : texelFetch(values, at(tet), 0).r;
   if ((paint == 4 || paint == 5) && value < 0.0) return plain;
-  if (paint == 6) {
-    // Coloured pixel by pixel, where all corners have a value.
-    if (value < -1e29) return plain;
-    vValue = vec2(value, tet == singled ? 0.0 : 1.0);
-  }
+  if (value < -1e29) return plain;
+  // Coloured pixel by pixel, where all corners have a value.
+  if (paint == 6) vValue = vec2(value, 1.0);
   if (paint == 2) return texelFetch(palette, ofLabel(int(value)), 0).rgb;
   float x = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
   return texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb;

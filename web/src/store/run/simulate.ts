@@ -59,7 +59,7 @@ export async function simulate(name: SimulationName): Promise<void> {
     if (lives(name)) settle('done');
     if (!newest()) return;
     keepFound(found);
-    if (!lives(name)) colourBy.value = found.fields[0].name;
+    if (!lives(name)) colourBy.value = found.fields.at(-1)?.name ?? 'label';
     if (newest()) announcement.value = 'Simulation ready';
   } catch (error) {
     const cancelled = error instanceof EngineError && error.code === 'cancelled';

@@ -1,0 +1,63 @@
+#include "base/wave_speed_error.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace voxtet {
+namespace {
+
+/// Of the tissue in which the errors were measured, mm^2/ms.
+constexpr double kDiffusivity = 0.2118;
+constexpr std::array<double, 4> kShares{0, 0.5, 0.75, 1};
+
+struct Row {
+  double edge_mm;
+  std::array<double, 4> percent;  ///< for each of kShares
+};
+constexpr std::array<Row, 8> kMeasured{{{0, {0, 0, 0, 0}},
+                                        {0.44, {-1.2, -0.1, 0.4, 1.0}},
+                                        {0.65, {-2.1, 0.1, 1.4, 2.7}},
+                                        {0.84, {-2.8, 0.2, 2.1, 4.2}},
+                                        {1.10, {-4.5, 0.1, 3.2, 7.0}},
+                                        {1.59, {-6.6, -0.4, 4.1, 10.1}},
+                                        {2.06, {-9.0, -0.9, 5.1, 14.3}},
+                                        {3.00, {-13.4, -3.2, 4.8, 17.2}}}};
+
+double of_row(const Row& row, double share) {
+  std::size_t s = 1;
+  while (s + 1 < kShares.size() && share > kShares[s]) ++s;
+  const double part = (share - kShares[s - 1]) / (kShares[s] - kShares[s - 1]);
+  return (1 - part) * row.percent[s - 1] + part * row.percent[s];
+}
+
+}  // namespace
+
+double wave_speed_error_percent(double edge_mm, double diffusivity_mm2_per_ms, double consistent_mass) {
+  const double edge = edge_mm * std::sqrt(kDiffusivity / diffusivity_mm2_per_ms);
+  std::size_t r = 1;
+  while (r + 1 < kMeasured.size() && edge > kMeasured[r].edge_mm) ++r;
+  const Row &before = kMeasured[r - 1], &after = kMeasured[r];
+  const double part = (edge - before.edge_mm) / (after.edge_mm - before.edge_mm);
+  return (1 - part) * of_row(before, consistent_mass) + part * of_row(after, consistent_mass);
+}
+
+double edge_for_wave_speed_error(double percent, double diffusivity_mm2_per_ms, double consistent_mass) {
+  const auto size = [&](double edge) {
+    return std::abs(wave_speed_error_percent(edge, diffusivity_mm2_per_ms, consistent_mass));
+  };
+  // The first edge length of a fine ladder at which it is more; then halved into.
+  const double unit = std::sqrt(diffusivity_mm2_per_ms / kDiffusivity);
+  double low = 0, high = 0.01 * unit;
+  while (size(high) <= percent && high < 100 * unit) {
+    low = high;
+    high += 0.01 * unit;
+  }
+  for (int i = 0; i < 30; ++i) {
+    const double middle = (low + high) / 2;
+    (size(middle) <= percent ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace voxtet

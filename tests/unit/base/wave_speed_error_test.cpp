@@ -1,0 +1,33 @@
+#include "base/wave_speed_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace voxtet {
+namespace {
+
+TEST(WaveSpeedError, IsAsMeasuredAndScalesWithTheRootOfTheDiffusivity) {
+  EXPECT_NEAR(wave_speed_error_percent(2.06, 0.2118, 0), -9.0, 1e-9);
+  EXPECT_NEAR(wave_speed_error_percent(2.06, 0.2118, 0.5), -0.9, 1e-9);
+  // Half way between two measured shares, and between two edge lengths.
+  EXPECT_NEAR(wave_speed_error_percent(2.06, 0.2118, 0.25), -4.95, 1e-9);
+  EXPECT_NEAR(wave_speed_error_percent((2.06 + 3) / 2, 0.2118, 0), -11.2, 1e-9);
+  // A speed of 0.2 mm/ms at 0.8 mm reads as one of 0.5 mm/ms at 2 mm.
+  EXPECT_NEAR(wave_speed_error_percent(0.8, 0.2118 * 0.16, 0), wave_speed_error_percent(2, 0.2118, 0), 1e-9);
+  EXPECT_EQ(wave_speed_error_percent(0, 0.2118, 0.5), 0);
+}
+
+TEST(WaveSpeedError, EdgeForAnErrorIsTheLongestUpToWhichItIsKept) {
+  for (const double share : {0.0, 0.5, 1.0})
+    for (const double percent : {0.5, 1.0, 4.0}) {
+      const double edge = edge_for_wave_speed_error(percent, 0.1, share);
+      EXPECT_NEAR(std::abs(wave_speed_error_percent(edge, 0.1, share)), percent, 1e-3)
+          << share << " " << percent;
+      for (double shorter = 0; shorter < edge; shorter += 0.01)
+        EXPECT_LE(std::abs(wave_speed_error_percent(shorter, 0.1, share)), percent + 1e-9);
+    }
+}
+
+}  // namespace
+}  // namespace voxtet

@@ -1,0 +1,27 @@
+#include "physics/monodomain/speed_error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/wave_speed_error.h"
+#include "physics/monodomain/cell.h"
+#include "support/bricks.h"
+#include "support/uniform_tissue.h"
+
+namespace voxtet {
+namespace {
+
+TEST(SpeedError, OfATetrahedronIsThatAcrossItsFibre) {
+  const TetMesh mesh = test::bricks({2, 2, 2}, {1, 1, 1});
+  Tissue tissue = test::uniform_tissue(mesh, 0.5, 0.2, Eigen::Vector3d::UnitX());
+  tissue.kind[0] = Tissue::kNone;
+  const auto errors = speed_errors_percent(mesh, tissue, 0);
+  EXPECT_TRUE(std::isnan(errors[0]));
+  // Kuhn's tetrahedron of a cube: three edges, two face diagonals, one space diagonal.
+  const double edge = 2 * (3 + 2 * std::sqrt(2) + std::sqrt(3)) / 6;
+  EXPECT_NEAR(errors[1], wave_speed_error_percent(edge, diffusivity_of(0.2, {}), 0), 1e-5);
+}
+
+}  // namespace
+}  // namespace voxtet

@@ -1,0 +1,127 @@
+/** The heart's excitation on the mesh: set up by hand or by a link, computed, seen, and the same bytes as elsewhere. */
+import AxeBuilder from '@axe-core/playwright';
+import { execFileSync } from 'node:child_process';
+import { writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
+import { expect, idle, openAndRun, smallHeart, test } from './support';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
+
+/** Two ventricles without scar, so that every point has a value. */
+const heart = {
+  source: smallHeart.source,
+  labels: [1, 2],
+  merge: [],
+  sizing: { edge_mm: 6 },
+  physics: {
+    anatomy: {},
+    fibres: {},
+    tissue: { kinds: [{ labels: [1, 2], along_mm_per_ms: 0.6, across_mm_per_ms: 0.3 }] },
+    stimuli: [{ name: 'apex', centre_mm: [0, 0, -40], radius_mm: 15 }],
+    monodomain: { integration: 'explicit', end_ms: 700, step_ms: 0.1, frame_ms: 10 },
+  },
+};
+
+interface Told {
+  frames: Float32Array[];
+  found: Record<string, Float32Array>[];
+}
+
+/** Keeps the values that the worker tells: frames, and what was found in the end. */
+async function listen(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const told: Told = { frames: [], found: [] };
+    Object.assign(window, { told });
+    for (const kind of [MessagePort, Worker]) {
+      const add = kind.prototype.addEventListener;
+      kind.prototype.addEventListener = function (this: EventTarget, ...all: Parameters<typeof add>) {
+        add.call(this as Worker, 'message', (event) => {
+          const { data } = event as MessageEvent;
+          const frame = data?.argumentList?.[0]?.value?.values?.voltage_mV;
+          const found = data?.value?.value?.values;
+          if (frame) told.frames.push(frame);
+          if (found?.eikonal_ms || found?.activation_ms) told.found.push(found);
+        });
+        return add.apply(this as Worker, all);
+      } as typeof add;
+    }
+  });
+}
+
+const wave = ['activation_ms', 'repolarisation_ms', 'apd_ms', 'last_activation_ms', 'activations'];
+
+/** SHA-256 of all frames, if any were told, and then of these fields, as they were found last. */
+function digestInPage(page: Page, fields: string[]): Promise<string> {
+  return page.evaluate(async (names) => {
+    const { frames, found } = (window as unknown as { told: Told }).told;
+    const last = names.map((name) => found.at(-1)![name]);
+    const all = await new Blob([...frames, ...last] as Float32Array<ArrayBuffer>[]).arrayBuffer();
+    const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', all));
+    return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+  }, fields);
+}
+
+function digestUnderNode(path: string, stage: string): string {
+  const program = join(root, 'build/wasm/voxtet.mjs');
+  const report = execFileSync(process.execPath, [program, 'simulate', path, '--what', stage, '--json'], {
+    encoding: 'utf8',
+    maxBuffer: 1 << 26,
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
+  return JSON.parse(report).stages.find(({ name }: { name: string }) => name === stage).digest;
+}
+
+const colourBy = (page: Page) => page.getByLabel('Colour by');
+const player = (page: Page) => page.locator('.player');
+
+test('a link brings a simulation: its activation map and its wave have the bytes of the command line', async ({
+  page,
+}, testInfo) => {
+  await listen(page);
+  await openAndRun(page, heart);
+  const path = testInfo.outputPath('case.json');
+  writeFileSync(path, JSON.stringify(heart));
+  await page.getByTestId('activation-map').click();
+  await expect(page.locator('.legend')).toContainText('Activation time, eikonal');
+  await idle(page);
+  expect(await digestInPage(page, ['eikonal_ms'])).toBe(digestUnderNode(path, 'eikonal'));
+
+  await page.getByTestId('simulate-wave').click();
+  await expect(player(page)).toHaveAttribute('data-state', 'done');
+  await idle(page);
+  await expect(player(page)).toHaveAttribute('data-frames', '71');
+  await expect(page.locator('.legend')).toContainText('Membrane voltage');
+  expect(await digestInPage(page, wave)).toBe(digestUnderNode(path, 'monodomain'));
+  // What was found stands in the menu beside what is played.
+  await colourBy(page).selectOption({ label: 'Activation time' });
+  await expect(page.locator('.legend')).toContainText('Activation time');
+  await colourBy(page).selectOption({ label: 'Action potential duration' });
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
+});
+
+test('a simulation is set up by hand: scar conducts nothing, a stimulus off the heart is told', async ({
+  page,
+}) => {
+  await openAndRun(page, smallHeart);
+  await page.getByRole('button', { name: 'Simulate', exact: true }).click();
+  const section = page.locator('.section', { has: page.getByRole('heading', { name: 'Physics' }) });
+  await expect(section.getByRole('button', { name: 'Stimulus 1', exact: false }).first()).toBeVisible();
+  await page.getByTestId('activation-map').click();
+  await expect(page.locator('.legend')).toContainText('Activation time, eikonal');
+  await idle(page);
+
+  await section.locator('.region-name', { hasText: 'Stimulus 1' }).click();
+  const centre = section.locator('.vector-field, .field', { hasText: 'Centre' }).locator('input').first();
+  await centre.fill('300');
+  await page.getByTestId('activation-map').click();
+  await expect(page.getByRole('alert')).toContainText('found no point of conducting tissue in its region');
+  await idle(page);
+  // The mesh is there still, and undo brings the stimulus back.
+  await expect(page.getByTestId('tets')).toBeVisible();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.getByTestId('activation-map').click();
+  await idle(page);
+});
