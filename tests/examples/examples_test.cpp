@@ -57,8 +57,9 @@ TEST_P(Example, GivesThePromisedMesh) {
   EXPECT_EQ(report["digest"], expected["digest"]);
   EXPECT_EQ(report["tets"], expected["tets"]);
   for (const json& stage : report["stages"])
-    if (const json found = expected.value("stages", json::object()); found.contains(stage["name"]))
+    if (const json found = expected.value("stages", json::object()); found.contains(stage["name"])) {
       EXPECT_EQ(stage["digest"], found[stage["name"].get<std::string>()]) << stage["name"];
+    }
   EXPECT_TRUE(report["quality"]["passed"]);
   ASSERT_FALSE(expected["numbers"].empty());
   for (const auto& [pointer, range] : expected["numbers"].items()) {

@@ -35,7 +35,7 @@ struct MonodomainParams {
   /// unstructured tetrahedra is right within 1 % up to edges of 2 mm, in tissue of 0.5 mm/ms (Pathmanathan,
   /// Bernabeu, Niederer, Gavaghan and Kay, Int. J. Numer. Meth. Biomed. Eng. 28, 2012, on mass lumping).
   double consistent_mass = 0.5;
-  std::vector<Electrode> electrodes;
+  std::vector<Electrode> electrodes{};
 };
 
 /// dv/dt = div(D grad v) + reaction + stimulus, no flow through the tissue's surface, on linear elements; the

@@ -116,9 +116,15 @@ TEST(FindHeartSurfaces, TakeTheThickerOfTwoVentriclesForTheLeftOne) {
   EXPECT_TRUE(found.right);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const double x = test::centre_of(mesh, f).x() + shift.x() / 2;
-    if (found.faces[f] == HeartSurface::kLvEndocardium) EXPECT_LT(x, 18);
-    if (found.faces[f] == HeartSurface::kRvSeptum) EXPECT_LT(x, 28);
-    if (found.faces[f] == HeartSurface::kRvEndocardium) EXPECT_GT(x, 8);
+    if (found.faces[f] == HeartSurface::kLvEndocardium) {
+      EXPECT_LT(x, 18);
+    }
+    if (found.faces[f] == HeartSurface::kRvSeptum) {
+      EXPECT_LT(x, 28);
+    }
+    if (found.faces[f] == HeartSurface::kRvEndocardium) {
+      EXPECT_GT(x, 8);
+    }
   }
   EXPECT_GT(test::area_of(mesh, found, HeartSurface::kRvSeptum), 500);
 }

@@ -38,7 +38,9 @@ TEST(LabelsAcross, AreThoseOfTheMeshWhereItGoesOn) {
   const std::vector<Label> across = labels_across(mesh, image);
   std::array<int, 4> faces{};
   for (std::size_t f = 0; f < across.size(); ++f) {
-    if (mesh.face_sides[f][1] != 0) EXPECT_EQ(across[f], mesh.face_sides[f][1]);
+    if (mesh.face_sides[f][1] != 0) {
+      EXPECT_EQ(across[f], mesh.face_sides[f][1]);
+    }
     ++faces[across[f]];
   }
   EXPECT_EQ(faces, (std::array<int, 4>{128 + 64 + 32, 32, 0, 32}));

@@ -150,7 +150,9 @@ TEST(PhantomSurfaces, AreFoundInSpiteOfFaultyLabels) {
     EXPECT_EQ(test::count_parts(mesh, found, surface), 1) << name_of(surface);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const double depth = depth_mm(test::centre_of(mesh, f));
-    if (found.faces[f] == HeartSurface::kBase) EXPECT_LT(depth, 4);
+    if (found.faces[f] == HeartSurface::kBase) {
+      EXPECT_LT(depth, 4);
+    }
   }
 }
 

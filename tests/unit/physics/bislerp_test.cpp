@@ -7,10 +7,10 @@
 namespace voxtet {
 namespace {
 
-constexpr double kRadians = EIGEN_PI / 180;
+constexpr double kPerDegree = EIGEN_PI / 180;
 
 Eigen::Matrix3d turn(const Eigen::Vector3d& axis, double degrees) {
-  return Eigen::AngleAxisd(degrees * kRadians, axis.normalized()).toRotationMatrix();
+  return Eigen::AngleAxisd(degrees * kPerDegree, axis.normalized()).toRotationMatrix();
 }
 
 double distance(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {

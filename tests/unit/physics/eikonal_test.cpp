@@ -107,7 +107,9 @@ TEST(Eikonal, ErrorFromASinglePointGoesWithHLogH) {
     const auto times = solved(mesh, test::uniform_tissue(mesh, 0.5, 0.2, kAskew), {{source, 0}});
     const double mean = errors_of(mesh, times, exact).mean;
     EXPECT_EQ(times[source], 0);
-    if (n > 6) EXPECT_NEAR(before / mean, 2 * std::log(n / 2.0) / std::log(n), 0.1) << n;
+    if (n > 6) {
+      EXPECT_NEAR(before / mean, 2 * std::log(n / 2.0) / std::log(n), 0.1) << n;
+    }
     before = mean;
   }
 }
@@ -216,7 +218,9 @@ double error_behind_a_barrier(int n) {
   double greatest = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const Eigen::Vector3d& p = mesh.points[i];
-    if (p[0] > 8 && p[0] < 12 && p[1] < 12) EXPECT_TRUE(std::isnan(times[i])) << p.transpose();
+    if (p[0] > 8 && p[0] < 12 && p[1] < 12) {
+      EXPECT_TRUE(std::isnan(times[i])) << p.transpose();
+    }
     if (p[0] < 12 || p[1] > 12) continue;
     const double path = std::hypot(to_bend + std::hypot(p[0] - 12, p[1] - 12), p[2] - source[2]);
     greatest = std::max(greatest, std::abs(times[i] - path / 0.5));
@@ -271,7 +275,9 @@ TEST(Eikonal, NoTetrahedronMakesAnyTimeEarlier) {
     if (!std::isnan(times[i])) all.push_back({i, times[i]});
   const auto again = solved(c.mesh, c.tissue, all);
   for (std::size_t i = 0; i < times.size(); ++i)
-    if (!std::isnan(times[i])) EXPECT_EQ(again[i], times[i]) << i;
+    if (!std::isnan(times[i])) {
+      EXPECT_EQ(again[i], times[i]) << i;
+    }
 }
 
 TEST(Eikonal, SameBytesOnEveryPlatform) {

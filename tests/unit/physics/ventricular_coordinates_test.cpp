@@ -26,8 +26,9 @@ const std::vector<float>& values(const std::vector<Field>& fields, const char* n
 
 /// The angle about the axis z, from x on; points of the axis have none.
 void expect_angle(double found, const Eigen::Vector3d& p, double tolerance) {
-  if (p.head<2>().norm() > 1e-3)
+  if (p.head<2>().norm() > 1e-3) {
     EXPECT_NEAR(std::remainder(found - std::atan2(p.y(), p.x()), 2 * EIGEN_PI), 0, tolerance);
+  }
 }
 
 double length_along(const test::Ellipsoid& e, double t, double to) {
@@ -66,7 +67,9 @@ TEST(VentricularCoordinates, OfTwoVentricles) {
     const Eigen::Vector3d& p = body.mesh.points[i];
     // The right side of the septum is symmetric about x.
     expect_angle(values(fields, "rotational")[i], p, 1e-3);
-    if (body.part[i] == 1) EXPECT_EQ(values(fields, "apicobasal")[i], 1);
+    if (body.part[i] == 1) {
+      EXPECT_EQ(values(fields, "apicobasal")[i], 1);
+    }
     right += values(fields, "ventricle")[i] == 1;
   }
   EXPECT_GT(right, 100U);

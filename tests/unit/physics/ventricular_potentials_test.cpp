@@ -70,7 +70,9 @@ TEST(VentricularPotentials, TakeTheirValuesOnTheSurfaces) {
   expect(HeartSurface::kRvSeptum, 0, 0, 1);
   EXPECT_EQ(p.base[body.surfaces.apex], 0);
   for (std::uint32_t i = 0; i < body.mesh.points.size(); ++i)
-    if (body.part[i] == 1) EXPECT_EQ(p.base[i], 1);
+    if (body.part[i] == 1) {
+      EXPECT_EQ(p.base[i], 1);
+    }
 }
 
 TEST(VentricularPotentials, TellTheFreeWallFromTheSeptum) {

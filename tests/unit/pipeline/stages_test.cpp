@@ -109,7 +109,7 @@ TEST(Session, WorksInPartsAndKeepsTheMeshWhenARunIsGivenUp) {
   EXPECT_EQ(session.diffusion()->times_ms, frames);
   EXPECT_EQ(frames.front(), 0);
   EXPECT_EQ(frames.back(), 100);
-  EXPECT_EQ(report_json(session)["stages"].back()["digest"], session.diffusion()->frames_digest);
+  EXPECT_EQ(report_json(session)["stages"].back()["digest"], session.diffusion()->digest);
 }
 
 TEST(Session, GivesTheSameFramesInOnePartAndInMany) {
@@ -123,7 +123,7 @@ TEST(Session, GivesTheSameFramesInOnePartAndInMany) {
       EXPECT_TRUE(progress.ok());
       if (!progress.ok() || progress->done) break;
     }
-    return session.diffusion()->frames_digest;
+    return session.diffusion()->digest;
   };
   EXPECT_EQ(digest(0), digest(std::numeric_limits<double>::infinity()));
 }

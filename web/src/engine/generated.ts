@@ -153,6 +153,17 @@ export interface RecipeFields {
       /** No edge length below this is asked, however sharp the bend; mm. */
       edge_min_mm: number;
     }[];
+    /** Edge length by the error that it causes in the speed of an excitation wave. */
+    waves: {
+      /** Labels in which; none: all. */
+      labels: number[];
+      /** Speed of the wave in its slowest direction, across the fibres; mm/ms. */
+      speed_mm_per_ms: number;
+      /** Error of its speed that the mesh may cause; %. */
+      error_percent: number;
+      /** Share of the consistent mass in the simulation to come; explicit: 0. */
+      consistent_mass: number;
+    }[];
     /** No edge length below this is asked; mm. */
     edge_min_mm: number;
     /** No edge length above this is asked; mm. */
@@ -375,6 +386,7 @@ export const recipeDefaults = {
     "masks": [],
     "images": [],
     "curvature": [],
+    "waves": [],
     "edge_min_mm": 0.1,
     "edge_max_mm": 50,
     "gradation": 0.3
@@ -645,7 +657,9 @@ export const stageSpecs = [
       "fibres"
     ],
     "reads": [
-      "physics.tissue"
+      "physics.tissue",
+      "physics.monodomain.integration",
+      "physics.monodomain.consistent_mass"
     ]
   },
   {
