@@ -1,0 +1,46 @@
+// What the physics gives beside what is expected: verify_physics [--all] [PART ...].
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "bench/verify_physics/verify.h"
+#include "cli/huge_pages.h"
+
+namespace {
+
+struct Part {
+  const char* name;
+  void (*print)(bool all);
+};
+constexpr Part kParts[] = {{"plane_wave", voxtet::verify::print_plane_wave},
+                           {"slab", voxtet::verify::print_slab},
+                           {"eikonal", voxtet::verify::print_eikonal},
+                           {"speed", voxtet::verify::print_speed}};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  voxtet::use_huge_pages(argv);
+  bool all = false;
+  std::vector<std::string> wanted;
+  for (int i = 1; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--all") {
+      all = true;
+    } else if (std::any_of(std::begin(kParts), std::end(kParts),
+                           [&](const Part& part) { return argument == part.name; })) {
+      wanted.push_back(argument);
+    } else {
+      std::fprintf(stderr, "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal or speed\n",
+                   argument.c_str());
+      return 2;
+    }
+  }
+  for (const Part& part : kParts)
+    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), part.name) != wanted.end()) {
+      part.print(all);
+      std::printf("\n");
+    }
+  return 0;
+}

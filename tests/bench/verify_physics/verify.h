@@ -1,0 +1,57 @@
+// The parts of verify_physics: each prints a table of what was measured beside what is expected.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "physics/monodomain/monodomain.h"
+#include "types/stimulus.h"
+#include "types/tet_mesh.h"
+#include "types/tissue.h"
+
+namespace voxtet::verify {
+
+/// `all`: the long parts too.
+void print_plane_wave(bool all);
+void print_slab(bool all);
+void print_eikonal(bool all);
+void print_speed(bool all);
+
+/// The value, or else the program ends with the error's message.
+template <class T>
+T value_or_exit(Result<T> result) {
+  if (result) return std::move(result).value();
+  std::fprintf(stderr, "verify_physics: %s\n", result.error().message.c_str());
+  std::exit(1);
+}
+
+/// A box of unstructured tetrahedra by TetGen: from the origin, of so many squares of `square_mm` along x, y
+/// and z. Its edges are some 1.2 squares long.
+std::shared_ptr<const TetMesh> box_of_tets(const std::array<int, 3>& squares, double square_mm);
+/// Of all edges, each once, mm.
+double mean_edge_mm(const TetMesh& mesh);
+
+/// The box between the origin's corner and this one.
+Stimulus at_corner(const Eigen::Vector3d& size_mm);
+
+/// One way to integrate.
+struct Way {
+  const char* name;
+  Integration integration;
+  double consistent_mass;
+};
+/// With an end that no activation here comes near to.
+MonodomainParams params_of(const Way& way, double step_ms);
+
+/// One step of the model, however many parts it has.
+void step(Monodomain& heart);
+
+/// The first activation of each point, ms, from a run that ends when all have one, or at params.end_ms.
+std::vector<float> activations_ms(const std::shared_ptr<const TetMesh>& mesh, const Tissue& tissue,
+                                  const Stimulus& stimulus, const MonodomainParams& params);
+
+}  // namespace voxtet::verify
