@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStep = 0.05;  // ms
 
-/// The least of some runs of 20 steps, ms a step: what other programs take least from.
+/// ms a step: the least of some runs, as other programs may run beside it.
 double step_cost_ms(const std::shared_ptr<const TetMesh>& mesh, const Way& way, int threads) {
   constexpr int kRuns = 9, kSteps = 20;
   Monodomain heart = value_or_exit(Monodomain::start(mesh, test::isotropic_tissue(*mesh, 0.5),
