@@ -59,6 +59,12 @@ json monodomain_json(const Trajectory& result, const Recipe& recipe, double cond
            {"last_activation_ms", last.largest},
            {"lasted_ms", std::max(0.0, last.largest - paced)}};
   if (durations.count > 0) out["mean_apd_ms"] = durations.sum / static_cast<double>(durations.count);
+  if (!result.traces.empty()) {
+    json traces = json::array();
+    for (const Trace& trace : result.traces)
+      traces.push_back({{"title", trace.title}, {"unit", trace.unit}, {"values", trace.values}});
+    out["traces"] = {{"times_ms", result.trace_times_ms}, {"electrodes", traces}};
+  }
   return out;
 }
 

@@ -75,13 +75,13 @@ TEST(BuildSizingField, WavesAskForTheEdgeThatKeepsTheirSpeed) {
   SizingParams params;
   params.edge_mm = 4;
   params.gradation = 1;
-  params.waves = {{.labels = {2}, .speed_mm_per_ms = 0.5, .error_percent = 2.8, .consistent_mass = 0}};
-  // Measured: 2.8 % at 0.84 mm with lumped mass, for a diffusivity of 0.2118 mm^2/ms.
-  EXPECT_NEAR(edge_of(params.waves[0]), 0.84, 2e-4);
+  params.waves = {{.labels = {2}, .speed_mm_per_ms = 0.5, .error_percent = 2.5, .consistent_mass = 0}};
+  // Measured: 2.5 % at 0.85 mm with lumped mass, for a diffusivity of 0.2118 mm^2/ms.
+  EXPECT_NEAR(edge_of(params.waves[0]), 0.85, 2e-4);
   const SizingField field = build(volume, params);
-  EXPECT_NEAR(*std::min_element(field.h_mm.begin(), field.h_mm.end()), 0.84, 2e-4);
+  EXPECT_NEAR(*std::min_element(field.h_mm.begin(), field.h_mm.end()), 0.85, 2e-4);
   params.waves[0].speed_mm_per_ms = 0.25;
-  EXPECT_NEAR(edge_of(params.waves[0]), 0.42, 1e-4);
+  EXPECT_NEAR(edge_of(params.waves[0]), 0.425, 1e-4);
   // What asks for less stays.
   params.labels = {{2, 0.3}};
   EXPECT_NEAR(*std::min_element(build(volume, params).h_mm.begin(), build(volume, params).h_mm.end()), 0.3,

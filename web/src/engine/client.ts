@@ -14,6 +14,7 @@ import {
   type SideKind,
   type SideSummary,
   type SimulationName,
+  type Simulated,
   type SimulationSummary,
   type Space,
   type StageArrays,
@@ -233,7 +234,7 @@ export class EngineClient {
     source: Recipe['source'],
     stage: SimulationName,
     handlers: SimulationHandlers,
-  ): Promise<{ summary: SimulationSummary; found: FoundFields }> {
+  ): Promise<{ summary: SimulationSummary; found: FoundFields; told: Simulated }> {
     return this.job(async (generation) => {
       await this.prepare(generation, recipeJson, source);
       const progress = Comlink.proxy((name: string, fraction: number) => handlers.onProgress(name, fraction));
@@ -242,7 +243,9 @@ export class EngineClient {
       generation.simulation = simulation;
       try {
         const summary = await simulation;
-        return { summary, found: await this.answer(generation, stage, generation.api.found(stage)) };
+        const found = await this.answer(generation, stage, generation.api.found(stage));
+        const { simulation: told = {} } = await this.answer(generation, stage, generation.api.report());
+        return { summary, found, told };
       } finally {
         generation.simulation = null;
       }

@@ -171,6 +171,24 @@ export interface TransferredLabel {
   by_majority: { mm3: number; error_percent: number; dice: number };
 }
 
+/** What simulations of a mesh have found; times in ms, parts of all conducting points. */
+export interface Simulated {
+  eikonal?: { last_ms: number; activated: number };
+  monodomain?: {
+    end_ms: number;
+    activated: number;
+    total_activation_ms: number;
+    mean_apd_ms?: number;
+    most_activations: number;
+    last_stimulus_ms: number;
+    last_activation_ms: number;
+    /** How long after the last stimulus a point was still activated. */
+    lasted_ms: number;
+    /** Absent without electrodes. */
+    traces?: { times_ms: number[]; electrodes: { title: string; unit: string; values: number[] }[] };
+  };
+}
+
 export interface Report {
   engine: string;
   digest: string;
@@ -178,6 +196,8 @@ export interface Report {
   points: number;
   source: VolumeSummary;
   stages: (Omit<StageSummary, 'key'> & { digest: string })[];
+  /** Absent where nothing was simulated. */
+  simulation?: Simulated;
   /** Absent where no label was to be transferred. */
   transfer?: TransferredLabel[];
   /** Absent where no number of layers is a target. */

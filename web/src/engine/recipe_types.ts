@@ -21,6 +21,7 @@ export type CurvatureSize = Recipe['sizing']['curvature'][number];
 export type Physics = NonNullable<Recipe['physics']>;
 export type TissueKind = Physics['tissue']['kinds'][number];
 export type Stimulus = Physics['stimuli'][number];
+export type Electrode = NonNullable<Physics['monodomain']>['electrodes'][number];
 export type FibreParams = NonNullable<Physics['fibres']>;
 export type MonodomainParams = NonNullable<Physics['monodomain']>;
 export type DiffusionParams = NonNullable<Physics['diffusion']>;

@@ -1,4 +1,5 @@
 import type {
+  Electrode,
   FibreParams,
   MonodomainParams,
   Physics,
@@ -19,6 +20,7 @@ import { short } from '../controls/format';
 import { Icon } from '../controls/icons';
 import { LabelChips } from '../controls/label_chips';
 import { SizeList } from '../controls/size_list';
+import { Findings } from './findings';
 
 /** Changes what is there already. */
 function editPhysics(label: string, key: string, change: (physics: Physics) => void): void {
@@ -214,6 +216,33 @@ function WaveFields({ params }: { params: MonodomainParams }) {
   );
 }
 
+function ElectrodeFields({ electrode, index }: { electrode: Electrode; index: number }) {
+  const set = (label: string, change: Partial<Electrode>) =>
+    editPhysics(
+      label,
+      `electrode ${index} ${label}`,
+      ({ monodomain }) => void (monodomain && Object.assign(monodomain.electrodes[index], change)),
+    );
+  return (
+    <>
+      <VectorField
+        label="Place"
+        unit="mm"
+        value={electrode.at_mm}
+        onChange={(at_mm) => set('Move electrode', { at_mm })}
+      />
+      <button
+        type="button"
+        class="button small"
+        title="Moves the electrode to the crosshair of the slices"
+        onClick={() => set('Move electrode', { at_mm: crosshairMm() })}
+      >
+        <Icon name="target" size={13} /> To the crosshair
+      </button>
+    </>
+  );
+}
+
 function RunButtons() {
   const ready = upToDate.value && activity.value === 'idle';
   const wait = upToDate.value ? '' : ' (run the mesh first)';
@@ -298,7 +327,22 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
         fields={(stimulus, index, name) => <StimulusFields stimulus={stimulus} index={index} name={name} />}
       />
       {monodomain && <WaveFields params={monodomain} />}
+      <SizeList<Electrode>
+        title="Electrodes"
+        kind="Electrode"
+        hint="Places where the potential is recorded: on the heart, or away from it as a lead of an ECG."
+        of={(recipe) => recipe.physics?.monodomain?.electrodes ?? []}
+        current={current}
+        fresh={() => ({
+          name: `Electrode ${(monodomain?.electrodes.length ?? 0) + 1}`,
+          at_mm: crosshairMm(),
+        })}
+        nameOf={({ name }) => name || 'Electrode'}
+        noteOf={({ at_mm }) => at_mm.map((x) => x.toFixed(0)).join(', ')}
+        fields={(electrode, index) => <ElectrodeFields electrode={electrode} index={index} />}
+      />
       <RunButtons />
+      <Findings />
     </>
   );
 }

@@ -1,6 +1,6 @@
 /** The frames of the simulation on the mesh that is shown. They stand outside the signals, which hold their times only. */
 import { computed, signal } from '@preact/signals';
-import { noValue, type FieldInfo, type FoundFields, type Frame } from '../../engine/contract';
+import { noValue, type FieldInfo, type FoundFields, type Frame, type Simulated } from '../../engine/contract';
 import { time } from '../view';
 import { FrameRing } from './frame_ring';
 
@@ -39,8 +39,12 @@ export function keepFound({ fields, values }: FoundFields): void {
   foundFields.value = [...foundFields.peek().filter(({ info }) => !names.has(info.name)), ...fresh];
 }
 
+/** The figures of the simulations of this mesh. */
+export const simulated = signal<Simulated>({});
+
 /** Of another mesh, or of none. */
 export function forgetFound(): void {
+  simulated.value = {};
   found.clear();
   foundFields.value = [];
 }

@@ -11,6 +11,7 @@ import {
   keepFound,
   keepFrame,
   playedFields,
+  simulated,
   simulation,
   simulationEndMs,
   type SimulationState,
@@ -48,7 +49,7 @@ export async function simulate(name: SimulationName): Promise<void> {
   try {
     await forecastUnderWay()?.done;
     if (!newest()) return settle('cancelled');
-    const { found } = await engine.simulate(JSON.stringify(current), current.source, name, {
+    const { found, told } = await engine.simulate(JSON.stringify(current), current.source, name, {
       onProgress: () => undefined,
       onFrame(frame) {
         if (!newest()) return;
@@ -59,6 +60,7 @@ export async function simulate(name: SimulationName): Promise<void> {
     if (lives(name)) settle('done');
     if (!newest()) return;
     keepFound(found);
+    simulated.value = told;
     if (!lives(name)) colourBy.value = found.fields.at(-1)?.name ?? 'label';
     if (newest()) announcement.value = 'Simulation ready';
   } catch (error) {
