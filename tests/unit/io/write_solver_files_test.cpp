@@ -130,7 +130,8 @@ TEST(WriteXdmf, NamesItsHeavyDataAfterTheFiles) {
   EXPECT_EQ(mesh_name_of("/a.b/heart <1> & co.v2.xdmf"), "heart <1> & co.v2");
   EXPECT_EQ(mesh_name_of("heart.xdmf"), "heart");
   const std::string text = only_file(
-      MeshFormat::kXdmf, {PatientSpace::kLps, {}, {test::tet_values("f", {0.25F, 1})}, "a <1> & b"});
+      MeshFormat::kXdmf,
+      {.space = PatientSpace::kLps, .cell_data = {test::tet_values("f", {0.25F, 1})}, .name = "a <1> & b"});
   for (const char* part :
        {"<!-- voxtet mesh, space LPS, unit mm: x to the left",
         "Precision=\"8\" Dimensions=\"5 3\" Format=\"HDF\">a &lt;1&gt; &amp; b.h5:/points<",
@@ -144,7 +145,7 @@ TEST(WriteXdmf, NamesItsHeavyDataAfterTheFiles) {
 
 TEST(WriteXdmf, RefusesANameThatCannotBeReferredTo) {
   for (const char* name : {"", " a", "a ", "c:a", "a\nb"}) {
-    const auto files = write_tet_mesh(two_tets(), MeshFormat::kXdmf, {PatientSpace::kRas, {}, {}, name});
+    const auto files = write_tet_mesh(two_tets(), MeshFormat::kXdmf, {.name = name});
     ASSERT_FALSE(files.ok()) << name;
     EXPECT_EQ(files.error().code, ErrorCode::kUsage);
   }

@@ -22,9 +22,19 @@ struct WriteMeshOptions {
   PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
   std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
   std::vector<Field> cell_data{};           ///< written with the tetrahedra; not with surfaces
-  std::vector<Field> point_data{};          ///< written with the points of tetrahedra: VTU, XDMF, openCARP
+  std::vector<Field> point_data{};          ///< written with the points of tetrahedra
   std::string name = "mesh";                ///< base name of the files, where one refers to another
 };
+
+/// Whether files of a format have a place for a field: on tetrahedra or on points, of one or three
+/// components.
+bool has_place_for(const Field& field, MeshFormat format);
+
+/// The cell data that are fibres to openCARP, unit vectors of three components: `fibre`, and across it
+/// `sheet`.
+inline constexpr std::string_view kFibreField = "fibre";
+inline constexpr std::string_view kSheetField = "sheet";
+bool has_fibres(const std::vector<Field>& cell_data);
 
 /// Message for a mesh written for openCARP without fibres. A placeholder in .lon, whatever its direction,
 /// would be simulated as if it were real; openCARP requires the file, so that its absence is noticed.

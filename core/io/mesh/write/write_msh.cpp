@@ -168,16 +168,18 @@ void write_format(ByteWriter& out) {
   out.text("\n$EndMeshFormat\n");
 }
 
-Bytes write_cell_data(const std::vector<Field>& cell_data) {
-  const std::size_t tets = cell_data.front().values.size();
-  ByteWriter out(cell_data.size() * (12 * tets + 128) + 64);
+Bytes write_cell_data(const std::vector<Field>& cell_data, std::size_t tets, PatientSpace space) {
+  ByteWriter out(cell_data.size() * (28 * tets + 128) + 64);
   write_format(out);
   for (const Field& data : cell_data) {
     // One string tag: the name; one real: the time; three integers: step, components, elements.
-    out.text("$ElementData\n1\n\"" + data.name + "\"\n1\n0\n3\n0\n1\n" + std::to_string(tets) + "\n");
+    const auto components = static_cast<std::size_t>(data.components);
+    out.text("$ElementData\n1\n\"" + data.name + "\"\n1\n0\n3\n0\n" + std::to_string(components) + "\n" +
+             std::to_string(tets) + "\n");
+    const std::vector<float> values = in_space(data, space);
     for (std::size_t t = 0; t < tets; ++t) {
       out.raw(static_cast<std::int32_t>(t + 1));
-      out.raw(static_cast<double>(data.values[t]));
+      for (std::size_t c = 0; c < components; ++c) out.raw(static_cast<double>(values[components * t + c]));
     }
     out.text("\n$EndElementData\n");
   }
@@ -197,7 +199,8 @@ std::vector<OutputFile> write_msh(const TetMesh& mesh, const WriteMeshOptions& o
   write_msh_nodes(out, model, mesh, options.space);
   write_elements(out, model, mesh);
   std::vector<OutputFile> files{{".msh", out.take()}};
-  if (!options.cell_data.empty()) files.push_back({"_data.msh", write_cell_data(options.cell_data)});
+  if (!options.cell_data.empty())
+    files.push_back({"_data.msh", write_cell_data(options.cell_data, mesh.tets.size(), options.space)});
   return files;
 }
 
