@@ -19,7 +19,7 @@ Status check_simulate_outputs(const CaseOptions& options, const SimulateOptions&
   if (!wanted.out.empty()) {
     Result<MeshFormat> format = mesh_format_of(wanted.out);
     if (!format) return format.error();
-    if (!has_place_for({.on = On::kPoints}, *format))
+    if (!has_place_for(On::kPoints, 1, *format))
       return usage_error("cli", "-o " + wanted.out +
                                     ": this format has no place for values at points, expected .vtu, .xdmf "
                                     "or .carp");

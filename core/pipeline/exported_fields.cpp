@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+
+#include "anatomy/facet_sets.h"
 
 namespace voxtet {
 namespace {
@@ -32,7 +35,7 @@ std::vector<Field> point_fields(const Session& session) {
 std::vector<std::string> leave_out(std::vector<Field>& fields, MeshFormat format) {
   std::vector<std::string> names;
   std::erase_if(fields, [&](const Field& field) {
-    const bool fits = has_place_for(field, format);
+    const bool fits = has_place_for(field.on, field.components, format);
     if (!fits) names.push_back(field.name);
     return !fits;
   });
@@ -48,6 +51,10 @@ Exported exported_fields(const Session& session, MeshFormat format, bool measure
   out.options.point_data = point_fields(session);
   for (auto* fields : {&out.options.cell_data, &out.options.point_data})
     for (std::string& name : leave_out(*fields, format)) out.left_out.push_back(std::move(name));
+  const auto* anatomy = session.result<AnatomyResult>(Stage::kAnatomy);
+  if (anatomy && anatomy->surfaces) out.options.surfaces = facet_sets(*anatomy->surfaces);
+  if (!has_place_for_surfaces(format))
+    for (NamedSet& set : std::exchange(out.options.surfaces, {})) out.left_out.push_back(std::move(set.name));
   return out;
 }
 

@@ -108,19 +108,44 @@ std::optional<Error> check_cell_data(const std::vector<Field>& fields, std::size
   return check_data(fields, On::kTets, tets);
 }
 
+/// Sets of `count` faces.
+std::optional<Error> check_sets(const std::vector<NamedSet>& sets, std::size_t count) {
+  std::vector<bool> taken(count, false);
+  for (const NamedSet& set : sets) {
+    if (!is_field_name(set.name))
+      return broken("surface \"" + set.name + "\": expected a name of letters, digits and _");
+    for (const std::uint32_t face : set.members) {
+      if (face >= count)
+        return broken("surface " + set.name + ": face " + std::to_string(face) + " of " +
+                      std::to_string(count));
+      if (taken[face])
+        return broken("surface " + set.name + ": face " + std::to_string(face) +
+                      " is in a surface already, expected it once");
+      taken[face] = true;
+    }
+  }
+  return {};
+}
+
 /// Surfaces are written without data, whatever there is.
 std::optional<Error> check_places(const WriteMeshOptions& options, MeshFormat format) {
   for (const Field& data : options.cell_data)
-    if (data.components != 1 && !has_place_for(data, format))
+    if (data.components != 1 && !has_place_for(data.on, data.components, format))
       return usage_error(kMeshWriter, "vectors on tetrahedra (" + data.name +
                                           "): this format has no place for them, expected .vtu, .xdmf, .carp "
                                           "or .msh");
   for (const Field& data : options.point_data)
-    if (!has_place_for(data, format))
+    if (!has_place_for(data.on, data.components, format))
       return usage_error(kMeshWriter,
                          "values at points (" + data.name +
                              "): this format has no place for them, expected .vtu, .xdmf or .carp");
   return {};
+}
+
+std::vector<OutputFile> write_vtu_files(const TetMesh& mesh, const WriteMeshOptions& options) {
+  std::vector<OutputFile> files{{".vtu", write_vtu(mesh, options)}};
+  if (!options.surfaces.empty()) files.push_back({".surfaces.vtu", write_vtu(boundary_of(mesh), options)});
+  return files;
 }
 
 }  // namespace
@@ -140,8 +165,9 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
   if (auto error = check_cell_data(options.cell_data, mesh.tets.size())) return *std::move(error);
   if (auto error = check_data(options.point_data, On::kPoints, mesh.points.size())) return *std::move(error);
   if (auto error = check_places(options, format)) return *std::move(error);
+  if (auto error = check_sets(options.surfaces, mesh.faces.size())) return *std::move(error);
   switch (format) {
-    case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(mesh, options)}};
+    case MeshFormat::kVtu: return write_vtu_files(mesh, options);
     case MeshFormat::kMsh: return write_msh(mesh, options);
     case MeshFormat::kMedit: return write_medit(mesh, options);
     case MeshFormat::kCarp: return write_carp(mesh, options);
@@ -157,6 +183,7 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
 Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFormat format,
                                               const WriteMeshOptions& options) {
   if (auto error = check_surface(surface)) return *std::move(error);
+  if (auto error = check_sets(options.surfaces, surface.triangles.size())) return *std::move(error);
   switch (format) {
     case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(surface, options)}};
     case MeshFormat::kStl: return std::vector<OutputFile>{{".stl", write_stl(surface, options)}};

@@ -10,20 +10,16 @@
 
 #include "io/mesh/write_mesh.h"
 #include "mesh_texts.h"
+#include "support/labelled_mesh.h"
 
 namespace voxtet {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/// Two tetrahedra on one triangle.
-TetMesh two_tets() {
-  TetMesh mesh;
-  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
-  mesh.tets = {{0, 1, 2, 3}, {0, 2, 1, 4}};
-  mesh.labels = {1, 2};
-  return mesh;
-}
+using test::text_of;
+using test::two_tets;
+using test::written;
 
 Field tet_vectors(const std::string& name, std::vector<float> values) {
   return {name, "", "1", On::kTets, Scale::kSequential, 3, std::move(values)};
@@ -40,18 +36,6 @@ const Field kFlow = point_values("flow", {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
 /// In LPS: x and y change their signs, zeros have none.
 const std::vector<float> kFibreLps{-1, -0.5F, 0.25F, 0, 0, 0};
 const std::vector<float> kFlowLps{-1, -2, 3, -4, -5, 6, -7, -8, 9, -10, -11, 12, -13, -14, 15};
-
-std::vector<OutputFile> written(MeshFormat format, const WriteMeshOptions& options) {
-  Result<std::vector<OutputFile>> files = write_tet_mesh(two_tets(), format, options);
-  EXPECT_TRUE(files.ok()) << files.error().message;
-  return files ? std::move(files).value() : std::vector<OutputFile>{};
-}
-
-std::string text_of(const std::vector<OutputFile>& files, const std::string& suffix) {
-  for (const OutputFile& file : files)
-    if (file.suffix == suffix) return test::text_of(file.bytes);
-  return "no " + suffix;
-}
 
 std::vector<std::string> suffixes_of(const std::vector<OutputFile>& files) {
   std::vector<std::string> suffixes;
@@ -92,9 +76,10 @@ void expect_values(const std::vector<float>& found, const std::vector<float>& wa
 
 TEST(Fields, StandInVtuAtTheirElementsWithVectorsInTheSpaceOfTheFile) {
   for (const PatientSpace space : {PatientSpace::kRas, PatientSpace::kLps}) {
-    const std::string vtu = text_of(
-        written(MeshFormat::kVtu, {.space = space, .cell_data = {kFibre}, .point_data = {kTimes, kFlow}}),
-        ".vtu");
+    const std::string vtu =
+        text_of(written(two_tets(), MeshFormat::kVtu,
+                        {.space = space, .cell_data = {kFibre}, .point_data = {kTimes, kFlow}}),
+                ".vtu");
     const std::size_t cells = vtu.find("<CellData"), points = vtu.find("<PointData>");
     EXPECT_LT(cells, vtu.find("Name=\"fibre\""));
     EXPECT_LT(vtu.find("Name=\"fibre\""), vtu.find("</CellData>"));
@@ -109,7 +94,7 @@ TEST(Fields, StandInVtuAtTheirElementsWithVectorsInTheSpaceOfTheFile) {
 
 TEST(Fields, AreAttributesOfCellsAndNodesInXdmf) {
   const std::vector<OutputFile> files = written(
-      MeshFormat::kXdmf,
+      two_tets(), MeshFormat::kXdmf,
       {.space = PatientSpace::kLps, .cell_data = {kFibre}, .point_data = {kTimes, kFlow}, .name = "a"});
   const std::string xml = text_of(files, ".xdmf");
   for (const char* part :
@@ -130,7 +115,7 @@ TEST(Fields, AreAttributesOfCellsAndNodesInXdmf) {
 
 TEST(Fields, AreALineForEachElementBesideOpenCarp) {
   const std::vector<OutputFile> files =
-      written(MeshFormat::kCarp, {.space = PatientSpace::kLps, .point_data = {kTimes, kFlow}});
+      written(two_tets(), MeshFormat::kCarp, {.space = PatientSpace::kLps, .point_data = {kTimes, kFlow}});
   EXPECT_EQ(suffixes_of(files),
             (std::vector<std::string>{".pts", ".elem", ".lon.txt", ".time_ms.dat", ".flow.dat"}));
   // openCARP knows no NaN.
@@ -140,7 +125,8 @@ TEST(Fields, AreALineForEachElementBesideOpenCarp) {
 
 TEST(Fields, OfThreeComponentsAreElementDataOfGmsh) {
   const std::string data =
-      text_of(written(MeshFormat::kMsh, {.space = PatientSpace::kLps, .cell_data = {kFibre}}), "_data.msh");
+      text_of(written(two_tets(), MeshFormat::kMsh, {.space = PatientSpace::kLps, .cell_data = {kFibre}}),
+              "_data.msh");
   const std::string head = "$ElementData\n1\n\"fibre\"\n1\n0\n3\n0\n3\n2\n";
   const std::size_t at = data.find(head);
   ASSERT_NE(at, std::string::npos);
@@ -155,12 +141,12 @@ TEST(Fields, OfThreeComponentsAreElementDataOfGmsh) {
 }
 
 TEST(Fibres, AreTheLonOfOpenCarpWithZerosWhereThereAreNone) {
-  const std::vector<OutputFile> one = written(MeshFormat::kCarp, {.cell_data = {kFibre}});
+  const std::vector<OutputFile> one = written(two_tets(), MeshFormat::kCarp, {.cell_data = {kFibre}});
   EXPECT_EQ(suffixes_of(one), (std::vector<std::string>{".pts", ".elem", ".lon"}));
   EXPECT_EQ(text_of(one, ".lon"), "1\n1 0.5 0.25\n0 0 0\n");
 
   const std::vector<OutputFile> both =
-      written(MeshFormat::kCarp, {.space = PatientSpace::kLps, .cell_data = {kSheet, kFibre}});
+      written(two_tets(), MeshFormat::kCarp, {.space = PatientSpace::kLps, .cell_data = {kSheet, kFibre}});
   EXPECT_EQ(suffixes_of(both), (std::vector<std::string>{".pts", ".elem", ".lon"}));
   EXPECT_EQ(text_of(both, ".lon"), "2\n-1 -0.5 0.25 0.5 0 1\n0 0 0 0 0 0\n");
 }
@@ -171,7 +157,7 @@ TEST(Fibres, OfOpenCarpAreVectorsOfThatNameAlone) {
        {WriteMeshOptions{.cell_data = {kSheet}},
         WriteMeshOptions{.point_data = {point_values("fibre", kFlow.values, 3)}},
         WriteMeshOptions{.cell_data = {{"fibre", "", "1", On::kTets, Scale::kSequential, 1, {1, 2}}}}}) {
-    const std::vector<OutputFile> files = written(MeshFormat::kCarp, options);
+    const std::vector<OutputFile> files = written(two_tets(), MeshFormat::kCarp, options);
     EXPECT_FALSE(has_fibres(options.cell_data));
     EXPECT_EQ(text_of(files, ".lon.txt"), std::string(kNoFibres) + "\n");
     EXPECT_EQ(files.size(), 4U);
@@ -180,7 +166,7 @@ TEST(Fibres, OfOpenCarpAreVectorsOfThatNameAlone) {
 
 TEST(Fields, AreRefusedWhereTheFormatHasNoPlaceForThem) {
   for (const MeshFormat format : {MeshFormat::kMedit, MeshFormat::kAbaqus, MeshFormat::kFebio}) {
-    EXPECT_FALSE(has_place_for(kFibre, format));
+    EXPECT_FALSE(has_place_for(On::kTets, 3, format));
     const auto files = write_tet_mesh(two_tets(), format, {.cell_data = {kFibre}});
     ASSERT_FALSE(files.ok());
     EXPECT_EQ(files.error().code, ErrorCode::kUsage);
@@ -191,7 +177,7 @@ TEST(Fields, AreRefusedWhereTheFormatHasNoPlaceForThem) {
   }
   for (const MeshFormat format :
        {MeshFormat::kMsh, MeshFormat::kMedit, MeshFormat::kAbaqus, MeshFormat::kFebio}) {
-    EXPECT_FALSE(has_place_for(kTimes, format));
+    EXPECT_FALSE(has_place_for(On::kPoints, 1, format));
     const auto files = write_tet_mesh(two_tets(), format, {.point_data = {kTimes}});
     ASSERT_FALSE(files.ok());
     EXPECT_EQ(files.error().code, ErrorCode::kUsage);

@@ -14,15 +14,7 @@
 namespace voxtet {
 namespace {
 
-/// Two tetrahedra on one triangle: label 5 above it, label 2 below.
-TetMesh two_tets() {
-  TetMesh mesh;
-  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 0.25, 0}, {0, 0, 2}, {0, 0, -2}};
-  mesh.tets = {{0, 2, 1, 4}, {0, 1, 2, 3}};
-  mesh.labels = {2, 5};
-  test::add_faces(mesh);
-  return mesh;
-}
+using test::two_tets;
 
 const std::vector<LabelInfo> kInfos{{5, "scar, dense", {}}, {2, "3rd \"wall\"", {}}};
 

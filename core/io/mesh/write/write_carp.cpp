@@ -78,6 +78,36 @@ Bytes write_values(const Field& data, PatientSpace space) {
   return out.take();
 }
 
+Bytes write_triangles(const TetMesh& mesh, const NamedSet& set) {
+  ByteWriter out(32 * set.members.size() + 64);
+  out.text(std::to_string(set.members.size()) + "\n");
+  for (const std::uint32_t face : set.members) {
+    out.text("Tr");
+    for (const std::uint32_t corner : mesh.faces[face]) {
+      out.text(" ");
+      out.integer(corner);
+    }
+    out.text("\n");
+  }
+  return out.take();
+}
+
+/// "extra": the points are numbered as in the whole mesh.
+Bytes write_vertices(const TetMesh& mesh, const NamedSet& set) {
+  std::vector<std::uint32_t> points;
+  for (const std::uint32_t face : set.members)
+    points.insert(points.end(), mesh.faces[face].begin(), mesh.faces[face].end());
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  ByteWriter out(12 * points.size() + 64);
+  out.text(std::to_string(points.size()) + "\nextra\n");
+  for (const std::uint32_t point : points) {
+    out.integer(point);
+    out.text("\n");
+  }
+  return out.take();
+}
+
 /// The fields of directions for .lon; none without fibres.
 std::vector<const Field*> directions_of(const std::vector<Field>& cell_data) {
   std::vector<const Field*> directions;
@@ -101,6 +131,10 @@ std::vector<OutputFile> write_carp(const TetMesh& mesh, const WriteMeshOptions& 
     for (const Field& data : *fields)
       if (std::find(directions.begin(), directions.end(), &data) == directions.end())
         files.push_back({"." + data.name + ".dat", write_values(data, options.space)});
+  for (const NamedSet& set : options.surfaces) {
+    files.push_back({"." + set.name + ".surf", write_triangles(mesh, set)});
+    files.push_back({"." + set.name + ".surf.vtx", write_vertices(mesh, set)});
+  }
   return files;
 }
 
