@@ -4,10 +4,12 @@
 
 #include <Eigen/Geometry>
 
+#include "support/heart_fibres.h"
+
 namespace voxtet {
 namespace {
 
-constexpr double kRadians = EIGEN_PI / 180;
+using test::kRadians;
 
 Eigen::Matrix3d turn(const Eigen::Vector3d& axis, double degrees) {
   return Eigen::AngleAxisd(degrees * kRadians, axis.normalized()).toRotationMatrix();
