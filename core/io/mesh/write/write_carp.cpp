@@ -42,6 +42,7 @@ Bytes write_elements(const TetMesh& mesh) {
 /// outside of the muscle.
 Bytes write_fibres(const std::vector<const Field*>& fields, PatientSpace space) {
   std::vector<std::vector<float>> directions;
+  directions.reserve(fields.size());
   for (const Field* field : fields) directions.push_back(in_space(*field, space));
   const std::size_t tets = directions[0].size() / 3;
   ByteWriter out(40 * directions.size() * tets + 64);
