@@ -187,9 +187,10 @@ class SessionBinding {
     Result<MeshFormat> which = format_of(format);
     if (!which) return reply(which.error());
     const PatientSpace patient = space == "lps" ? PatientSpace::kLps : PatientSpace::kRas;
-    Result<std::vector<OutputFile>> files =
-        write_tet_mesh(*session_.mesh(), *which,
-                       {patient, session_.volume()->infos, exported_fields(session_, measures), name});
+    WriteMeshOptions options = exported_fields(session_, *which, measures).options;
+    options.space = patient;
+    options.name = name;
+    Result<std::vector<OutputFile>> files = write_tet_mesh(*session_.mesh(), *which, options);
     if (!files) return reply(files.error());
     exported_ = std::move(files).value();
     json list = json::array();

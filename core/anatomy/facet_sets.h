@@ -1,20 +1,12 @@
 // The named surfaces of a heart as sets of faces and of points, for files that others read.
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 #include "types/heart_surfaces.h"
 #include "types/tet_mesh.h"
 
 namespace voxtet {
-
-/// Indices of TetMesh::faces or of TetMesh::points, ascending.
-struct NamedSet {
-  std::string name;
-  std::vector<std::uint32_t> members;
-};
 
 /// The faces of each surface that there are any of, named as name_of(HeartSurface) says: "epicardium",
 /// "lv_endocardium", "rv_endocardium", "rv_septum", "base".

@@ -14,9 +14,12 @@ struct NamedPath {
 };
 
 /// Checks that every output can be written and is neither an input nor another output; empty paths do not
-/// count. A mesh file stands for all files that its format always writes; for openCARP there must be no .lon
-/// of another mesh. Call it before anything is read, since a run may take long. Errors: kUsage naming both
-/// words and the file, or those of check_place().
+/// count. A mesh file stands for the files of files_of_mesh(). Call it before anything is read, since a run
+/// may take long. Errors: kUsage naming both words and the file, or those of check_place().
 Status check_outputs(const std::vector<NamedPath>& outputs, const std::vector<NamedPath>& inputs);
+
+/// Checks that no fibres of another mesh lie where openCARP would take them for those of one that is written
+/// without any. Errors: kUsage naming the .lon.
+Status check_no_fibres(const NamedPath& output);
 
 }  // namespace voxtet

@@ -17,7 +17,6 @@
 #include "io/mesh/write_mesh.h"
 #include "io/volume/write_volume.h"
 #include "io/volume/write_vti.h"
-#include "pipeline/exported_fields.h"
 #include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
@@ -71,8 +70,13 @@ int run_mesh(const CaseOptions& options, const MeshOptions& wanted, const Output
   if (Status there = check_mesh_outputs(options, wanted, *until); !there) return fail(there.error());
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
+  if (!gives_fibres(session.recipe(), *until))
+    if (Status none = check_no_fibres({"-o", wanted.out}); !none) return fail(none.error());
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
-  const Status done = session.run(*until, ctx);
+  Status done = std::monostate{};
+  // A mesh file also holds the labels that were transferred.
+  if (!wanted.out.empty() && !needs(*until, Stage::kTransfer)) done = session.run(Stage::kTransfer, ctx);
+  if (done) done = session.run(*until, ctx);
   json report = report_json(session);
   if (!done) {
     report["error"] = error_json(done.error());
@@ -81,10 +85,7 @@ int run_mesh(const CaseOptions& options, const MeshOptions& wanted, const Output
     return fail_run(done.error(), output);
   }
   if (!wanted.out.empty())
-    if (const int code =
-            export_mesh(*session.mesh(), session.volume()->infos, exported_fields(session, wanted.measures),
-                        exported_point_fields(session), wanted.out, output);
-        code != kExitOk)
+    if (const int code = export_session(session, wanted.measures, wanted.out, output); code != kExitOk)
       return code;
   if (Status written = write_report(session, wanted, report); !written) return fail(written.error());
   if (output.as_json)
@@ -174,6 +175,7 @@ int run_phantom(const std::string& name, const std::vector<std::string>& set, co
 
 int run_convert(const std::string& in, const std::string& out, const Output& output) {
   if (Status there = check_outputs({{"OUTPUT", out}}, {{"INPUT", in}}); !there) return fail(there.error());
+  if (Status none = check_no_fibres({"OUTPUT", out}); !none) return fail(none.error());
   if (mesh_format_of(in).ok()) {
     MeshArrays arrays;
     Result<TetMesh> mesh = read_tet_mesh_file(in, &arrays);
@@ -181,7 +183,7 @@ int run_convert(const std::string& in, const std::string& out, const Output& out
     for (const std::string& name : arrays.left_out)
       print_warning(in + ": left out the array " + name + ", expected a finite number for each cell");
     add_label_faces(*mesh);
-    return export_mesh(*mesh, {}, std::move(arrays.cell_data), {}, out, output);
+    return export_mesh(*mesh, {.cell_data = std::move(arrays.cell_data)}, out, output);
   }
   std::vector<std::string> warnings;
   Result<LabelVolume> volume = read_volume_file(in, &warnings);

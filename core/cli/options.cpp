@@ -6,6 +6,7 @@
 
 #include "cli/cli.h"
 #include "cli/print.h"
+#include "pipeline/exported_fields.h"
 
 namespace voxtet {
 
@@ -57,17 +58,27 @@ int fail_run(Error error, const Output& output) {
   return fail(error);
 }
 
-int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::vector<Field> cell_data,
-                std::vector<Field> point_data, const std::string& path, const Output& output) {
+int export_mesh(const TetMesh& mesh, WriteMeshOptions options, const std::string& path,
+                const Output& output) {
   Result<MeshFormat> format = mesh_format_of(path);
   if (!format) return fail(format.error());
-  Result<std::vector<OutputFile>> files = write_tet_mesh(
-      mesh, *format,
-      {output.space(), infos, std::move(cell_data), mesh_name_of(path), std::move(point_data)});
+  options.space = output.space();
+  options.name = mesh_name_of(path);
+  Result<std::vector<OutputFile>> files = write_tet_mesh(mesh, *format, options);
   if (!files) return fail(files.error());
   if (Status written = write_files(path, *files); !written) return fail(written.error());
-  if (*format == MeshFormat::kCarp) print_warning(path + ": " + std::string(kNoFibres));
+  if (*format == MeshFormat::kCarp && !has_fibres(options.cell_data))
+    print_warning(path + ": " + std::string(kNoFibres));
   return kExitOk;
+}
+
+int export_session(const Session& session, bool measures, const std::string& path, const Output& output) {
+  Result<MeshFormat> format = mesh_format_of(path);
+  if (!format) return fail(format.error());
+  Exported exported = exported_fields(session, *format, measures);
+  for (const std::string& name : exported.left_out)
+    print_warning(path + ": left out " + name + ", for which this format has no place");
+  return export_mesh(*session.mesh(), std::move(exported.options), path, output);
 }
 
 }  // namespace voxtet

@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 #include "cli/case_input.h"
 #include "io/mesh/write_mesh.h"
-#include "types/field.h"
+#include "pipeline/session.h"
 #include "types/result.h"
 #include "types/tet_mesh.h"
 
@@ -37,8 +37,9 @@ void print_json(const nlohmann::json& value);
 /// Prints why a run ended, and returns its exit code; nothing but the time limit cancels one.
 int fail_run(Error error, const Output& output);
 
-/// Writes a mesh with its fields, and returns the exit code.
-int export_mesh(const TetMesh& mesh, const std::vector<LabelInfo>& infos, std::vector<Field> cell_data,
-                std::vector<Field> point_data, const std::string& path, const Output& output);
+/// Writes a mesh with its data, in the space of `output`, and returns the exit code.
+int export_mesh(const TetMesh& mesh, WriteMeshOptions options, const std::string& path, const Output& output);
+/// The same for the mesh of a session and what goes with it (exported_fields.h).
+int export_session(const Session& session, bool measures, const std::string& path, const Output& output);
 
 }  // namespace voxtet

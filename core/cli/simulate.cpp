@@ -7,7 +7,6 @@
 #include "cli/cli.h"
 #include "cli/print.h"
 #include "io/bytes/files.h"
-#include "pipeline/exported_fields.h"
 #include "pipeline/report.h"
 #include "types/stage_names.h"
 
@@ -17,8 +16,14 @@ namespace {
 using nlohmann::json;
 
 Status check_simulate_outputs(const CaseOptions& options, const SimulateOptions& wanted) {
-  if (!wanted.out.empty())
-    if (Result<MeshFormat> format = mesh_format_of(wanted.out); !format) return format.error();
+  if (!wanted.out.empty()) {
+    Result<MeshFormat> format = mesh_format_of(wanted.out);
+    if (!format) return format.error();
+    if (!has_place_for(On::kPoints, 1, *format))
+      return usage_error("cli", "-o " + wanted.out +
+                                    ": this format has no place for values at points, expected .vtu, .xdmf "
+                                    "or .carp");
+  }
   return check_outputs({{"-o", wanted.out}, {"--report", wanted.report}, {"--traces", wanted.traces}},
                        inputs_of(options));
 }
@@ -74,6 +79,8 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
   const Result<Stage> stage = stage_to_run(session.recipe(), wanted.what);
   if (!stage) return fail(stage.error());
+  if (!gives_fibres(session.recipe(), *stage))
+    if (Status none = check_no_fibres({"-o", wanted.out}); !none) return fail(none.error());
   if (!wanted.traces.empty() &&
       (*stage != Stage::kMonodomain || session.recipe().physics->monodomain->electrodes.empty()))
     return fail(
@@ -92,11 +99,7 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
     if (Status written = write_text_file(wanted.traces, traces_csv(*session.monodomain())); !written)
       return fail(written.error());
   if (!wanted.out.empty())
-    if (const int code =
-            export_mesh(*session.mesh(), session.volume()->infos, exported_fields(session, false),
-                        exported_point_fields(session), wanted.out, output);
-        code != kExitOk)
-      return code;
+    if (const int code = export_session(session, false, wanted.out, output); code != kExitOk) return code;
   if (!output.as_json) {
     print_stages(report["stages"], stdout);
     print_simulation(report["simulation"]);

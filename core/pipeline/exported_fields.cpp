@@ -2,12 +2,21 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
+
+#include "anatomy/facet_sets.h"
 
 namespace voxtet {
+namespace {
 
-std::vector<Field> exported_fields(const Session& session, bool measures) {
+void append(const std::vector<Field>& from, std::vector<Field>& to) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+std::vector<Field> tet_fields(const Session& session, bool measures) {
   std::vector<Field> fields;
-  if (session.transfer()) fields = session.transfer()->fields;
+  if (session.transfer()) append(session.transfer()->fields, fields);
+  if (const auto* fibres = session.result<FibresResult>(Stage::kFibres)) append(fibres->fields, fields);
   if (measures && session.quality())
     std::copy_if(session.quality()->fields.begin(), session.quality()->fields.end(),
                  std::back_inserter(fields),
@@ -15,12 +24,38 @@ std::vector<Field> exported_fields(const Session& session, bool measures) {
   return fields;
 }
 
-std::vector<Field> exported_point_fields(const Session& session) {
+std::vector<Field> point_fields(const Session& session) {
   std::vector<Field> fields;
-  if (session.eikonal()) fields = session.eikonal()->fields;
-  if (session.monodomain())
-    fields.insert(fields.end(), session.monodomain()->fields.begin(), session.monodomain()->fields.end());
+  if (session.eikonal()) append(session.eikonal()->fields, fields);
+  if (session.monodomain()) append(session.monodomain()->fields, fields);
   return fields;
+}
+
+/// Removes the fields that the format has no place for; returns their names.
+std::vector<std::string> leave_out(std::vector<Field>& fields, MeshFormat format) {
+  std::vector<std::string> names;
+  std::erase_if(fields, [&](const Field& field) {
+    const bool fits = has_place_for(field.on, field.components, format);
+    if (!fits) names.push_back(field.name);
+    return !fits;
+  });
+  return names;
+}
+
+}  // namespace
+
+Exported exported_fields(const Session& session, MeshFormat format, bool measures) {
+  Exported out;
+  out.options.infos = session.volume()->infos;
+  out.options.cell_data = tet_fields(session, measures);
+  out.options.point_data = point_fields(session);
+  for (auto* fields : {&out.options.cell_data, &out.options.point_data})
+    for (std::string& name : leave_out(*fields, format)) out.left_out.push_back(std::move(name));
+  const auto* anatomy = session.result<AnatomyResult>(Stage::kAnatomy);
+  if (anatomy && anatomy->surfaces) out.options.surfaces = facet_sets(*anatomy->surfaces);
+  if (!has_place_for_surfaces(format))
+    for (NamedSet& set : std::exchange(out.options.surfaces, {})) out.left_out.push_back(std::move(set.name));
+  return out;
 }
 
 }  // namespace voxtet

@@ -1,18 +1,22 @@
-// The fields that are written with a mesh into its file.
+// What is written with the mesh of a session into its file.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "io/mesh/write_mesh.h"
 #include "pipeline/session.h"
-#include "types/field.h"
 
 namespace voxtet {
 
-/// Fields on the tetrahedra of Session::mesh(): those of the label transfer and, with `measures`, those of
-/// the quality report that have a finite value everywhere.
-std::vector<Field> exported_fields(const Session& session, bool measures);
+struct Exported {
+  WriteMeshOptions options;           ///< all but the space and the name of the file
+  std::vector<std::string> left_out;  ///< names of the fields and surfaces that the format has no place for
+};
 
-/// Fields on the points of Session::mesh(): what simulations found.
-std::vector<Field> exported_point_fields(const Session& session);
+/// What goes with Session::mesh() into a file of a format. On the tetrahedra: the fields of the label
+/// transfer, fibres and, with `measures`, the fields of the quality report that have a finite value
+/// everywhere. On the points: what simulations found. And the named surfaces of the anatomy.
+Exported exported_fields(const Session& session, MeshFormat format, bool measures);
 
 }  // namespace voxtet

@@ -1,6 +1,7 @@
 // Where and when tissue is excited from outside.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Stimulus : Region {
 /// The times at which it starts, ascending, ms.
 inline std::vector<double> start_times_ms(const Stimulus& stimulus) {
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(stimulus.count) + 2);
   for (int beat = 0; beat < stimulus.count; ++beat)
     times.push_back(stimulus.start_ms + beat * stimulus.interval_ms);
   for (const double interval : {stimulus.s2_ms, stimulus.s3_ms})

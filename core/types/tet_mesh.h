@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "types/surface_mesh.h"
@@ -21,6 +22,12 @@ struct TetMesh {
   std::vector<Label> labels;  ///< one per tet, never background
   std::vector<Triangle> faces;
   std::vector<Sides> face_sides;  ///< one per face
+};
+
+/// Elements of one kind, such as TetMesh::faces or TetMesh::points, under a name that files give them.
+struct NamedSet {
+  std::string name;                    ///< a word of letters, digits and underscores
+  std::vector<std::uint32_t> members;  ///< indices, ascending
 };
 
 }  // namespace voxtet

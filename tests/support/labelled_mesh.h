@@ -77,6 +77,16 @@ inline TetMesh kuhn_cube(std::uint32_t n) {
   return mesh;
 }
 
+/// Two tetrahedra on one triangle: label 5 above it, label 2 below.
+inline TetMesh two_tets() {
+  TetMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 0.25, 0}, {0, 0, 2}, {0, 0, -2}};
+  mesh.tets = {{0, 2, 1, 4}, {0, 1, 2, 3}};
+  mesh.labels = {2, 5};
+  add_faces(mesh);
+  return mesh;
+}
+
 /// Names with what formats stumble on: quotes, bars, letters beyond ASCII. Label 7 has none.
 inline std::vector<LabelInfo> cube_infos() {
   return {{1, "LV myocardium", {0.8F, 0.1F, 0.1F}},

@@ -42,7 +42,8 @@ bool write_all(const std::string& folder) {
               write_raw(folder + "/raw.sides", mesh.face_sides);
   for (const auto& [name, space] :
        {std::pair{"ras", PatientSpace::kRas}, std::pair{"lps", PatientSpace::kLps}}) {
-    const WriteMeshOptions options{space, test::cube_infos(), test::cube_cell_data(mesh), name};
+    const WriteMeshOptions options{
+        .space = space, .infos = test::cube_infos(), .cell_data = test::cube_cell_data(mesh), .name = name};
     const std::string base = folder + "/" + name;
     for (const char* ending : {".vtu", ".msh", ".mesh", ".carp", ".inp", ".feb", ".xdmf", ".stl", ".ply"}) {
       const auto format = mesh_format_of(ending);
@@ -54,7 +55,7 @@ bool write_all(const std::string& folder) {
              write_export(base + "_surface" + ending, write_surface(surface, *format, options));
     }
   }
-  WriteMeshOptions many{PatientSpace::kRas, {}, {}, "many"};
+  WriteMeshOptions many{.name = "many"};
   for (std::size_t i = 0; i < 21; ++i)
     many.cell_data.push_back(test::tet_values("value_" + std::to_string(i),
                                               std::vector<float>(mesh.tets.size(), static_cast<float>(i))));

@@ -86,15 +86,17 @@ std::optional<Error> check_mesh(const TetMesh& mesh) {
   return check_elements(mesh.points, mesh.faces, mesh.face_sides.size(), "faces");
 }
 
-/// `elements`: what the values belong to, in words, and how many there are.
-std::optional<Error> check_data(const std::vector<Field>& fields, const std::string& elements,
-                                std::size_t count) {
+/// Fields on `count` elements of one kind.
+std::optional<Error> check_data(const std::vector<Field>& fields, On on, std::size_t count) {
   for (const Field& data : fields) {
     if (!is_field_name(data.name))
       return broken("data \"" + data.name + "\": expected a name of letters, digits and _");
+    if (data.on != on)
+      return broken("data " + data.name + ": found values of " + std::string(name_of(data.on)) +
+                    ", expected values of " + std::string(name_of(on)));
     if (data.values.size() != count * static_cast<std::size_t>(data.components))
       return broken("data " + data.name + ": " + std::to_string(data.values.size()) + " values for " +
-                    std::to_string(count) + " " + elements);
+                    std::to_string(count) + " " + std::string(name_of(on)));
   }
   return {};
 }
@@ -103,20 +105,47 @@ std::optional<Error> check_cell_data(const std::vector<Field>& fields, std::size
   for (const Field& data : fields)
     if (!all_finite(data.values))
       return broken("cell data " + data.name + " hold a value that is not finite");
-  return check_data(fields, "tetrahedra", tets);
+  return check_data(fields, On::kTets, tets);
 }
 
-std::optional<Error> check_point_data(const std::vector<Field>& fields, std::size_t points,
-                                      MeshFormat format) {
-  if (!fields.empty() && format != MeshFormat::kVtu && format != MeshFormat::kXdmf &&
-      format != MeshFormat::kCarp)
-    return Error{ErrorCode::kUsage,
-                 kMeshWriter,
-                 "values at points (" + fields[0].name +
-                     "): this format has no place for them, expected .vtu, .xdmf "
-                     "or .carp",
-                 {}};
-  return check_data(fields, "points", points);
+/// Sets of `count` faces.
+std::optional<Error> check_sets(const std::vector<NamedSet>& sets, std::size_t count) {
+  std::vector<bool> taken(count, false);
+  for (const NamedSet& set : sets) {
+    if (!is_field_name(set.name))
+      return broken("surface \"" + set.name + "\": expected a name of letters, digits and _");
+    for (const std::uint32_t face : set.members) {
+      if (face >= count)
+        return broken("surface " + set.name + ": face " + std::to_string(face) + " of " +
+                      std::to_string(count));
+      if (taken[face])
+        return broken("surface " + set.name + ": face " + std::to_string(face) +
+                      " is in a surface already, expected it once");
+      taken[face] = true;
+    }
+  }
+  return {};
+}
+
+/// Surfaces are written without data, whatever there is.
+std::optional<Error> check_places(const WriteMeshOptions& options, MeshFormat format) {
+  for (const Field& data : options.cell_data)
+    if (data.components != 1 && !has_place_for(data.on, data.components, format))
+      return usage_error(kMeshWriter, "vectors on tetrahedra (" + data.name +
+                                          "): this format has no place for them, expected .vtu, .xdmf, .carp "
+                                          "or .msh");
+  for (const Field& data : options.point_data)
+    if (!has_place_for(data.on, data.components, format))
+      return usage_error(kMeshWriter,
+                         "values at points (" + data.name +
+                             "): this format has no place for them, expected .vtu, .xdmf or .carp");
+  return {};
+}
+
+std::vector<OutputFile> write_vtu_files(const TetMesh& mesh, const WriteMeshOptions& options) {
+  std::vector<OutputFile> files{{".vtu", write_vtu(mesh, options)}};
+  if (!options.surfaces.empty()) files.push_back({".surfaces.vtu", write_vtu(boundary_of(mesh), options)});
+  return files;
 }
 
 }  // namespace
@@ -125,7 +154,7 @@ std::vector<std::string> files_of_mesh(const std::string& path) {
   const Result<MeshFormat> format = mesh_format_of(path);
   if (!format) return {path};
   const std::string base = path.substr(0, path.size() - mesh_ending_of(path).size());
-  if (*format == MeshFormat::kCarp) return {base + ".pts", base + ".elem", base + ".lon.txt"};
+  if (*format == MeshFormat::kCarp) return {base + ".pts", base + ".elem", base + ".lon", base + ".lon.txt"};
   if (*format == MeshFormat::kXdmf) return {base + ".xdmf", base + ".h5"};
   return {path};
 }
@@ -134,9 +163,11 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
                                                const WriteMeshOptions& options) {
   if (auto error = check_mesh(mesh)) return *std::move(error);
   if (auto error = check_cell_data(options.cell_data, mesh.tets.size())) return *std::move(error);
-  if (auto error = check_point_data(options.point_data, mesh.points.size(), format)) return *std::move(error);
+  if (auto error = check_data(options.point_data, On::kPoints, mesh.points.size())) return *std::move(error);
+  if (auto error = check_places(options, format)) return *std::move(error);
+  if (auto error = check_sets(options.surfaces, mesh.faces.size())) return *std::move(error);
   switch (format) {
-    case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(mesh, options)}};
+    case MeshFormat::kVtu: return write_vtu_files(mesh, options);
     case MeshFormat::kMsh: return write_msh(mesh, options);
     case MeshFormat::kMedit: return write_medit(mesh, options);
     case MeshFormat::kCarp: return write_carp(mesh, options);
@@ -152,6 +183,7 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
 Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFormat format,
                                               const WriteMeshOptions& options) {
   if (auto error = check_surface(surface)) return *std::move(error);
+  if (auto error = check_sets(options.surfaces, surface.triangles.size())) return *std::move(error);
   switch (format) {
     case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(surface, options)}};
     case MeshFormat::kStl: return std::vector<OutputFile>{{".stl", write_stl(surface, options)}};

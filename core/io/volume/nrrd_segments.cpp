@@ -8,6 +8,7 @@
 
 #include "io/bytes/byte_source.h"
 #include "io/bytes/header_text.h"
+#include "io/volume/nrrd_header.h"
 
 namespace voxtet {
 namespace {

@@ -18,7 +18,7 @@ constexpr double kElectrodeRadius = 0.5;                    // mm
 Eigen::VectorXd electrogram_weights(const ConductingMesh& tissue, const Eigen::Vector3d& at_mm) {
   const TetMesh& mesh = tissue.mesh;
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(mesh.points.size()));
-  const double factor = -kVoltageRange_mV * kConductivityPerDiffusivity / (4 * EIGEN_PI * kBathConductivity);
+  const double factor = -kVoltageRangeMv * kConductivityPerDiffusivity / (4 * EIGEN_PI * kBathConductivity);
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     const fem::Element element = fem::element_of(mesh, t);
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();

@@ -3,9 +3,9 @@
 
 namespace voxtet {
 
-inline constexpr double kRest_mV = -80, kVoltageRange_mV = 100;
-inline double membrane_mV(double v) {
-  return kRest_mV + kVoltageRange_mV * v;
+inline constexpr double kRestMv = -80, kVoltageRangeMv = 100;
+inline double membrane_mv(double v) {
+  return kRestMv + kVoltageRangeMv * v;
 }
 
 }  // namespace voxtet

@@ -233,7 +233,7 @@ std::vector<float> Monodomain::on_mesh(const std::vector<float>& of_points, floa
 Field Monodomain::voltage() const {
   std::vector<float> values(points().size());
   for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = static_cast<float>(membrane_mV(v_[static_cast<Eigen::Index>(i)]));
+    values[i] = static_cast<float>(membrane_mv(v_[static_cast<Eigen::Index>(i)]));
   return {"voltage_mV",
           "Membrane voltage",
           "mV",
@@ -260,7 +260,7 @@ std::vector<Field> Monodomain::activation_fields() const {
       field("activations", "Number of activations", "1", Scale::kWhole, log_.activation_counts(count))};
 }
 
-std::vector<double> Monodomain::potentials_mV() const {
+std::vector<double> Monodomain::potentials_mv() const {
   std::vector<double> potentials;
   for (const Eigen::VectorXd& weights : electrode_weights_) potentials.push_back(fem::dot(weights, v_));
   return potentials;

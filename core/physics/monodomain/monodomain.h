@@ -32,7 +32,7 @@ struct MonodomainParams {
   double step_ms = 0.05;  ///< shortened if needed, so that `end_ms` is a whole number of steps
   double frame_ms = 5;    ///< time between frames
   /// Semi-implicit: the share of the consistent mass; the rest is lumped. At 0.5 the wave's speed on
-  /// unstructured tetrahedra is right within 1 % up to edges of 2 mm, in tissue of 0.5 mm/ms (Pathmanathan,
+  /// unstructured tetrahedra is right within 1 % up to edges of 1.8 mm, in tissue of 0.5 mm/ms (Pathmanathan,
   /// Bernabeu, Niederer, Gavaghan and Kay, Int. J. Numer. Meth. Biomed. Eng. 28, 2012, on mass lumping).
   double consistent_mass = 0.5;
   std::vector<Electrode> electrodes{};
@@ -68,7 +68,7 @@ class Monodomain {
   std::vector<Field> activation_fields() const;
   const ActivationLog& log() const { return log_; }
   /// Potentials of the electrodes (mV) now, in the order of the parameters.
-  std::vector<double> potentials_mV() const;
+  std::vector<double> potentials_mv() const;
   /// v of the conducting points, as numbered by points().
   const Eigen::VectorXd& v() const { return v_; }
   const std::vector<std::uint32_t>& points() const { return tissue_.points; }

@@ -61,7 +61,7 @@ class MonodomainTask : public StageTask {
       return;
     traced_ = static_cast<std::size_t>(heart_.time_ms() / kTraceInterval + 1e-9);
     result_.trace_times_ms.push_back(heart_.time_ms());
-    const std::vector<double> potentials = heart_.potentials_mV();
+    const std::vector<double> potentials = heart_.potentials_mv();
     for (std::size_t e = 0; e < potentials.size(); ++e)
       result_.traces[e].values.push_back(static_cast<float>(potentials[e]));
   }

@@ -1,5 +1,6 @@
 #include "pipeline/stages/stage.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/digest.h"
@@ -32,6 +33,12 @@ std::string hashed(const std::string& text) {
 }
 
 }  // namespace
+
+bool needs(Stage stage, Stage input) {
+  const std::vector<Stage>& inputs = spec_of(stage).inputs;
+  return stage == input ||
+         std::any_of(inputs.begin(), inputs.end(), [&](Stage other) { return needs(other, input); });
+}
 
 Result<Stage> stage_of(std::string_view name) {
   std::string names;

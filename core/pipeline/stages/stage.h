@@ -120,6 +120,14 @@ inline std::string name_of(Stage stage) {
   return std::string(spec_of(stage).name);
 }
 
+/// Whether a run to `stage` gives the result of `input`.
+bool needs(Stage stage, Stage input);
+
+/// Whether a run to `stage` gives fibres: it needs them, and the recipe asks for them.
+inline bool gives_fibres(const Recipe& recipe, Stage stage) {
+  return recipe.physics && recipe.physics->fibres && needs(stage, Stage::kFibres);
+}
+
 /// The stage with this name. Errors: kUsage, with a list of the names.
 Result<Stage> stage_of(std::string_view name);
 

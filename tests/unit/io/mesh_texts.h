@@ -20,6 +20,22 @@ inline std::string text_of(const Bytes& bytes) {
   return {bytes.begin(), bytes.end()};
 }
 
+/// A file of an export.
+inline std::string text_of(const std::vector<OutputFile>& files, const std::string& suffix) {
+  for (const OutputFile& file : files)
+    if (file.suffix == suffix) return text_of(file.bytes);
+  ADD_FAILURE() << "no file " << suffix;
+  return {};
+}
+
+/// The files of an export that must succeed.
+inline std::vector<OutputFile> written(const TetMesh& mesh, MeshFormat format,
+                                       const WriteMeshOptions& options) {
+  Result<std::vector<OutputFile>> files = write_tet_mesh(mesh, format, options);
+  EXPECT_TRUE(files.ok()) << files.error().message;
+  return files ? std::move(files).value() : std::vector<OutputFile>{};
+}
+
 inline Result<TetMesh> read_text(const std::string& name, const std::string& text) {
   const Bytes bytes = bytes_of(text);
   return read_tet_mesh({name, bytes, {}});

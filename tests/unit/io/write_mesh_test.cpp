@@ -177,7 +177,7 @@ TEST(WriteTetMesh, WritesNoFibresForOpenCarpAndSaysSo) {
   for (const OutputFile& file : *files) suffixes.push_back(file.suffix);
   EXPECT_EQ(suffixes, (std::vector<std::string>{".pts", ".elem", ".lon.txt"}));
   EXPECT_EQ(test::text_of(files->back().bytes), std::string(kNoFibres) + "\n");
-  EXPECT_EQ(files_of_mesh("a.carp"), (std::vector<std::string>{"a.pts", "a.elem", "a.lon.txt"}));
+  EXPECT_EQ(files_of_mesh("a.carp"), (std::vector<std::string>{"a.pts", "a.elem", "a.lon", "a.lon.txt"}));
 }
 
 TEST(WriteTetMesh, WritesStlFacetsWithTheirNormals) {

@@ -14,15 +14,7 @@
 namespace voxtet {
 namespace {
 
-/// Two tetrahedra on one triangle: label 5 above it, label 2 below.
-TetMesh two_tets() {
-  TetMesh mesh;
-  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 0.25, 0}, {0, 0, 2}, {0, 0, -2}};
-  mesh.tets = {{0, 2, 1, 4}, {0, 1, 2, 3}};
-  mesh.labels = {2, 5};
-  test::add_faces(mesh);
-  return mesh;
-}
+using test::two_tets;
 
 const std::vector<LabelInfo> kInfos{{5, "scar, dense", {}}, {2, "3rd \"wall\"", {}}};
 
@@ -130,7 +122,8 @@ TEST(WriteXdmf, NamesItsHeavyDataAfterTheFiles) {
   EXPECT_EQ(mesh_name_of("/a.b/heart <1> & co.v2.xdmf"), "heart <1> & co.v2");
   EXPECT_EQ(mesh_name_of("heart.xdmf"), "heart");
   const std::string text = only_file(
-      MeshFormat::kXdmf, {PatientSpace::kLps, {}, {test::tet_values("f", {0.25F, 1})}, "a <1> & b"});
+      MeshFormat::kXdmf,
+      {.space = PatientSpace::kLps, .cell_data = {test::tet_values("f", {0.25F, 1})}, .name = "a <1> & b"});
   for (const char* part :
        {"<!-- voxtet mesh, space LPS, unit mm: x to the left",
         "Precision=\"8\" Dimensions=\"5 3\" Format=\"HDF\">a &lt;1&gt; &amp; b.h5:/points<",
@@ -144,7 +137,7 @@ TEST(WriteXdmf, NamesItsHeavyDataAfterTheFiles) {
 
 TEST(WriteXdmf, RefusesANameThatCannotBeReferredTo) {
   for (const char* name : {"", " a", "a ", "c:a", "a\nb"}) {
-    const auto files = write_tet_mesh(two_tets(), MeshFormat::kXdmf, {PatientSpace::kRas, {}, {}, name});
+    const auto files = write_tet_mesh(two_tets(), MeshFormat::kXdmf, {.name = name});
     ASSERT_FALSE(files.ok()) << name;
     EXPECT_EQ(files.error().code, ErrorCode::kUsage);
   }

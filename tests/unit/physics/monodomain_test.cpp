@@ -194,8 +194,8 @@ TEST(Monodomain, ElectrodesSeeAWaveComeAndGo) {
   std::vector<double> middle, end;
   while (!heart.done()) {
     ASSERT_TRUE(heart.advance().ok());
-    middle.push_back(heart.potentials_mV()[0]);
-    end.push_back(heart.potentials_mV()[1]);
+    middle.push_back(heart.potentials_mv()[0]);
+    end.push_back(heart.potentials_mv()[1]);
   }
   // Positive while it comes, negative once it is past; what only comes stays positive.
   EXPECT_LT(std::max_element(middle.begin(), middle.end()), std::min_element(middle.begin(), middle.end()));

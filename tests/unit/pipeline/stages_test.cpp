@@ -44,6 +44,9 @@ TEST(StageTable, NamesOnlyStagesThatComeBefore) {
 TEST(StageTable, ReadsFieldsThatTheRecipeHas) {
   Recipe recipe = diffusing_ball();
   recipe.sizing.thickness.resize(1);
+  recipe.physics->anatomy.emplace();
+  recipe.physics->fibres.emplace().septum.emplace();
+  recipe.physics->monodomain.emplace();
   const nlohmann::json fields = recipe_to_json(recipe);
   for (const StageSpec& spec : stage_table())
     for (const std::string_view path : spec.reads)

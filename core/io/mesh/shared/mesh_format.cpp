@@ -38,6 +38,30 @@ Result<MeshFormat> mesh_format_of(const std::string& path) {
       ErrorCode::kUsage, kMeshWriter, path + ": ending \"" + ending + "\", expected one of" + known, {}};
 }
 
+bool has_place_for(On on, int components, MeshFormat format) {
+  switch (format) {
+    case MeshFormat::kVtu:
+    case MeshFormat::kXdmf:
+    case MeshFormat::kCarp: return true;
+    case MeshFormat::kMsh: return on == On::kTets;
+    case MeshFormat::kMedit:
+    case MeshFormat::kAbaqus:
+    case MeshFormat::kFebio: return on == On::kTets && components == 1;
+    case MeshFormat::kStl:
+    case MeshFormat::kPly: break;
+  }
+  return false;
+}
+
+bool has_place_for_surfaces(MeshFormat format) {
+  return format != MeshFormat::kMedit && format != MeshFormat::kStl && format != MeshFormat::kPly;
+}
+
+bool has_fibres(const std::vector<Field>& cell_data) {
+  const Field* fibre = find_field(cell_data, kFibreField);
+  return fibre && fibre->components == 3;
+}
+
 std::string_view mesh_ending_of(std::string_view path) {
   const std::size_t name = path.find_last_of("/\\");
   const std::size_t dot = path.rfind('.');

@@ -9,6 +9,7 @@
 #include "types/field.h"
 #include "types/label_volume.h"
 #include "types/result.h"
+#include "types/tet_mesh.h"
 
 namespace voxtet {
 
@@ -20,11 +21,25 @@ enum class PatientSpace { kRas, kLps };
 
 struct WriteMeshOptions {
   PatientSpace space = PatientSpace::kRas;  ///< LPS flips x and y
-  std::vector<LabelInfo> infos;             ///< names and colours, used where the format has a place for them
+  std::vector<LabelInfo> infos{};           ///< names and colours, used where the format has a place for them
   std::vector<Field> cell_data{};           ///< written with the tetrahedra; not with surfaces
-  std::string name = "mesh";                ///< base name of the files, where one refers to another
-  std::vector<Field> point_data{};          ///< written with the points of tetrahedra: VTU, XDMF, openCARP
+  std::vector<Field> point_data{};          ///< written with the points of tetrahedra
+  /// Named faces of tetrahedra, none of them in two sets; written besides the groups of all faces, by labels.
+  std::vector<NamedSet> surfaces{};
+  std::string name = "mesh";  ///< base name of the files, where one refers to another
 };
+
+/// Whether files of a format have a place for fields on tetrahedra or points, of one or three components.
+bool has_place_for(On on, int components, MeshFormat format);
+
+/// Whether files of a format have a place for named surfaces.
+bool has_place_for_surfaces(MeshFormat format);
+
+/// The cell data that are fibres to openCARP, unit vectors of three components: `fibre`, and across it
+/// `sheet`.
+inline constexpr std::string_view kFibreField = "fibre";
+inline constexpr std::string_view kSheetField = "sheet";
+bool has_fibres(const std::vector<Field>& cell_data);
 
 /// Message for a mesh written for openCARP without fibres. A placeholder in .lon, whatever its direction,
 /// would be simulated as if it were real; openCARP requires the file, so that its absence is noticed.
@@ -32,8 +47,8 @@ inline constexpr std::string_view kNoFibres =
     "no fibres are known, so no .lon file is written; openCARP requires one: make the fibres, a direction "
     "for each element of .elem, before simulating";
 
-/// A file of an export: openCARP makes three, XDMF two, every other format one; cell and point data may add
-/// more. `suffix` is appended to the base name.
+/// A file of an export: openCARP makes three, XDMF two, every other format one; cell and point data and
+/// surfaces may add more. `suffix` is appended to the base name.
 struct OutputFile {
   std::string suffix;  ///< ".vtu", ".msh", "_data.msh", ".pts", ".fraction_5.dat", ...
   Bytes bytes;

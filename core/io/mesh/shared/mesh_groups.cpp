@@ -85,6 +85,20 @@ std::vector<std::vector<std::uint32_t>> group_members(std::span<const std::uint3
   return members;
 }
 
+std::vector<std::int32_t> set_numbers(const std::vector<NamedSet>& sets, std::size_t count) {
+  std::vector<std::int32_t> numbers(count, 0);
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (const std::uint32_t member : sets[s].members) numbers[member] = static_cast<std::int32_t>(s + 1);
+  return numbers;
+}
+
+std::string set_legend(const std::vector<NamedSet>& sets) {
+  std::string legend;
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    legend += (s == 0 ? "" : ", ") + std::to_string(s + 1) + " " + sets[s].name;
+  return legend;
+}
+
 std::vector<std::string> group_names(const std::vector<Label>& labels, const std::vector<LabelInfo>& infos) {
   std::vector<std::string> names;
   for (const Label label : labels) {

@@ -31,6 +31,11 @@ LabelGroups group_tets(std::span<const Label> labels);
 std::vector<std::vector<std::uint32_t>> group_members(std::span<const std::uint32_t> group_of,
                                                       std::size_t groups);
 
+/// For each of `count` faces the number of its set, from 1, in the order of the sets; 0 where it is in none.
+std::vector<std::int32_t> set_numbers(const std::vector<NamedSet>& sets, std::size_t count);
+/// What these numbers mean, for the comments of a file: "1 epicardium, 2 base".
+std::string set_legend(const std::vector<NamedSet>& sets);
+
 /// One name per label of `labels`, in that order: the name of `infos` without quotes, bars and control
 /// characters, cut to 60 bytes; "label 5" where there is none; "name (5)" where two labels share a name, or
 /// one has that of the background.

@@ -55,19 +55,24 @@ void write_elements(ByteWriter& out, const TetMesh& mesh, const std::vector<Labe
   }
 }
 
+void write_surface(ByteWriter& out, const std::string& name, const std::vector<std::uint32_t>& faces,
+                   const std::vector<FaceOwner>& owners) {
+  out.text("*SURFACE, NAME=" + name + ", TYPE=ELEMENT\n");
+  for (const std::uint32_t face : faces) {
+    out.integer(std::int64_t{owners[face].tet} + 1);
+    out.text(", ");
+    out.text(kFaceOpposite[owners[face].opposite]);
+    out.text("\n");
+  }
+}
+
 void write_surfaces(ByteWriter& out, const TetMesh& mesh, const std::vector<FaceOwner>& owners,
-                    const std::vector<LabelInfo>& infos) {
+                    const WriteMeshOptions& options) {
   const FaceGroups groups = group_faces(mesh.face_sides);
   const auto members = group_members(groups.of_face, groups.pairs.size());
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    out.text("*SURFACE, NAME=" + word_name(groups.pairs[i], infos) + ", TYPE=ELEMENT\n");
-    for (const std::uint32_t face : members[i]) {
-      out.integer(std::int64_t{owners[face].tet} + 1);
-      out.text(", ");
-      out.text(kFaceOpposite[owners[face].opposite]);
-      out.text("\n");
-    }
-  }
+  for (std::size_t i = 0; i < members.size(); ++i)
+    write_surface(out, word_name(groups.pairs[i], options.infos), members[i], owners);
+  for (const NamedSet& set : options.surfaces) write_surface(out, set.name, set.members, owners);
 }
 
 Bytes write_distribution(const Field& data) {
@@ -87,11 +92,11 @@ Bytes write_distribution(const Field& data) {
 Result<std::vector<OutputFile>> write_abaqus(const TetMesh& mesh, const WriteMeshOptions& options) {
   const Result<std::vector<FaceOwner>> owners = face_owners(mesh);
   if (!owners) return owners.error();
-  ByteWriter out(72 * mesh.points.size() + 44 * mesh.tets.size() + 14 * mesh.faces.size() + 4096);
+  ByteWriter out(72 * mesh.points.size() + 44 * mesh.tets.size() + 28 * mesh.faces.size() + 4096);
   out.text("*HEADING\nvoxtet mesh\n** " + coordinates_note(options.space) + "\n");
   write_abaqus_nodes(out, mesh, options.space);
   write_elements(out, mesh, options.infos);
-  write_surfaces(out, mesh, *owners, options.infos);
+  write_surfaces(out, mesh, *owners, options);
   std::vector<OutputFile> files{{".inp", out.take()}};
   for (const Field& data : options.cell_data)
     files.push_back({"." + data.name + ".inp", write_distribution(data)});

@@ -67,15 +67,19 @@ void write_febio_nodes(ByteWriter& out, const TetMesh& mesh, PatientSpace space)
   out.text("</Nodes>\n");
 }
 
-void write_surfaces(ByteWriter& out, const TetMesh& mesh, const std::vector<LabelInfo>& infos) {
+void write_surface(ByteWriter& out, const TetMesh& mesh, const std::string& name,
+                   const std::vector<std::uint32_t>& faces) {
+  out.text("<Surface name=\"" + name + "\">\n");
+  for (std::size_t f = 0; f < faces.size(); ++f) write_cell(out, "tri3", f + 1, mesh.faces[faces[f]]);
+  out.text("</Surface>\n");
+}
+
+void write_surfaces(ByteWriter& out, const TetMesh& mesh, const WriteMeshOptions& options) {
   const FaceGroups groups = group_faces(mesh.face_sides);
   const auto members = group_members(groups.of_face, groups.pairs.size());
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    out.text("<Surface name=\"" + word_name(groups.pairs[i], infos) + "\">\n");
-    for (std::size_t f = 0; f < members[i].size(); ++f)
-      write_cell(out, "tri3", f + 1, mesh.faces[members[i][f]]);
-    out.text("</Surface>\n");
-  }
+  for (std::size_t i = 0; i < members.size(); ++i)
+    write_surface(out, mesh, word_name(groups.pairs[i], options.infos), members[i]);
+  for (const NamedSet& set : options.surfaces) write_surface(out, mesh, set.name, set.members);
 }
 
 void write_cell_data(ByteWriter& out, const std::vector<Part>& parts, const Field& data) {
@@ -97,7 +101,7 @@ void write_cell_data(ByteWriter& out, const std::vector<Part>& parts, const Fiel
 Bytes write_febio(const TetMesh& mesh, const WriteMeshOptions& options) {
   const std::vector<Part> parts = parts_of(mesh, options.infos);
   ByteWriter out(88 * mesh.points.size() + (54 + 40 * options.cell_data.size()) * mesh.tets.size() +
-                 46 * mesh.faces.size() + 4096);
+                 92 * mesh.faces.size() + 4096);
   write_head(out, parts, options.space);
   out.text("<Mesh>\n");
   write_febio_nodes(out, mesh, options.space);
@@ -106,7 +110,7 @@ Bytes write_febio(const TetMesh& mesh, const WriteMeshOptions& options) {
     for (const std::uint32_t tet : part.tets) write_cell(out, "elem", std::size_t{tet} + 1, mesh.tets[tet]);
     out.text("</Elements>\n");
   }
-  write_surfaces(out, mesh, options.infos);
+  write_surfaces(out, mesh, options);
   out.text("</Mesh>\n<MeshDomains>\n");
   for (const Part& part : parts)
     out.text("<SolidDomain name=\"" + part.name + "\" mat=\"" + part.name + "\"/>\n");

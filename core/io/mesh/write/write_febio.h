@@ -9,10 +9,11 @@ namespace voxtet {
 
 /// The mesh with everything else that FEBio requires, except analysis, boundary conditions and loads. One
 /// Elements section of type tet4 per label, each with a solid domain and a material; a Surface of tri3 per
-/// pair of sides, normal from the first to the second; all named by word_name. Node id = point index + 1,
-/// element id = place in the mesh + 1. The module's units are mm-kg-s, so stresses are kPa; a comment gives
-/// the space. Every material is neo-Hookean, E 10 kPa, v 0.45, 1060 kg/m^3: start values, as a comment says.
-/// Cell data: an ElementData section per part, which a parameter of type "map" can refer to.
+/// pair of sides, normal from the first to the second; all named by word_name. A Surface per named surface.
+/// Node id = point index + 1, element id = place in the mesh + 1. The module's units are mm-kg-s, so stresses
+/// are kPa; a comment gives the space. Every material is neo-Hookean, E 10 kPa, v 0.45, 1060 kg/m^3: start
+/// values, as a comment says. Cell data: an ElementData section per part, which a parameter of type "map" can
+/// refer to.
 Bytes write_febio(const TetMesh& mesh, const WriteMeshOptions& options);
 
 }  // namespace voxtet

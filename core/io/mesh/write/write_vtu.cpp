@@ -13,8 +13,8 @@ constexpr std::uint8_t kVtkTriangle = 5;
 /// The XML part; declares the appended arrays in the order in which their bytes must follow.
 class VtuHeader {
  public:
-  VtuHeader(PatientSpace space, std::size_t points, std::size_t cells) {
-    xml_ = "<?xml version=\"1.0\"?>\n<!-- " + coordinates_note(space) +
+  VtuHeader(PatientSpace space, std::size_t points, std::size_t cells, const std::string& note = "") {
+    xml_ = "<?xml version=\"1.0\"?>\n<!-- " + coordinates_note(space) + note +
            " -->\n"
            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\">\n"
@@ -117,17 +117,24 @@ Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
 }
 
 Bytes write_vtu(const SurfaceMesh& surface, const WriteMeshOptions& options) {
-  VtuHeader header(options.space, surface.points.size(), surface.triangles.size());
+  const bool named = !options.surfaces.empty();
+  VtuHeader header(options.space, surface.points.size(), surface.triangles.size(),
+                   named ? "; surface " + set_legend(options.surfaces) : "");
   declare_grid<3>(header, surface.points.size(), surface.triangles.size());
   header.open("CellData Scalars=\"label_behind\"");
   header.array("Int32", "label_behind", 4 * surface.sides.size());
   header.array("Int32", "label_front", 4 * surface.sides.size());
+  if (named) header.array("Int32", "surface", 4 * surface.sides.size());
   header.open("/CellData");
   ByteWriter out = header.finish();
   append_grid(out, surface.points, options.space, surface.triangles, kVtkTriangle);
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
     out.raw(std::uint64_t{4 * surface.sides.size()});
     for (const Sides& sides : surface.sides) out.raw(std::int32_t{sides[side]});
+  }
+  if (named) {
+    out.raw(std::uint64_t{4 * surface.sides.size()});
+    for (const std::int32_t number : set_numbers(options.surfaces, surface.sides.size())) out.raw(number);
   }
   out.text(kFooter);
   return out.take();

@@ -18,7 +18,8 @@ inline constexpr std::uint8_t kVtkTetra = 10;
 /// strings.)
 Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options);
 
-/// Triangles with the Int32 cell arrays `label_behind` and `label_front`.
+/// Triangles with the Int32 cell arrays `label_behind` and `label_front`, and `surface` where there are named
+/// surfaces: from 1 in their order, which the comment gives with their names; 0 outside of all.
 Bytes write_vtu(const SurfaceMesh& surface, const WriteMeshOptions& options);
 
 }  // namespace voxtet

@@ -57,13 +57,17 @@ std::vector<Hdf5Array> arrays_of(const TetMesh& mesh, const WriteMeshOptions& op
   return arrays;
 }
 
+void write_points(ByteWriter& out, const TetMesh& mesh, PatientSpace space) {
+  for (const Eigen::Vector3d& ras : mesh.points) {
+    const Eigen::Vector3d p = in_space(ras, space);
+    for (int d = 0; d < 3; ++d) out.raw(p[d]);
+  }
+}
+
 Bytes write_numbers(const TetMesh& mesh, const WriteMeshOptions& options,
                     const std::vector<Hdf5Array>& arrays) {
   ByteWriter out = begin_hdf5(arrays);
-  for (const Eigen::Vector3d& ras : mesh.points) {
-    const Eigen::Vector3d p = in_space(ras, options.space);
-    for (int d = 0; d < 3; ++d) out.raw(p[d]);
-  }
+  write_points(out, mesh, options.space);
   for (const Tet& tet : mesh.tets)
     for (const std::uint32_t corner : tet) out.raw(static_cast<std::int32_t>(corner));
   for (const Label label : mesh.labels) out.raw(std::int32_t{label});
@@ -73,23 +77,51 @@ Bytes write_numbers(const TetMesh& mesh, const WriteMeshOptions& options,
   return out.take();
 }
 
-Bytes write_description(const WriteMeshOptions& options, const std::vector<Hdf5Array>& arrays) {
-  const std::string file = escaped(options.name) + ".h5";
-  std::string xml =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- voxtet mesh, " + coordinates_note(options.space) +
-      " -->\n<Xdmf Version=\"3.0\">\n<Domain>\n<Grid Name=\"mesh\" GridType=\"Uniform\">\n"
-      "<Geometry GeometryType=\"XYZ\">\n" +
-      data_item(arrays[0], file) +
-      "</Geometry>\n<Topology TopologyType=\"Tetrahedron\" NodesPerElement=\"4\" "
-      "NumberOfElements=\"" +
-      std::to_string(arrays[1].shape[0]) + "\">\n" + data_item(arrays[1], file) + "</Topology>\n";
-  const std::size_t first_of_points = arrays.size() - options.point_data.size();
+/// A grid of cells of one type. Its arrays: points, cells, attributes of cells, and from `first_of_points` on
+/// those of points.
+struct XdmfGrid {
+  std::string name, note, file, cell_type;
+  std::vector<Hdf5Array> arrays;
+  std::size_t first_of_points = 0;
+};
+
+Bytes write_description(const XdmfGrid& grid) {
+  const auto& [name, note, h5, cell_type, arrays, first_of_points] = grid;
+  const std::string file = escaped(h5);
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- voxtet mesh, " + note +
+                    " -->\n<Xdmf Version=\"3.0\">\n<Domain>\n<Grid Name=\"" + name +
+                    "\" GridType=\"Uniform\">\n<Geometry GeometryType=\"XYZ\">\n" +
+                    data_item(arrays[0], file) + "</Geometry>\n<Topology TopologyType=\"" + cell_type +
+                    "\" NodesPerElement=\"" + std::to_string(arrays[1].shape[1]) + "\" NumberOfElements=\"" +
+                    std::to_string(arrays[1].shape[0]) + "\">\n" + data_item(arrays[1], file) +
+                    "</Topology>\n";
   for (std::size_t i = kGridArrays; i < arrays.size(); ++i)
     xml += "<Attribute Name=\"" + arrays[i].name + "\" AttributeType=\"" +
            (arrays[i].shape.size() == 1 ? "Scalar" : "Vector") + "\" Center=\"" +
            (i < first_of_points ? "Cell" : "Node") + "\">\n" + data_item(arrays[i], file) + "</Attribute>\n";
   xml += "</Grid>\n</Domain>\n</Xdmf>\n";
   return {xml.begin(), xml.end()};
+}
+
+/// The named surfaces on the same points: FEniCS finds facets by their points' numbers.
+void write_surfaces(const TetMesh& mesh, const WriteMeshOptions& options, std::vector<OutputFile>& files) {
+  std::size_t count = 0;
+  for (const NamedSet& set : options.surfaces) count += set.members.size();
+  const std::vector<Hdf5Array> arrays{{"points", Hdf5Type::kFloat64, {mesh.points.size(), 3}},
+                                      {"triangles", Hdf5Type::kInt32, {count, 3}},
+                                      {"surface", Hdf5Type::kInt32, {count}}};
+  ByteWriter out = begin_hdf5(arrays);
+  write_points(out, mesh, options.space);
+  for (const NamedSet& set : options.surfaces)
+    for (const std::uint32_t face : set.members)
+      for (const std::uint32_t corner : mesh.faces[face]) out.raw(static_cast<std::int32_t>(corner));
+  for (std::size_t s = 0; s < options.surfaces.size(); ++s)
+    for (std::size_t i = 0; i < options.surfaces[s].members.size(); ++i)
+      out.raw(static_cast<std::int32_t>(s + 1));
+  const std::string note = coordinates_note(options.space) + "; surface " + set_legend(options.surfaces);
+  files.push_back({".surfaces.xdmf", write_description({"surfaces", note, options.name + ".surfaces.h5",
+                                                        "Triangle", arrays, arrays.size()})});
+  files.push_back({".surfaces.h5", out.take()});
 }
 
 }  // namespace
@@ -103,8 +135,12 @@ Result<std::vector<OutputFile>> write_xdmf(const TetMesh& mesh, const WriteMeshO
                      "character, no space at either end",
                  {}};
   const std::vector<Hdf5Array> arrays = arrays_of(mesh, options);
-  return std::vector<OutputFile>{{".xdmf", write_description(options, arrays)},
-                                 {".h5", write_numbers(mesh, options, arrays)}};
+  std::vector<OutputFile> files{
+      {".xdmf", write_description({"mesh", coordinates_note(options.space), options.name + ".h5",
+                                   "Tetrahedron", arrays, arrays.size() - options.point_data.size()})},
+      {".h5", write_numbers(mesh, options, arrays)}};
+  if (!options.surfaces.empty()) write_surfaces(mesh, options, files);
+  return files;
 }
 
 }  // namespace voxtet
