@@ -1,0 +1,69 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { EngineClient } from '../../engine/client';
+import type { Recipe, Schema } from '../../engine/contract';
+import engineSchema from '../../engine/schema.json';
+import { Workers } from '../../engine/testing/workers';
+import { cancelRun } from '../run/run_stages';
+import { activity, schema } from '../run/stages';
+import { volume } from './input';
+import { openPhantom, startEngine } from './open_case';
+import { meshedLabels, startingPhysics } from './physics';
+import { recipe } from './recipe';
+
+let workers: Workers;
+
+beforeEach(async () => {
+  vi.stubGlobal('history', { replaceState: () => undefined });
+  vi.stubGlobal('location', { href: 'http://localhost/' });
+  workers = new Workers();
+  await startEngine(new EngineClient(workers.setup()));
+  schema.value = { version: '', ...engineSchema } as unknown as Schema;
+  await openPhantom({ kind: 'sphere' });
+  await vi.waitFor(() => expect(activity.value).toBe('idle'), 5000);
+});
+afterEach(async () => {
+  await cancelRun();
+  workers.end();
+  vi.unstubAllGlobals();
+});
+
+const name = (names: Record<number, string>) => {
+  const labels = Object.entries(names).map(([label, text]) => ({
+    label: Number(label),
+    name: text,
+    colour: null,
+    voxels: 10,
+  }));
+  volume.value = volume.value && { ...volume.value, labels };
+};
+
+describe('the simulation that a case begins with', () => {
+  it('knows scar and pools by their names, and that a border zone is slow', () => {
+    name({ 1: 'LV wall', 2: 'RV wall', 3: 'LV blood pool', 5: 'Scar core', 6: 'Border zone' });
+    const physics = startingPhysics(recipe.value as Recipe);
+    expect(physics.tissue.kinds.map(({ labels }) => labels)).toEqual([[1, 2], [6]]);
+    expect(physics.tissue.kinds[1].along_mm_per_ms).toBeLessThan(physics.tissue.kinds[0].along_mm_per_ms);
+    expect(physics.stimuli).toHaveLength(1);
+    expect(physics.monodomain).toMatchObject({ integration: 'semi_implicit', electrodes: [] });
+  });
+
+  it('takes all labels for tissue where no name tells', () => {
+    name({ 4: '', 7: '' });
+    expect(startingPhysics(recipe.value as Recipe).tissue.kinds.map(({ labels }) => labels)).toEqual([
+      [4, 7],
+    ]);
+  });
+
+  it('is of the labels that are meshed', () => {
+    name({ 1: '', 2: '' });
+    expect(meshedLabels({ ...(recipe.value as Recipe), labels: [2] })).toEqual([2]);
+  });
+
+  it("has every field at the engine's own value, and no group that was not asked for", () => {
+    const { tissue, stimuli, monodomain, ...others } = startingPhysics(recipe.value as Recipe);
+    expect(tissue.kinds[0]).toMatchObject({ cell: 'ms', tau_in_ms: 0.3, tau_close_ms: 150, gate: 0.13 });
+    expect(stimuli[0]).toMatchObject({ shape: 'sphere', duration_ms: 2, count: 1, s2_ms: 0 });
+    expect(monodomain).toMatchObject({ end_ms: 400, consistent_mass: 0.5 });
+    expect(others).toEqual({});
+  });
+});
