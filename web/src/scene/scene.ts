@@ -1,11 +1,12 @@
 /** The view: follows the store, draws when it changes. The only folder that knows three.js. */
-import { batch, effect, untracked } from '@preact/signals';
+import { batch, computed, effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
 import type { StageName, Vec3 } from '../engine/contract';
 import { toIndex } from '../geometry/orientation';
 import { pinned, pinnedArrays } from '../store/run/compare';
 import { volume } from '../store/case/input';
 import { recipe } from '../store/case/recipe';
+import { tellError } from '../store/run/engine';
 import { pointsOf, shownResult } from '../store/run/results';
 import {
   command,
@@ -31,7 +32,6 @@ import { addScaleBar, addTriad } from './frame/overlay';
 import { surfaceBody } from './mesh/colouring';
 import { pickAt } from './mesh/pick';
 import { takePicture } from './frame/picture';
-import { addRegions } from './regions';
 import { addSlices } from './slices/slices_view';
 import type { Plane } from './mesh/tet_model';
 import { arrayTexture } from './frame/textures';
@@ -67,6 +67,24 @@ function tetsShown(): TetSource | null {
   return mesh ? { mesh, measures: shownResult('quality') } : null;
 }
 
+/** Bodies of the sizing regions; their code is fetched with the first of them. */
+function regionsWhenNeeded(viewer: Viewer): () => void {
+  let stopped = false;
+  let stopBodies: (() => void) | undefined;
+  const needed = computed(() => (recipe.value?.sizing.regions.length ?? 0) > 0);
+  const stopWaiting = effect(() => {
+    if (!needed.value || stopBodies) return;
+    import('./regions').then(({ addRegions }) => {
+      if (!stopped) stopBodies ??= addRegions(viewer);
+    }, tellError);
+  });
+  return () => {
+    stopped = true;
+    stopWaiting();
+    stopBodies?.();
+  };
+}
+
 export function mountScene(container: HTMLElement): () => void {
   const canvas = new Canvas(container);
   const panes = document.createElement('div');
@@ -78,7 +96,7 @@ export function mountScene(container: HTMLElement): () => void {
   const viewer = new Viewer(canvas, main);
   addTriad(viewer, main);
   addScaleBar(viewer, main);
-  const stopRegions = addRegions(viewer);
+  const stopRegions = regionsWhenNeeded(viewer);
   const slices = addSlices(canvas, viewer, panes);
   const warmUp = new WarmUp(canvas.renderer, slices.material);
   canvas.holdUntil(warmUp.ready);

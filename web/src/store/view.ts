@@ -45,6 +45,10 @@ export interface Legend {
   bands?: number;
 }
 
+/** Into how many equal parts so many bands can be cut; undefined where no few will do. */
+export const bandSteps = (count: number): number | undefined =>
+  [6, 5, 4, 3].find((parts) => count % parts === 0);
+
 export interface Picked {
   title: string;
   lines: [string, string][];

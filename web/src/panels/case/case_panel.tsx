@@ -1,4 +1,5 @@
 import type { Recipe } from '../../engine/contract';
+import { tellError } from '../../store/run/engine';
 import { forecast } from '../../store/run/forecast';
 import { awaitedFile, volume } from '../../store/case/input';
 import { developer } from '../../store/developer';
@@ -7,6 +8,7 @@ import { activity } from '../../store/run/stages';
 import { CurvatureList } from './curvature_list';
 import { dialogShown } from '../controls/dialog_shown';
 import { NumberField } from '../controls/fields';
+import { Icon } from '../controls/icons';
 import { LabelTable } from './label_table';
 import { TransferFields } from './transfer_fields';
 import { MergeAllField } from './merge_all_field';
@@ -78,6 +80,23 @@ function SizingSection({ current }: { current: Recipe }) {
   );
 }
 
+/** Until a simulation is asked for, its panel is not fetched. */
+function AddSimulation() {
+  const add = () =>
+    import('../../store/case/physics').then(({ addSimulation }) => addSimulation(), tellError);
+  return (
+    <section class="section">
+      <div class="section-head">
+        <h2>Physics</h2>
+        <button type="button" class="button small" onClick={() => void add()}>
+          <Icon name="plus" size={13} /> Simulate
+        </button>
+      </div>
+      <p class="hint">How excitation spreads through the heart, on this mesh.</p>
+    </section>
+  );
+}
+
 const PhysicsSection = fetched(() => import('./physics_section').then((part) => part.PhysicsSection));
 
 const SimulationSection = fetched(() =>
@@ -88,6 +107,7 @@ export function CasePanel() {
   const current = recipe.value;
   const awaited = awaitedFile.value;
   if (!current) return <aside class="panel left" aria-label="Case" />;
+  const { physics } = current;
   const chosen = current.source.phantom !== undefined || current.source.file !== undefined;
   return (
     <aside class="panel left" aria-label="Case" aria-busy={activity.value === 'opening'}>
@@ -98,7 +118,7 @@ export function CasePanel() {
           <LabelSection current={current} />
           <SizingSection current={current} />
           <StageSection current={current} />
-          <PhysicsSection current={current} />
+          {physics?.monodomain ? <PhysicsSection current={current} physics={physics} /> : <AddSimulation />}
           {developer && <SimulationSection current={current} />}
         </>
       )}

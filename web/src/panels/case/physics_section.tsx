@@ -8,7 +8,7 @@ import type {
   TissueKind,
 } from '../../engine/contract';
 import { nameOf } from '../../store/case/input';
-import { meshedLabels, newStimulus, newTissue, startingPhysics } from '../../store/case/physics';
+import { meshedLabels, newStimulus, newTissue } from '../../store/case/physics';
 import { editRecipe } from '../../store/case/recipe';
 import { upToDate } from '../../store/run/report';
 import { groupDefaults } from '../../store/run/schema_defaults';
@@ -347,42 +347,23 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
   );
 }
 
-/** The heart's excitation on the mesh; shown when it is asked for. */
-export function PhysicsSection({ current }: { current: Recipe }) {
-  const { physics } = current;
-  const wave = physics?.monodomain !== undefined;
-  const add = () =>
-    editRecipe('Add simulation', (draft) => {
-      draft.physics = {
-        ...startingPhysics(current),
-        ...(physics?.diffusion && { diffusion: physics.diffusion }),
-      };
-    });
+/** The heart's excitation on the mesh. */
+export function PhysicsSection({ current, physics }: { current: Recipe; physics: Physics }) {
   return (
     <section class="section">
       <div class="section-head">
         <h2>Physics</h2>
-        {wave ? (
-          <button
-            type="button"
-            class="icon-button small"
-            aria-label="Remove simulation"
-            title="Remove"
-            onClick={() => editRecipe('Remove simulation', (draft) => void delete draft.physics)}
-          >
-            <Icon name="trash" size={14} />
-          </button>
-        ) : (
-          <button type="button" class="button small" onClick={add}>
-            <Icon name="plus" size={13} /> Simulate
-          </button>
-        )}
+        <button
+          type="button"
+          class="icon-button small"
+          aria-label="Remove simulation"
+          title="Remove"
+          onClick={() => editRecipe('Remove simulation', (draft) => void delete draft.physics)}
+        >
+          <Icon name="trash" size={14} />
+        </button>
       </div>
-      {wave && physics ? (
-        <PhysicsFields current={current} physics={physics} />
-      ) : (
-        <p class="hint">How excitation spreads through the heart, on this mesh.</p>
-      )}
+      <PhysicsFields current={current} physics={physics} />
     </section>
   );
 }

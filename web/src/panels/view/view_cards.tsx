@@ -1,5 +1,5 @@
 import { colourStops, colourTable, hexOf } from '../../geometry/colours';
-import { focusTet, layout, picked, type Legend } from '../../store/view';
+import { bandSteps, focusTet, layout, picked, type Legend } from '../../store/view';
 import { short } from '../controls/format';
 import { Icon } from '../controls/icons';
 
@@ -54,7 +54,9 @@ export function LegendCard({ shown }: { shown: Legend | null }) {
     );
   }
   const stops = colourStops(shown.map);
-  const steps = shown.whole ? Math.min(8, shown.hi - shown.lo) : 4;
+  const count = shown.bands ? Math.round((shown.hi - shown.lo) / shown.bands) : 0;
+  const bandParts = count > 0 ? bandSteps(count) : undefined;
+  const steps = shown.whole ? Math.min(8, shown.hi - shown.lo) : (bandParts ?? 4);
   const ticks = Array.from({ length: steps + 1 }, (_, i) => 1 - i / steps);
   return (
     <div

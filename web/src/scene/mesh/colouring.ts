@@ -15,7 +15,7 @@ import { nameOf } from '../../store/case/input';
 import { foundFields, playedFields, simulatedValues } from '../../store/run/frames';
 import { shownKeys } from '../../store/run/results';
 import { sizingFields } from '../../store/run/sizing_fields';
-import { colourBy, colourOf, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
+import { bandSteps, colourBy, colourOf, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
 
 export type TetPaint =
   | { kind: 'label' }
@@ -96,6 +96,19 @@ export function bandWidth({ lo, hi }: { lo: number; hi: number }): number {
   return power * ([1, 2, 5, 10].find((step) => step * power >= about * 0.999) ?? 10);
 }
 
+/** Whole bands over a range, so many that some of their borders cut the scale into equal parts (`bandSteps`). */
+export function bandEnds([least, most]: readonly [number, number]): {
+  lo: number;
+  hi: number;
+  bands: number;
+} {
+  const bands = bandWidth({ lo: least, hi: most > least ? most : least + 1 });
+  const first = Math.floor(least / bands);
+  let count = Math.max(3, Math.ceil(most / bands) - first);
+  while (!bandSteps(count)) count++;
+  return { lo: first * bands, hi: (first + count) * bands, bands };
+}
+
 /** A field of a simulation, on the scale of all its frames; nothing where it is not what is coloured by. */
 export function simulatedPaint(): TetPaint | null {
   const named = ({ info }: { info: FieldInfo }) => info.name === colourBy.value;
@@ -103,10 +116,10 @@ export function simulatedPaint(): TetPaint | null {
   const field = played ?? foundFields.value.find(named);
   const values = untracked(() => simulatedValues(colourBy.value));
   if (!field || !values) return null;
-  const ends = roundEnds(field.range);
   // Times that are found once are read as isochrones.
-  const bands = !played && field.info.unit === 'ms' ? bandWidth(ends) : undefined;
-  const legend: Legend = { ...scaleOf(field.info), ...ends, bands };
+  const banded = !played && field.info.unit === 'ms';
+  const ends = banded ? bandEnds(field.range) : roundEnds(field.range);
+  const legend: Legend = { ...scaleOf(field.info), ...ends };
   return { kind: field.info.on === 'points' ? 'nodal' : 'scale', values, legend };
 }
 

@@ -3,6 +3,7 @@ import type { MonodomainParams, Physics, Recipe, Stimulus, TissueKind, Vec3 } fr
 import { shownResult } from '../run/results';
 import { groupDefaults, itemDefaults } from '../run/schema_defaults';
 import { nameOf, volume } from './input';
+import { editRecipe, recipe } from './recipe';
 
 /** Names of labels that do not conduct, and of those that conduct slowly. */
 const noTissue = /pool|blood|scar|core|cavity|lumen|fat|fibrosis|valve/i;
@@ -57,4 +58,14 @@ export function startingPhysics(current: Recipe): Physics {
   physics.stimuli = [newStimulus(0)];
   physics.monodomain = { ...groupDefaults<MonodomainParams>('physics.monodomain'), step_ms: 0.1 };
   return physics;
+}
+
+/** The recipe asks for a simulation from now on. */
+export function addSimulation(): void {
+  const current = recipe.value;
+  if (!current) return;
+  const { diffusion } = current.physics ?? {};
+  editRecipe('Add simulation', (draft) => {
+    draft.physics = { ...startingPhysics(current), ...(diffusion && { diffusion }) };
+  });
 }
