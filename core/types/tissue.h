@@ -1,4 +1,4 @@
-// Conducting tissue on a mesh: how fast it conducts, and how its cells react.
+// Conducting tissue on a mesh: its fibres, how fast it conducts, and how its cells react.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,6 +24,14 @@ struct TissueKind {
   double along_mm_per_ms = 0.5;   ///< along the fibre
   double across_mm_per_ms = 0.5;  ///< across it; the same: without a direction
   CellParams cell;
+};
+
+/// Directions of muscle fibres and of the sheets that they form. One entry for each tetrahedron, or for each
+/// point: unit vectors, at right angles to each other, whose signs mean nothing. Zero where there is no
+/// muscle.
+struct Fibres {
+  std::vector<Eigen::Vector3d> fibre;
+  std::vector<Eigen::Vector3d> sheet;  ///< in the plane of the sheet, across the fibre
 };
 
 /// Tissue on the tetrahedra of a mesh, one entry of each list for each.

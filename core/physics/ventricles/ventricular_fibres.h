@@ -3,7 +3,7 @@
 
 #include "physics/ventricles/fibre_params.h"
 #include "physics/ventricles/ventricular_potentials.h"
-#include "types/fibres.h"
+#include "types/tissue.h"
 #include "types/heart_surfaces.h"
 #include "types/result.h"
 #include "types/run_context.h"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "physics/ventricles/ventricular_potentials.h"
-#include "types/fibres.h"
 #include "types/field.h"
 #include "types/heart_surfaces.h"
 #include "types/label_transfer.h"

@@ -77,7 +77,7 @@ TEST(HeartStages, PassEachItsResultToTheNext) {
       EXPECT_EQ(fibres->fields[0].values[3 * t + d],
                 static_cast<float>(fibres->fibres.fibre[t][static_cast<int>(d)]));
   }
-  const auto* tissue = session.result<Tissue>(Stage::kTissue);
+  const auto* tissue = &session.result<TissueResult>(Stage::kTissue)->tissue;
   ASSERT_TRUE(tissue);
   EXPECT_EQ(tissue->fibre, fibres->fibres.fibre);
   EXPECT_EQ(tissue->kind, std::vector<std::uint16_t>(mesh.tets.size(), 0));
@@ -231,7 +231,7 @@ TEST(HeartStages, WithoutAnatomyAndFibresGiveTissueThatIsTheSameInAllDirections)
   const Status done = session.run(Stage::kTissue, ctx);
   ASSERT_TRUE(done.ok()) << done.error().message;
   EXPECT_FALSE(session.result<AnatomyResult>(Stage::kAnatomy)->surfaces);
-  EXPECT_TRUE(session.result<Tissue>(Stage::kTissue)->fibre.empty());
+  EXPECT_TRUE(session.result<TissueResult>(Stage::kTissue)->tissue.fibre.empty());
   EXPECT_FALSE(find_field(exported_fields(session, MeshFormat::kVtu, false).options.cell_data, "fibre"));
 }
 

@@ -84,8 +84,8 @@ TEST(BuildSizingField, WavesAskForTheEdgeThatKeepsTheirSpeed) {
   EXPECT_NEAR(edge_of(params.waves[0]), 0.425, 1e-4);
   // What asks for less stays.
   params.labels = {{2, 0.3}};
-  EXPECT_NEAR(*std::min_element(build(volume, params).h_mm.begin(), build(volume, params).h_mm.end()), 0.3,
-              1e-5);
+  const SizingField finer = build(volume, params);
+  EXPECT_NEAR(*std::min_element(finer.h_mm.begin(), finer.h_mm.end()), 0.3, 1e-5);
   params.waves[0].error_percent = 0;
   RunContext ctx;
   const auto refused = build_sizing_field(volume, params, ctx);
