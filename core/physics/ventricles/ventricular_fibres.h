@@ -3,11 +3,11 @@
 
 #include "physics/ventricles/fibre_params.h"
 #include "physics/ventricles/ventricular_potentials.h"
-#include "types/tissue.h"
 #include "types/heart_surfaces.h"
 #include "types/result.h"
 #include "types/run_context.h"
 #include "types/tet_mesh.h"
+#include "types/tissue.h"
 
 namespace voxtet {
 

@@ -37,8 +37,8 @@ void print_row(double along, double across) {
   const Stimulus& stimulus = session.recipe().physics->stimuli[0];
   for (const Way& way :
        {Way{"explicit", Integration::kExplicit, 0}, Way{"consistent 0.5", Integration::kSemiImplicit, 0.5}}) {
-    const auto times =
-        activations_ms(mesh, session.result<TissueResult>(Stage::kTissue)->tissue, stimulus, params_of(way, 0.05));
+    const auto times = activations_ms(mesh, session.result<TissueResult>(Stage::kTissue)->tissue, stimulus,
+                                      params_of(way, 0.05));
     double n = 0, x = 0, y = 0, xx = 0, yy = 0, xy = 0;
     for (std::size_t i = 0; i < times.size(); ++i) {
       if (!std::isfinite(times[i]) || !std::isfinite(wave[i])) continue;
