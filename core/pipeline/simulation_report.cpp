@@ -5,19 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "physics/tissue/conducting_points.h"
+
 namespace voxtet {
 namespace {
 
 using nlohmann::json;
-
-/// Whether each point of the mesh touches tissue that conducts.
-std::vector<bool> conducting_points(const TetMesh& mesh, const Tissue& tissue) {
-  std::vector<bool> conducts(mesh.points.size(), false);
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    if (tissue.kind[t] != Tissue::kNone)
-      for (const std::uint32_t point : mesh.tets[t]) conducts[point] = true;
-  return conducts;
-}
 
 struct Finite {
   std::size_t count = 0;

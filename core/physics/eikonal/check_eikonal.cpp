@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "physics/tissue/conducting_points.h"
 #include "types/stage_names.h"
 
 namespace voxtet::eikonal {
@@ -85,14 +86,6 @@ std::optional<Error> check_shares_and_fibres(const TetMesh& mesh, const Tissue& 
                           tissue.fibre[t].norm(), ", expected 1"));
   }
   return std::nullopt;
-}
-
-std::vector<bool> conducting_points(const TetMesh& mesh, const Tissue& tissue) {
-  std::vector<bool> conducts(mesh.points.size(), false);
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    if (tissue.kind[t] != Tissue::kNone)
-      for (const std::uint32_t point : mesh.tets[t]) conducts[point] = true;
-  return conducts;
 }
 
 std::optional<Error> check_sources(const std::vector<bool>& conducts,

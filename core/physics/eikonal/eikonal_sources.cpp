@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "physics/tissue/conducting_points.h"
 #include "physics/tissue/stimulated_points.h"
 #include "types/stage_names.h"
 
@@ -12,10 +13,7 @@ Result<std::vector<EikonalSource>> eikonal_sources(const TetMesh& mesh, const Ti
   if (stimuli.empty())
     return usage_error(kEikonalStage,
                        "physics.stimuli: found none, expected at least one, where the wave starts");
-  std::vector<bool> conducts(mesh.points.size(), false);
-  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    if (tissue.kind[t] != Tissue::kNone)
-      for (const std::uint32_t point : mesh.tets[t]) conducts[point] = true;
+  const std::vector<bool> conducts = conducting_points(mesh, tissue);
   std::vector<EikonalSource> sources;
   for (std::size_t s = 0; s < stimuli.size(); ++s) {
     const auto points =

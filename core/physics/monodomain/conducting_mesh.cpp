@@ -9,12 +9,11 @@
 
 #include "geometry/elements/tet_measures.h"
 #include "physics/monodomain/cell.h"
+#include "physics/tissue/conducting_points.h"
 #include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
-
-constexpr std::uint32_t kNoPoint = 0xffffffffU;
 
 std::optional<Error> check(const TetMesh& mesh, const Tissue& tissue) {
   const auto has_all = [&](std::size_t count) { return count == mesh.tets.size(); };
@@ -74,12 +73,10 @@ std::vector<std::uint16_t> kinds_of_points(const ConductingMesh& part,
 Result<ConductingMesh> conducting_mesh(const TetMesh& whole, const Tissue& tissue) {
   if (auto error = check(whole, tissue)) return *std::move(error);
   ConductingMesh part;
-  std::vector<std::uint32_t> number(whole.points.size(), kNoPoint);
-  for (std::size_t t = 0; t < whole.tets.size(); ++t)
-    if (tissue.kind[t] != Tissue::kNone)
-      for (const std::uint32_t point : whole.tets[t]) number[point] = 0;
+  const std::vector<bool> conducts = conducting_points(whole, tissue);
+  std::vector<std::uint32_t> number(whole.points.size());  // of the points that conduct
   for (std::size_t i = 0; i < number.size(); ++i) {
-    if (number[i] == kNoPoint) continue;
+    if (!conducts[i]) continue;
     number[i] = static_cast<std::uint32_t>(part.points.size());
     part.points.push_back(static_cast<std::uint32_t>(i));
     part.mesh.points.push_back(whole.points[i]);

@@ -58,7 +58,6 @@ Result<Monodomain> Monodomain::start(std::shared_ptr<const TetMesh> mesh, const 
   out.threads_ = threads;
   out.mesh_points_ = mesh->points.size();
   out.tissue_ = std::move(conducting).value();
-  out.conducting_tets_ = out.tissue_.mesh.tets.size();
   out.steps_ = fem::TimeSteps(params.end_ms, params.step_ms, params.frame_ms);
   for (const TissueKind& kind : tissue.kinds) out.cells_.emplace_back(kind.cell, out.step_ms());
   for (std::size_t s = 0; s < stimuli.size(); ++s)

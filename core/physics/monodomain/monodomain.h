@@ -72,7 +72,6 @@ class Monodomain {
   /// v of the conducting points, as numbered by points().
   const Eigen::VectorXd& v() const { return v_; }
   const std::vector<std::uint32_t>& points() const { return tissue_.points; }
-  std::size_t conducting_tets() const { return conducting_tets_; }
 
   /// One more stimulus, from now on: `start_ms` is as seen from now. Errors as in start().
   Status stimulate(Stimulus stimulus);
@@ -100,7 +99,7 @@ class Monodomain {
 
   MonodomainParams params_;
   int threads_ = 1;
-  std::size_t mesh_points_ = 0, conducting_tets_ = 0;
+  std::size_t mesh_points_ = 0;
   ConductingMesh tissue_;  ///< its tetrahedra until the matrices are made
   std::vector<CellStep> cells_;
   std::vector<Current> currents_;

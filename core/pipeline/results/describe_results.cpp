@@ -83,37 +83,9 @@ void add_arrays(const VolumeResult& result, StageArrays& out) {
   out.push_back({"labels", 1, std::span<const std::uint16_t>(result.source->labels)});
 }
 
-void add_arrays(const WallsResult& result, StageArrays& out) {
-  add_arrays(result.fields, out);
-}
-
 void add_arrays(const SizingField& field, StageArrays& out) {
   out.push_back({"h_mm", 1, std::span<const float>(field.h_mm),
                  Field{"h_mm", "Target edge length", "mm", On::kVoxels, Scale::kSequential, 1, {}}});
-}
-
-void add_arrays(const LabelTransfer& found, StageArrays& out) {
-  add_arrays(found.fields, out);
-}
-
-void add_arrays(const QualityReport& report, StageArrays& out) {
-  add_arrays(report.fields, out);
-}
-
-void add_arrays(const AnatomyResult& result, StageArrays& out) {
-  add_arrays(result.fields, out);
-}
-
-void add_arrays(const FibresResult& result, StageArrays& out) {
-  add_arrays(result.fields, out);
-}
-
-void add_arrays(const TissueResult& result, StageArrays& out) {
-  add_arrays(result.fields, out);
-}
-
-void add_arrays(const EikonalResult& result, StageArrays& out) {
-  add_arrays(result.fields, out);
 }
 
 void add_arrays(const Trajectory& result, StageArrays& out) {

@@ -28,20 +28,23 @@ nlohmann::json counts_of(const Trajectory& result);     ///< {frames, end_ms}
 
 /// The arrays that a viewer may ask for, besides those of stage_arrays.h.
 void add_arrays(const VolumeResult& result, StageArrays& out);
-void add_arrays(const WallsResult& result, StageArrays& out);
 void add_arrays(const SizingField& field, StageArrays& out);
-void add_arrays(const LabelTransfer& found, StageArrays& out);
-void add_arrays(const QualityReport& report, StageArrays& out);
-void add_arrays(const AnatomyResult& result, StageArrays& out);
-void add_arrays(const FibresResult& result, StageArrays& out);
-void add_arrays(const TissueResult& result, StageArrays& out);
-void add_arrays(const EikonalResult& result, StageArrays& out);
 void add_arrays(const Trajectory& result,
                 StageArrays& out);  ///< of the last frame, and what is known at the end
 
 std::string digest_of(const VolumeResult& result);  ///< of the prepared volume
 std::string digest_of(const EikonalResult& result);
 std::string digest_of(const Trajectory& result);  ///< of all frames, fields and traces
+
+template <class T>
+concept HasFields = requires(const T& result) {
+  result.fields;
+};
+/// Of the other results that have fields: these.
+template <HasFields T>
+void add_arrays(const T& result, StageArrays& out) {
+  add_arrays(result.fields, out);
+}
 
 // Of a mesh with layers, others see only the mesh without them.
 template <class Mesh>

@@ -5,15 +5,12 @@ import type { Simulated } from '../../engine/contract';
 import { labelColour } from '../../geometry/colours';
 import { seek } from '../../store/run/player';
 import { dark, time } from '../../store/view';
+import { axisStyle } from '../controls/chart_style';
 import { short } from '../controls/format';
 
 type Traces = NonNullable<NonNullable<Simulated['monodomain']>['traces']>;
 
 const height = 130;
-
-function cssColour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-}
 
 /** The potential at each electrode over time, with the time cursor; a click moves it. */
 export function ElectrogramChart({ traces }: { traces: Traces }) {
@@ -24,12 +21,7 @@ export function ElectrogramChart({ traces }: { traces: Traces }) {
     const element = host.current;
     if (!element) return;
     void isDark;
-    const axis = {
-      stroke: cssColour('--text-soft'),
-      font: '11px "Inter Variable", system-ui, sans-serif',
-      grid: { stroke: cssColour('--line-soft'), width: 1 },
-      ticks: { show: false },
-    };
+    const axis = axisStyle();
     const chart = new uPlot(
       {
         width: element.clientWidth || 260,

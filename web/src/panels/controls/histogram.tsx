@@ -4,6 +4,7 @@ import 'uplot/dist/uPlot.min.css';
 import { coveringRange, rebin } from '../../geometry/histogram';
 import type { Series } from '../../report/charts';
 import { dark } from '../../store/view';
+import { axisStyle, cssColour } from './chart_style';
 import { short } from './format';
 
 interface HistogramProps {
@@ -19,10 +20,6 @@ interface HistogramProps {
 
 const bins = 56;
 const height = 118;
-
-function cssColour(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-}
 
 function showSelection(chart: uPlot, selected: [number, number] | null | undefined): void {
   if (!selected) {
@@ -53,14 +50,7 @@ export function HistogramChart(props: HistogramProps) {
       const shares = rebin(one.histogram, lo, hi, bins);
       return [...shares, shares[bins - 1]];
     });
-    const ink = cssColour('--text-soft');
-    const grid = cssColour('--line-soft');
-    const axis = {
-      stroke: ink,
-      font: '11px "Inter Variable", system-ui, sans-serif',
-      grid: { stroke: grid, width: 1 },
-      ticks: { show: false },
-    };
+    const axis = axisStyle();
     const stepped = uPlot.paths.stepped?.({ align: 1 });
     const chart = new uPlot(
       {
