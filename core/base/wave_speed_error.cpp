@@ -39,8 +39,14 @@ double wave_speed_error_percent(double edge_mm, double diffusivity_mm2_per_ms, d
   std::size_t r = 1;
   while (r + 1 < kMeasured.size() && edge > kMeasured[r].edge_mm) ++r;
   const Row &before = kMeasured[r - 1], &after = kMeasured[r];
-  const double part = (edge - before.edge_mm) / (after.edge_mm - before.edge_mm);
-  return (1 - part) * of_row(before, consistent_mass) + part * of_row(after, consistent_mass);
+  const double first = of_row(before, consistent_mass), last = of_row(after, consistent_mass);
+  const double slope = (last - first) / (after.edge_mm - before.edge_mm);
+  if (edge > after.edge_mm && slope < 0) {
+    // Slower and slower, but never backwards: the same slope at first, and a speed that falls to 0.
+    const double speed = 100 + last;
+    return speed * speed / (speed - slope * (edge - after.edge_mm)) - 100;
+  }
+  return first + slope * (edge - before.edge_mm);
 }
 
 double edge_for_wave_speed_error(double percent, double diffusivity_mm2_per_ms, double consistent_mass) {

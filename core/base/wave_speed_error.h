@@ -7,7 +7,8 @@ namespace voxtet {
 /// where the wave is slow. Measured in bars of TetGen's tetrahedra with the part `consistent_mass` of the
 /// mass consistent and the rest lumped (explicit steps: 0), of Mitchell and Schaeffer's cell with its usual
 /// times. It depends on the edge length over the root of the diffusivity alone. Between measured values it is
-/// interpolated, beyond the last it goes on straight.
+/// interpolated. Beyond the last, 3 mm at 0.5 mm/ms, it is a guess: it goes on with the same slope at first,
+/// and never falls below -100.
 double wave_speed_error_percent(double edge_mm, double diffusivity_mm2_per_ms, double consistent_mass);
 
 /// The longest mean edge (mm) up to which the size of that error is at most so many percent. `percent` > 0.

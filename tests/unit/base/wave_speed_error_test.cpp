@@ -18,6 +18,19 @@ TEST(WaveSpeedError, IsAsMeasuredAndScalesWithTheRootOfTheDiffusivity) {
   EXPECT_EQ(wave_speed_error_percent(0, 0.2118, 0.5), 0);
 }
 
+TEST(WaveSpeedError, GoesOnBeyondWhatWasMeasuredWithoutAWaveThatRunsBackwards) {
+  for (const double share : {0.0, 0.5, 0.75}) {
+    double before = wave_speed_error_percent(3.03, 0.2118, share);
+    EXPECT_NEAR(wave_speed_error_percent(3.0301, 0.2118, share), before, 0.01);
+    for (double edge = 3.1; edge < 100; edge *= 1.1) {
+      const double error = wave_speed_error_percent(edge, 0.2118, share);
+      EXPECT_LT(error, before);
+      EXPECT_GT(error, -100);
+      before = error;
+    }
+  }
+}
+
 TEST(WaveSpeedError, EdgeForAnErrorIsTheLongestUpToWhichItIsKept) {
   for (const double share : {0.0, 0.5, 1.0})
     for (const double percent : {0.5, 1.0, 4.0}) {

@@ -98,6 +98,14 @@ describe('colours of what a simulation found', () => {
     });
   });
 
+  it('have 0 in their middle where they go both ways', () => {
+    const info = { unit: '%', scale: 'diverging', range: [-9, 2] } as const;
+    const { fields } = field('speed_error_percent', parts, { ...info, range: [...info.range] });
+    keepFound({ fields, values: { speed_error_percent: parts } });
+    colourBy.value = 'speed_error_percent';
+    expect(simulatedPaint()).toMatchObject({ kind: 'scale', legend: { lo: -9, hi: 9 } });
+  });
+
   it.each([
     [0, 60, 5],
     [0, 135, 20],

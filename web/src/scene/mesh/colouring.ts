@@ -118,7 +118,9 @@ export function simulatedPaint(): TetPaint | null {
   if (!field || !values) return null;
   // Times that are found once are read as isochrones.
   const banded = !played && field.info.unit === 'ms';
-  const ends = banded ? bandEnds(field.range) : roundEnds(field.range);
+  const most = Math.max(Math.abs(field.range[0]), Math.abs(field.range[1]));
+  const range: [number, number] = field.info.scale === 'diverging' ? [-most, most] : field.range;
+  const ends = banded ? bandEnds(range) : roundEnds(range);
   const legend: Legend = { ...scaleOf(field.info), ...ends };
   return { kind: field.info.on === 'points' ? 'nodal' : 'scale', values, legend };
 }
