@@ -47,16 +47,16 @@ std::optional<Error> check(const MonodomainParams& params) {
 
 }  // namespace
 
-Result<Monodomain> Monodomain::start(std::shared_ptr<const TetMesh> mesh, const Tissue& tissue,
+Result<Monodomain> Monodomain::start(const TetMesh& mesh, const Tissue& tissue,
                                      const std::vector<Stimulus>& stimuli, const MonodomainParams& params,
                                      int threads) {
   if (auto error = check(params)) return *std::move(error);
-  Result<ConductingMesh> conducting = conducting_mesh(*mesh, tissue);
+  Result<ConductingMesh> conducting = conducting_mesh(mesh, tissue);
   if (!conducting) return conducting.error();
   Monodomain out;
   out.params_ = params;
   out.threads_ = threads;
-  out.mesh_points_ = mesh->points.size();
+  out.mesh_points_ = mesh.points.size();
   out.tissue_ = std::move(conducting).value();
   out.steps_ = fem::TimeSteps(params.end_ms, params.step_ms, params.frame_ms);
   for (const TissueKind& kind : tissue.kinds) out.cells_.emplace_back(kind.cell, out.step_ms());
@@ -216,7 +216,7 @@ Result<bool> Monodomain::advance() {
   if (params_.integration == Integration::kExplicit) {
     diffuse_explicitly();
   } else {
-    const Result<bool> diffused = diffuse_implicitly();
+    Result<bool> diffused = diffuse_implicitly();
     if (!diffused || !*diffused) return diffused;
   }
   complete_step();

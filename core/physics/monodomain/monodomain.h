@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -45,7 +44,7 @@ class Monodomain {
  public:
   /// Time 0, all tissue at rest. Errors: kUsage, naming the field, for parameters out of range and a stimulus
   /// that no conducting point lies in; those of conducting_mesh().
-  static Result<Monodomain> start(std::shared_ptr<const TetMesh> mesh, const Tissue& tissue,
+  static Result<Monodomain> start(const TetMesh& mesh, const Tissue& tissue,
                                   const std::vector<Stimulus>& stimuli, const MonodomainParams& params,
                                   int threads = 1);
 

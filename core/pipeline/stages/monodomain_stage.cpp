@@ -80,7 +80,7 @@ Result<std::unique_ptr<StageTask>> start_monodomain(const StageInputs& in, const
                        "physics.monodomain: found none, expected when and how long to simulate");
   const MonodomainParams& params = *recipe.physics->monodomain;
   Result<Monodomain> heart =
-      Monodomain::start(in.share<TetMesh>(Stage::kOptimise), in.get<TissueResult>(Stage::kTissue).tissue,
+      Monodomain::start(in.get<TetMesh>(Stage::kOptimise), in.get<TissueResult>(Stage::kTissue).tissue,
                         recipe.physics->stimuli, params);
   if (!heart) return heart.error();
   return std::unique_ptr<StageTask>(

@@ -14,7 +14,7 @@ constexpr double kStep = 0.05;  // ms
 /// ms a step: the least of some runs, as other programs may run beside it.
 double step_cost_ms(const std::shared_ptr<const TetMesh>& mesh, const Way& way, int threads) {
   constexpr int kRuns = 9, kSteps = 20;
-  Monodomain heart = value_or_exit(Monodomain::start(mesh, test::isotropic_tissue(*mesh, 0.5),
+  Monodomain heart = value_or_exit(Monodomain::start(*mesh, test::isotropic_tissue(*mesh, 0.5),
                                                      {at_corner({5, 5, 5})}, params_of(way, kStep), threads));
   while (heart.time_ms() < 5) step(heart);
   std::vector<double> costs;

@@ -43,7 +43,7 @@ void step(Monodomain& heart) {
 std::vector<float> activations_ms(const std::shared_ptr<const TetMesh>& mesh, const Tissue& tissue,
                                   const Stimulus& stimulus, const MonodomainParams& params) {
   constexpr int kThreads = 2;
-  Monodomain heart = value_or_exit(Monodomain::start(mesh, tissue, {stimulus}, params, kThreads));
+  Monodomain heart = value_or_exit(Monodomain::start(*mesh, tissue, {stimulus}, params, kThreads));
   while (!heart.done() && heart.log().activations().size() < heart.points().size()) step(heart);
   return heart.activation_fields()[0].values;
 }

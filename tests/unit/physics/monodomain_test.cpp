@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
 #include <string>
 
 #include "base/digest.h"
@@ -26,7 +25,7 @@ Stimulus at_corner(const Eigen::Vector3d& half_size_mm) {
 
 Monodomain started(const TetMesh& mesh, const Tissue& tissue, const std::vector<Stimulus>& stimuli,
                    const MonodomainParams& params, int threads = 1) {
-  auto started = Monodomain::start(std::make_shared<const TetMesh>(mesh), tissue, stimuli, params, threads);
+  auto started = Monodomain::start(mesh, tissue, stimuli, params, threads);
   EXPECT_TRUE(started.ok()) << (started.ok() ? "" : started.error().message);
   return *std::move(started);
 }
@@ -220,10 +219,9 @@ TEST(Electrogram, OfAUniformGradientIsThatOfADipole) {
 
 TEST(Monodomain, SaysWhatIsWrong) {
   const Slab slab = niederer_slab(1);
-  const auto mesh = std::make_shared<const TetMesh>(slab.mesh);
   const auto fault = [&](const Tissue& tissue, const std::vector<Stimulus>& stimuli,
                          const MonodomainParams& params) {
-    auto started = Monodomain::start(mesh, tissue, stimuli, params);
+    auto started = Monodomain::start(slab.mesh, tissue, stimuli, params);
     if (!started) return started.error().message;
     const Status ran = run(*started);
     return ran ? std::string() : ran.error().message;
