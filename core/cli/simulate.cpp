@@ -24,7 +24,10 @@ Status check_simulate_outputs(const CaseOptions& options, const SimulateOptions&
                                     ": this format has no place for values at points, expected .vtu, .xdmf "
                                     "or .carp");
   }
-  return check_outputs({{"-o", wanted.out}, {"--report", wanted.report}, {"--traces", wanted.traces}},
+  return check_outputs({{"-o", wanted.out},
+                        {"--report", wanted.report},
+                        {"--traces", wanted.traces},
+                        {"--save-state", wanted.save_state}},
                        inputs_of(options));
 }
 
@@ -67,6 +70,14 @@ void add_simulate_command(CLI::App& command, CaseOptions& options, SimulateOptio
   command.add_option("--report", wanted.report, "write the report as JSON to this file")->check(kNotEmpty);
   command.add_option("--traces", wanted.traces, "write the electrodes' potentials as CSV to this file")
       ->check(kNotEmpty);
+  command
+      .add_option("--save-state", wanted.save_state,
+                  "write the state at the end to this file, for --from-state of a later run")
+      ->check(kNotEmpty);
+  command
+      .add_option("--from-state", wanted.from_state,
+                  "go on from this state: of a case that differs in end_ms or in later stimuli only")
+      ->check(kNotEmpty);
   command.add_option("--what", wanted.what, "monodomain, or eikonal: the activation map alone")
       ->check(CLI::IsMember({kMonodomainStage, kEikonalStage}));
   command.add_option("--space", output.lps_or_ras, "patient space of the mesh file")
@@ -85,6 +96,13 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
       (*stage != Stage::kMonodomain || session.recipe().physics->monodomain->electrodes.empty()))
     return fail(
         usage_error("cli", "--traces: found no physics.monodomain.electrodes, expected at least one"));
+  if (*stage != Stage::kMonodomain && !(wanted.save_state + wanted.from_state).empty())
+    return fail(usage_error("cli", "--save-state, --from-state: the activation map alone has no state"));
+  if (!wanted.from_state.empty()) {
+    Result<Bytes> state = read_file(wanted.from_state);
+    if (!state) return fail(state.error());
+    session.resume_from(*std::move(state));
+  }
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
   Status done = session.run(Stage::kQuality, ctx);
   if (done) done = session.run(*stage, ctx);
@@ -94,6 +112,9 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
     if (Status written = write_text_file(wanted.report, text_of(report)); !written)
       return fail(written.error());
   if (output.as_json) print_json(report);
+  if (!wanted.save_state.empty() && (done || done.error().code == ErrorCode::kCancelled))
+    if (Result<Bytes> state = session.saved_state(); state)
+      if (Status placed = place_files({{wanted.save_state, *state}}); !placed) return fail(placed.error());
   if (!done) return fail_run(done.error(), output);
   if (!wanted.traces.empty())
     if (Status written = write_text_file(wanted.traces, traces_csv(*session.monodomain())); !written)

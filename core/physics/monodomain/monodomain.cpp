@@ -81,9 +81,39 @@ Status Monodomain::add_current(const Stimulus& stimulus, const std::string& fiel
   return std::monostate{};
 }
 
-Status Monodomain::stimulate(Stimulus stimulus) {
-  stimulus.start_ms += time_ms();
+Status Monodomain::stimulate(const Stimulus& stimulus) {
   return add_current(stimulus, "stimulus");
+}
+
+MonodomainState Monodomain::state() const {
+  const auto list = [](const Eigen::VectorXd& values) {
+    return std::vector<double>(values.begin(), values.end());
+  };
+  return {steps_.step(),         step_ms(), list(v_), list(w_), list(change_), log_.activations(),
+          log_.repolarisations()};
+}
+
+Status Monodomain::restore(const MonodomainState& state) {
+  const std::size_t count = points().size();
+  if (state.v.size() != count || state.w.size() != count || state.change.size() != count)
+    return usage_error(kMonodomainStage, "state: found " + std::to_string(state.v.size()) +
+                                             " points, expected the " + std::to_string(count) +
+                                             " that conduct");
+  if (std::abs(state.step_ms - step_ms()) > 1e-12 * step_ms())
+    return usage_error(kMonodomainStage, "state: found a step of " + std::to_string(state.step_ms) +
+                                             " ms, expected " + std::to_string(step_ms()) + " ms");
+  if (state.steps > steps_.count())
+    return field_error(
+        "monodomain.end_ms", params_.end_ms,
+        "at least the " + std::to_string(state.steps * step_ms()) + " ms that the state has reached");
+  const auto vector = [](const std::vector<double>& values) {
+    return Eigen::VectorXd(
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  steps_.go_to(state.steps);
+  v_ = vector(state.v), w_ = vector(state.w), change_ = vector(state.change);
+  log_ = ActivationLog(state.activations, state.repolarisations);
+  return std::monostate{};
 }
 
 /// Parts of about the same length.

@@ -37,6 +37,16 @@ struct MonodomainParams {
   std::vector<Electrode> electrodes{};
 };
 
+/// Between two steps: all that a run needs to go on as if it had never stopped. Values are of the conducting
+/// points.
+struct MonodomainState {
+  int steps = 0;  ///< that are done
+  double step_ms = 0;
+  std::vector<double> v, w;
+  std::vector<double> change;  ///< semi-implicit: where the next solve begins
+  std::vector<ActivationLog::Crossing> activations, repolarisations;
+};
+
 /// dv/dt = div(D grad v) + reaction + stimulus, no flow through the tissue's surface, on linear elements; the
 /// reaction (cell.h) and the diffusion take turns (Godunov splitting). The caller advances it in short parts,
 /// and may leave it at any time. `threads` never changes a result.
@@ -72,8 +82,18 @@ class Monodomain {
   const Eigen::VectorXd& v() const { return v_; }
   const std::vector<std::uint32_t>& points() const { return tissue_.points; }
 
-  /// One more stimulus, from now on: `start_ms` is as seen from now. Errors as in start().
-  Status stimulate(Stimulus stimulus);
+  /// One more stimulus, whose `start_ms` is a time of the run; one that is over does nothing. Errors as in
+  /// start().
+  Status stimulate(const Stimulus& stimulus);
+
+  /// Whether no step is under way.
+  bool between_steps() const { return !reacted_; }
+  /// Needs between_steps().
+  MonodomainState state() const;
+  /// Goes on from a state of a run on the same mesh and tissue, with the same parameters but for its end; to
+  /// be called before the first step. The result is that of one run. Errors: kUsage for a state of other
+  /// points or another step, or one that is later than the end.
+  Status restore(const MonodomainState& state);
 
   /// The longest explicit step that is stable, in ms; known once the matrices are made.
   double most_explicit_step_ms() const { return most_step_ms_; }
