@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "physics/fem/fixed_order.h"
+
 namespace voxtet {
 
 /// Crossings of v = kActivated upwards and of v = kRepolarised downwards, at times interpolated linearly
@@ -24,8 +26,10 @@ class ActivationLog {
   ActivationLog(std::vector<Crossing> activations, std::vector<Crossing> repolarisations)
       : activations_(std::move(activations)), repolarisations_(std::move(repolarisations)) {}
 
-  /// The step from `begin_ms`, over which v went from `before` to `after`. Call in the order of time.
-  void record(double begin_ms, double step_ms, const Eigen::VectorXd& before, const Eigen::VectorXd& after);
+  /// The step from `begin_ms`, over which v went from `before` to `after`, in these rows and nowhere else.
+  /// Call in the order of time.
+  void record(double begin_ms, double step_ms, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
+              const fem::RowRanges& rows);
 
   const std::vector<Crossing>& activations() const { return activations_; }  ///< in the order of their steps
   const std::vector<Crossing>& repolarisations() const { return repolarisations_; }

@@ -12,6 +12,7 @@
 #include "physics/monodomain/cell.h"
 #include "physics/monodomain/conducting_mesh.h"
 #include "physics/monodomain/electrogram.h"
+#include "physics/monodomain/excited_blocks.h"
 #include "types/field.h"
 #include "types/result.h"
 #include "types/stimulus.h"
@@ -43,7 +44,7 @@ struct MonodomainState {
   int steps = 0;  ///< that are done
   double step_ms = 0;
   std::vector<double> v, w;
-  std::vector<double> change;  ///< semi-implicit: where the next solve begins
+  std::vector<double> change, earlier;  ///< semi-implicit: by the diffusion of the last two steps
   std::vector<ActivationLog::Crossing> activations, repolarisations;
 };
 
@@ -110,6 +111,7 @@ class Monodomain {
   Status prepare();
   Status add_current(const Stimulus& stimulus, const std::string& field);
   void set_currents();
+  void find_reach();
   void react();
   void diffuse_explicitly();
   Result<bool> diffuse_implicitly();
@@ -133,7 +135,11 @@ class Monodomain {
   Eigen::VectorXd lumped_;        ///< M_L, mm^3
   Eigen::VectorXd v_, w_, next_;  ///< next_: v at the end of the step under way
   Eigen::VectorXd change_;        ///< semi-implicit: by the diffusion of the last step
+  Eigen::VectorXd load_;          ///< semi-implicit
+  Eigen::VectorXd earlier_;       ///< semi-implicit: by that of the step before it
   bool reacted_ = false;          ///< the reaction of the step under way is done, in next_
+  bool solving_ = false;
+  ExcitedBlocks excited_;
   std::optional<fem::PcgSolve> solve_;
   std::vector<Eigen::VectorXd> electrode_weights_;
   ActivationLog log_;

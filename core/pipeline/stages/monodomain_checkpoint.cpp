@@ -92,6 +92,7 @@ void visit(Archive& archive, Checkpoint& checkpoint) {
   archive.list(checkpoint.state.v);
   archive.list(checkpoint.state.w);
   archive.list(checkpoint.state.change);
+  archive.list(checkpoint.state.earlier);
   archive.list(checkpoint.state.activations);
   archive.list(checkpoint.state.repolarisations);
   archive.list(checkpoint.times_ms);
