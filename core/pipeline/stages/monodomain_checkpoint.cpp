@@ -4,8 +4,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-
-#include "io/bytes/byte_writer.h"
+#include <utility>
 
 namespace voxtet {
 namespace {
@@ -15,27 +14,32 @@ constexpr std::string_view kMagic = "voxtet monodomain state 1\n";
 /// Lengths and values, one after the other.
 class Writer {
  public:
-  Writer() : bytes_(1 << 16) { bytes_.text(kMagic); }
+  Writer() { put(kMagic.data(), kMagic.size()); }
 
   void text(const std::string& text) {
-    bytes_.raw(static_cast<std::uint64_t>(text.size()));
-    bytes_.text(text);
+    value(static_cast<std::uint64_t>(text.size()));
+    put(text.data(), text.size());
   }
   template <class T>
   void value(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
-    bytes_.text({reinterpret_cast<const char*>(&value), sizeof(T)});
+    put(&value, sizeof(T));
   }
   template <class T>
   void list(const std::vector<T>& values) {
     static_assert(std::is_trivially_copyable_v<T>);
-    bytes_.raw(static_cast<std::uint64_t>(values.size()));
-    bytes_.text({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+    value(static_cast<std::uint64_t>(values.size()));
+    put(values.data(), values.size() * sizeof(T));
   }
-  Bytes take() { return bytes_.take(); }
+  Bytes take() { return std::move(bytes_); }
 
  private:
-  ByteWriter bytes_;
+  void put(const void* from, std::size_t size) {
+    const auto* const bytes = static_cast<const std::uint8_t*>(from);
+    bytes_.insert(bytes_.end(), bytes, bytes + size);
+  }
+
+  Bytes bytes_;
 };
 
 /// What does not fit into the bytes is left as it was, and complete() is false.
