@@ -71,6 +71,28 @@ TEST_F(CliTest, SimulatesAWaveAndWritesWhatWasFound) {
   EXPECT_EQ(traces[10].substr(0, 3), "10,");
 }
 
+TEST_F(CliTest, SimulationsGoOnFromASavedState) {
+  json first = ball();
+  write("ball.json", first.dump());
+  first["physics"]["monodomain"]["end_ms"] = 4;
+  write("first.json", first.dump());
+  ASSERT_EQ(run({"simulate", at("ball.json"), "-o", at("whole.vtu"), "--traces", at("whole.csv")}), kExitOk);
+  ASSERT_EQ(run({"simulate", at("first.json"), "--save-state", at("four.state")}), kExitOk);
+  ASSERT_EQ(run({"simulate", at("ball.json"), "--from-state", at("four.state"), "-o", at("second.vtu"),
+                 "--traces", at("second.csv")}),
+            kExitOk);
+  EXPECT_EQ(text_at(at("second.vtu")), text_at(at("whole.vtu")));
+  EXPECT_EQ(text_at(at("second.csv")), text_at(at("whole.csv")));
+  for (const auto& [state, said] :
+       {std::pair{"none.state", "none.state"},
+        std::pair{"ball.json",
+                  "state: found bytes of another kind, expected the saved state of a simulation"}}) {
+    test::CaughtErrors errors;
+    EXPECT_EQ(run({"simulate", at("ball.json"), "--from-state", at(state)}), kExitBadInput);
+    EXPECT_TRUE(errors.say(said)) << said;
+  }
+}
+
 TEST_F(CliTest, SimulatesTheActivationMapAlone) {
   write("ball.json", ball().dump());
   ASSERT_EQ(
@@ -99,6 +121,8 @@ TEST_F(CliTest, RefusesASimulationThatCannotBe) {
             "--traces: found no physics.monodomain.electrodes, expected at least one"},
            {{"simulate", at("ball.json"), "--what", "eikonal", "--traces", at("t.csv")},
             "--traces: found no physics.monodomain.electrodes, expected at least one"},
+           {{"simulate", at("ball.json"), "--what", "eikonal", "--save-state", at("s")},
+            "--save-state, --from-state: the activation map alone has no state"},
            {{"simulate", at("ball.json"), "-o", at("a.inp")},
             "this format has no place for values at points, expected .vtu, .xdmf or .carp"},
            {{"simulate", at("ball.json"), "-o", at("a.xyz")}, "ending \".xyz\", expected one of"}}) {

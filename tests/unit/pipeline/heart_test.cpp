@@ -218,7 +218,7 @@ TEST(HeartStages, AStimulusThatComesWhileTheWaveRunsIsAPartOfTheCase) {
   more.centre_mm = {0, 0, 20};
   more.radius_mm = 12;
   EXPECT_EQ(session.stimulate(more).error().message, "stimulus: found no simulation under way, expected one");
-  begin_wave(session, heart(), 7);
+  begin_wave(session, heart(), 3);
   const Result<Stimulus> given = session.stimulate(more);
   ASSERT_TRUE(given.ok()) << given.error().message;
   EXPECT_GT(given->start_ms, 0);
@@ -264,7 +264,7 @@ TEST(HeartStages, AWaveGoesOnFromASavedState) {
 
   // In another, after what was cancelled in the middle of a step.
   Session other(0);
-  begin_wave(other, heart(), 6);
+  begin_wave(other, heart(), 3);
   const Result<Bytes> middle = other.saved_state();
   ASSERT_TRUE(middle.ok());
   Session last(0);
