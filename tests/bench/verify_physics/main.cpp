@@ -16,6 +16,7 @@ struct Part {
 constexpr Part kParts[] = {{"plane_wave", voxtet::verify::print_plane_wave},
                            {"slab", voxtet::verify::print_slab},
                            {"eikonal", voxtet::verify::print_eikonal},
+                           {"isthmus", voxtet::verify::print_isthmus},
                            {"speed", voxtet::verify::print_speed}};
 
 }  // namespace
@@ -32,8 +33,9 @@ int main(int argc, char** argv) {
                            [&](const Part& part) { return argument == part.name; })) {
       wanted.push_back(argument);
     } else {
-      std::fprintf(stderr, "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal or speed\n",
-                   argument.c_str());
+      std::fprintf(
+          stderr, "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, isthmus or speed\n",
+          argument.c_str());
       return 2;
     }
   }

@@ -19,6 +19,7 @@ namespace voxtet::verify {
 void print_plane_wave(bool all);
 void print_slab(bool all);
 void print_eikonal(bool all);
+void print_isthmus(bool all);
 void print_speed(bool all);
 
 /// The value, or else the program ends with the error's message.
