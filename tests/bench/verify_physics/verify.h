@@ -48,6 +48,15 @@ struct Way {
 /// With an end that no activation here comes near to.
 MonodomainParams params_of(const Way& way, double step_ms);
 
+/// A bar along x for plane waves, with edges of some `edge_mm`: 8 squares wide, 60 mm long, 30 mm if they are
+/// shorter than 1 mm.
+std::shared_ptr<const TetMesh> bar_of_tets(double edge_mm);
+/// mm/ms, of a wave from one end in tissue of 0.5 mm/ms: of the line of least squares through the times of
+/// all points of the bar's middle.
+double speed_along(const std::shared_ptr<const TetMesh>& bar, const MonodomainParams& params);
+/// The same in the limit of short edges: along one row of bricks.
+double fine_speed(const MonodomainParams& params);
+
 /// One step of the model, however many parts it has.
 void step(Monodomain& heart);
 
