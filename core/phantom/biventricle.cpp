@@ -36,7 +36,6 @@ const Eigen::Vector2d kScarDirection(-0.8, 0.6);
 constexpr double kScarHeight = -9;
 constexpr double kScarHalfArc = 24;
 constexpr double kScarHalfHeight = 20;
-constexpr double kBorderWidth = 3;
 const Eigen::Vector2d kIsthmusNormal(0.8, 0.6);  // across the channel, in (arc, height)
 constexpr double kMidWallRadius = 28;
 
@@ -68,6 +67,7 @@ class Biventricle {
         blood_pools_(params.blood_pools),
         scar_(params.scar),
         scar_depth_(params.scar_depth),
+        border_width_(params.border_mm),
         isthmus_width_(params.isthmus_mm),
         seed_(params.seed) {}
 
@@ -124,7 +124,7 @@ class Biventricle {
     const double level = at.cwiseQuotient(Eigen::Vector2d(kScarHalfArc, kScarHalfHeight)).norm();
     const double wobble = 4 * value_noise(p / 14, seed_ + 20) - 2;
     const double patch = (level - 1) * kScarHalfHeight + wobble;
-    if (patch >= kBorderWidth) return 1;
+    if (patch >= border_width_) return 1;
     double core = patch;
     if (isthmus_width_ > 0) {
       // As wide as asked at mid-wall; the endocardial end is a quarter narrower.
@@ -140,7 +140,7 @@ class Biventricle {
 
   double scale_, roughness_;
   bool blood_pools_, scar_;
-  double scar_depth_, isthmus_width_;
+  double scar_depth_, border_width_, isthmus_width_;
   std::uint32_t seed_;
 };
 

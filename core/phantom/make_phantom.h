@@ -30,6 +30,7 @@ struct PhantomParams {
   bool blood_pools = true;      ///< biventricle: label cavities 3 and 4
   bool scar = false;            ///< biventricle: scar core 5 with an isthmus, border zone 6
   double scar_depth = 0.7;      ///< biventricle: share of the wall that the core fills, from inside; 1: all
+  double border_mm = 3;         ///< biventricle: width of the border zone around the core at scale 1; 0: none
   double isthmus_mm = 8;        ///< biventricle: width of the isthmus at scale 1; 0: closed
   std::uint32_t seed = 1;       ///< biventricle: roughness
 };

@@ -37,6 +37,9 @@ void visit_fields(V& v, PhantomParams& p) {
   v.field(
       {"scar_depth", "", 0.05, 1, "Biventricle: share of the wall that the scar core fills, from inside."},
       p.scar_depth);
+  v.field({"border_mm", "mm", 0, 10,
+           "Biventricle: width of the border zone around the core at scale 1; 0: none."},
+          p.border_mm);
   v.field({"isthmus_mm", "mm", 0, 40, "Biventricle: width of the isthmus at scale 1; 0 closes it."},
           p.isthmus_mm);
   v.field({"seed", "", 0, 4294967295.0, "Biventricle: seed of the roughness."}, p.seed);

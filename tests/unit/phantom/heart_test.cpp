@@ -241,6 +241,26 @@ TEST(Biventricle, IsthmusIsAsWideAsAsked) {
   }
 }
 
+TEST(Biventricle, WithoutBorderZoneOnlyTheIsthmusIsLeftOfIt) {
+  PhantomParams params;
+  params.scar = true;
+  params.scar_depth = 1;
+  const auto wide = phantom_body(params);
+  params.border_mm = 0;
+  const auto narrow = phantom_body(params);
+  const LabelVolume bare = heart(params);
+  bare.visit([&](int i, int j, int k, std::size_t) {
+    const Eigen::Vector3d p = bare.to_mm(i, j, k);
+    EXPECT_EQ(narrow(p) == 5, wide(p) == 5);
+    if (narrow(p) != wide(p)) EXPECT_TRUE(narrow(p) == 1 && wide(p) == 6);
+  });
+  const auto parts = components(bare);
+  EXPECT_EQ(parts.at(5).size(), 2u);
+  EXPECT_EQ(parts.at(6).size(), 1u);
+  params.isthmus_mm = 0;
+  EXPECT_EQ(components(heart(params)).count(6), 0u);
+}
+
 TEST(Biventricle, ScaleMultipliesLengths) {
   PhantomParams params;
   const LabelVolume adult = heart(params);

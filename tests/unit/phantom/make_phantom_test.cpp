@@ -179,6 +179,7 @@ TEST(MakePhantom, NamesTheParameterThatIsOutOfRange) {
   expect_error(PhantomKind::kBiventricle, "roughness_mm", [](P& p) { p.roughness_mm = 3; });
   expect_error(PhantomKind::kBiventricle, "scar_depth", [](P& p) { p.scar_depth = 0; });
   expect_error(PhantomKind::kBiventricle, "scar_depth", [](P& p) { p.scar_depth = 1.1; });
+  expect_error(PhantomKind::kBiventricle, "border_mm", [](P& p) { p.border_mm = -1; });
   expect_error(PhantomKind::kBiventricle, "isthmus_mm", [](P& p) { p.isthmus_mm = -1; });
   expect_error(PhantomKind::kBiventricle, "isthmus_mm", [](P& p) { p.isthmus_mm = INFINITY; });
 }

@@ -30,6 +30,8 @@ export interface RecipeFields {
       scar: boolean;
       /** Biventricle: share of the wall that the scar core fills, from inside. */
       scar_depth: number;
+      /** Biventricle: width of the border zone around the core at scale 1; 0: none; mm. */
+      border_mm: number;
       /** Biventricle: width of the isthmus at scale 1; 0 closes it; mm. */
       isthmus_mm: number;
       /** Biventricle: seed of the roughness. */
@@ -460,6 +462,7 @@ export const optionalDefaults = {
     "blood_pools": true,
     "scar": false,
     "scar_depth": 0.7,
+    "border_mm": 3,
     "isthmus_mm": 8,
     "seed": 1
   },

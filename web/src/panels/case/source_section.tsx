@@ -138,6 +138,7 @@ function PhantomFields({ phantom }: { phantom: PhantomParams }) {
           />
         )}
         {heart && phantom.scar && number('Depth of the scar', 'scar_depth')}
+        {heart && phantom.scar && number('Width of the border zone', 'border_mm', 'mm')}
         {heart && phantom.scar && number('Width of the isthmus', 'isthmus_mm', 'mm')}
         {heart && (
           <CheckField
