@@ -36,9 +36,6 @@ const Eigen::Vector2d kScarDirection(-0.8, 0.6);
 constexpr double kScarHeight = -9;
 constexpr double kScarHalfArc = 24;
 constexpr double kScarHalfHeight = 20;
-constexpr double kScarTransmural = 0.7;
-constexpr double kBorderWidth = 3;
-constexpr double kIsthmusWidth = 8;              // at mid-wall; the endocardial end is a quarter narrower
 const Eigen::Vector2d kIsthmusNormal(0.8, 0.6);  // across the channel, in (arc, height)
 constexpr double kMidWallRadius = 28;
 
@@ -69,6 +66,9 @@ class Biventricle {
         roughness_(params.roughness_mm / params.scale),
         blood_pools_(params.blood_pools),
         scar_(params.scar),
+        scar_depth_(params.scar_depth),
+        border_width_(params.border_mm),
+        isthmus_width_(params.isthmus_mm),
         seed_(params.seed) {}
 
   Label label_at(const Eigen::Vector3d& point) const {
@@ -116,25 +116,31 @@ class Biventricle {
     return smooth_max(inner, -lv_wall, kCavityFillet);
   }
 
-  /// 1 healthy, 5 scar core, 6 border zone. The core fills the inner 70 % of the wall; the border zone
-  /// surrounds it through the whole wall and fills the isthmus, which cuts the core in two.
+  /// 1 healthy, 5 scar core, 6 border zone. The core fills the inner part of the wall, or all of it; the
+  /// border zone surrounds it through the whole wall and fills the isthmus, which cuts the core in two.
   Label lv_tissue(const Eigen::Vector3d& p, const HeartDistances& d) const {
     const Eigen::Vector2d at(arc_from(kScarDirection, p, kMidWallRadius), p.z() - kScarHeight);
     if (std::abs(at.x()) > 2 * kScarHalfArc || std::abs(at.y()) > 2 * kScarHalfHeight) return 1;
     const double level = at.cwiseQuotient(Eigen::Vector2d(kScarHalfArc, kScarHalfHeight)).norm();
     const double wobble = 4 * value_noise(p / 14, seed_ + 20) - 2;
     const double patch = (level - 1) * kScarHalfHeight + wobble;
-    if (patch >= kBorderWidth) return 1;
-    const double channel =
-        kIsthmusWidth / 2 - std::abs(kIsthmusNormal.dot(at) + 0.004 * at.squaredNorm() - 1.5);
-    const double wall = d.lv_cavity - d.lv_wall;
-    const double depth = d.lv_cavity - kScarTransmural * wall;
-    const double core = smooth_max(smooth_max(patch, channel, 3), depth, 3);
+    if (patch >= border_width_) return 1;
+    double core = patch;
+    if (isthmus_width_ > 0) {
+      // As wide as asked at mid-wall; the endocardial end is a quarter narrower.
+      const double middle = kIsthmusNormal.dot(at) + 0.004 * at.squaredNorm() - 1.5;
+      core = smooth_max(core, isthmus_width_ / 2 - std::abs(middle), 3);
+    }
+    if (scar_depth_ < 1) {
+      const double wall = d.lv_cavity - d.lv_wall;
+      core = smooth_max(core, d.lv_cavity - scar_depth_ * wall, 3);
+    }
     return core < 0 ? 5 : 6;
   }
 
   double scale_, roughness_;
   bool blood_pools_, scar_;
+  double scar_depth_, border_width_, isthmus_width_;
   std::uint32_t seed_;
 };
 

@@ -52,6 +52,12 @@ std::optional<Error> find_parameter_error(const PhantomParams& p) {
     if (!positive(p.scale)) return refuse("scale", p.scale, "a finite factor > 0");
     if (!(p.roughness_mm >= 0 && p.roughness_mm <= kMaxRoughnessMm * p.scale))
       return refuse("roughness_mm", p.roughness_mm, "a length from 0 to 1.2 * scale");
+    if (!(p.scar_depth > 0 && p.scar_depth <= 1))
+      return refuse("scar_depth", p.scar_depth, "a share of the wall > 0 and at most 1");
+    if (!(std::isfinite(p.border_mm) && p.border_mm >= 0))
+      return refuse("border_mm", p.border_mm, "a finite width, 0 for none");
+    if (!(std::isfinite(p.isthmus_mm) && p.isthmus_mm >= 0))
+      return refuse("isthmus_mm", p.isthmus_mm, "a finite width, 0 for none");
   }
   return std::nullopt;
 }

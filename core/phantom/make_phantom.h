@@ -29,6 +29,9 @@ struct PhantomParams {
   double roughness_mm = 0.8;    ///< biventricle: amplitude of the seeded surface roughness
   bool blood_pools = true;      ///< biventricle: label cavities 3 and 4
   bool scar = false;            ///< biventricle: scar core 5 with an isthmus, border zone 6
+  double scar_depth = 0.7;      ///< biventricle: share of the wall that the core fills, from inside; 1: all
+  double border_mm = 3;         ///< biventricle: width of the border zone around the core at scale 1; 0: none
+  double isthmus_mm = 8;        ///< biventricle: width of the isthmus at scale 1; 0: closed
   std::uint32_t seed = 1;       ///< biventricle: roughness
 };
 
@@ -38,8 +41,9 @@ struct PhantomParams {
 ///
 /// Labels: 1 (sphere, shell, torus, slab, tube); nested boxes 1 (outer), 2, 3; biventricle: 1 LV myocardium,
 /// 2 RV myocardium, 3 LV blood pool, 4 RV blood pool, 5 scar core, 6 border zone. Each label of the heart is
-/// one 6-connected component, except the scar core, which the isthmus cuts in two: voxels that sampling cuts
-/// off from their label go to a neighbouring label.
+/// one 6-connected component, except the scar core, which an open isthmus cuts in two: voxels that sampling
+/// cuts off from their label go to a neighbouring label. With scar_depth 1 the isthmus is the only way
+/// through the scar that is not core.
 ///
 /// Errors: kUsage naming the parameter that is out of range, a volume that would exceed 512^3 voxels, or a
 /// spacing so coarse that no voxel centre lies inside.

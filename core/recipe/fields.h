@@ -34,6 +34,14 @@ void visit_fields(V& v, PhantomParams& p) {
           p.roughness_mm);
   v.field({"blood_pools", "", 0, 0, "Biventricle: label the cavities as 3 and 4."}, p.blood_pools);
   v.field({"scar", "", 0, 0, "Biventricle: scar core 5, crossed by an isthmus, with border zone 6."}, p.scar);
+  v.field(
+      {"scar_depth", "", 0.05, 1, "Biventricle: share of the wall that the scar core fills, from inside."},
+      p.scar_depth);
+  v.field({"border_mm", "mm", 0, 10,
+           "Biventricle: width of the border zone around the core at scale 1; 0: none."},
+          p.border_mm);
+  v.field({"isthmus_mm", "mm", 0, 40, "Biventricle: width of the isthmus at scale 1; 0 closes it."},
+          p.isthmus_mm);
   v.field({"seed", "", 0, 4294967295.0, "Biventricle: seed of the roughness."}, p.seed);
 }
 

@@ -17,6 +17,7 @@ struct Part {
 constexpr Part kParts[] = {{"plane_wave", voxtet::verify::print_plane_wave},
                            {"slab", voxtet::verify::print_slab},
                            {"eikonal", voxtet::verify::print_eikonal},
+                           {"isthmus", voxtet::verify::print_isthmus},
                            {"speed", voxtet::verify::print_speed},
                            {"checks", [](bool) { voxtet::verify::print_checks(); }}};
 
@@ -34,13 +35,14 @@ int main(int argc, char** argv) {
                            [&](const Part& part) { return argument == part.name; })) {
       wanted.push_back(argument);
     } else {
-      std::fprintf(stderr,
-                   "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, speed or checks\n",
-                   argument.c_str());
+      std::fprintf(
+          stderr,
+          "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, isthmus, speed or checks\n",
+          argument.c_str());
       return 2;
     }
   }
-  if (wanted.empty()) wanted = {"plane_wave", "slab", "eikonal", "speed"};
+  if (wanted.empty()) wanted = {"plane_wave", "slab", "eikonal", "isthmus", "speed"};
   for (const Part& part : kParts)
     if (std::find(wanted.begin(), wanted.end(), part.name) != wanted.end()) {
       part.print(all);

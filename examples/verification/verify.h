@@ -19,16 +19,12 @@ namespace voxtet::verify {
 void print_plane_wave(bool all);
 void print_slab(bool all);
 void print_eikonal(bool all);
+void print_isthmus(bool all);
 void print_speed(bool all);
 
 /// Short checks, a line of JSON each: {check, case, measured, unit, expected, source, agrees}.
 void print_checks();
 
-/// mm/ms along x of a wave in a bar of tissue of 0.5 mm/ms, of the line of least squares through the times of
-/// all points of the bar's middle.
-double speed_along(const std::shared_ptr<const TetMesh>& bar, const MonodomainParams& params);
-/// Mean edge of box_of_tets over its squares' width.
-inline constexpr double kEdgePerSquare = 1.2;
 /// Of the times by the eikonal equation and by the monodomain model in the generated heart, with these
 /// speeds.
 double heart_correlation(double along, double across);
@@ -58,6 +54,15 @@ struct Way {
 };
 /// With an end that no activation here comes near to.
 MonodomainParams params_of(const Way& way, double step_ms);
+
+/// A bar along x for plane waves, with edges of some `edge_mm`: 8 squares wide, 60 mm long, 30 mm if they are
+/// shorter than 1 mm.
+std::shared_ptr<const TetMesh> bar_of_tets(double edge_mm);
+/// mm/ms, of a wave from one end in tissue of 0.5 mm/ms: of the line of least squares through the times of
+/// all points of the bar's middle.
+double speed_along(const std::shared_ptr<const TetMesh>& bar, const MonodomainParams& params);
+/// The same in the limit of short edges: along one row of bricks.
+double fine_speed(const MonodomainParams& params);
 
 /// One step of the model, however many parts it has.
 void step(Monodomain& heart);

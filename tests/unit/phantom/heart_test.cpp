@@ -159,6 +159,108 @@ TEST(Biventricle, ScarTakesFromTheLeftVentricleOnlyAndBorderSurroundsTheCore) {
   }
 }
 
+/// Of the rays from the left ventricle's axis into the middle of the scar, each cut at 0.25 mm: the labels of
+/// the wall on every ray.
+std::vector<std::vector<Label>> walls_of_scar(const PhantomParams& params) {
+  const auto body = phantom_body(params);
+  const Eigen::Vector3d axis(-12, -2, 14);  // the ventricle's axis is off the middle of the heart
+  std::vector<std::vector<Label>> rays;
+  for (int degrees = -24; degrees <= 24; degrees += 3)
+    for (double z = -17; z <= -1; z += 1) {
+      const double angle = std::atan2(0.6, -0.8) + degrees * 3.14159265358979 / 180;
+      std::vector<Label>& wall = rays.emplace_back();
+      for (double r = 18; r < 36; r += 0.25) {
+        const Label label = body(axis + Eigen::Vector3d(r * std::cos(angle), r * std::sin(angle), z));
+        if (label != 3 && label != kBackground) wall.push_back(label);
+      }
+    }
+  return rays;
+}
+
+TEST(Biventricle, TransmuralScarReachesFromEndocardiumToEpicardium) {
+  PhantomParams params;
+  params.scar = true;
+  params.isthmus_mm = 0;
+  for (const double depth : {0.7, 1.0}) {
+    params.scar_depth = depth;
+    for (const auto& wall : walls_of_scar(params)) {
+      ASSERT_GT(wall.size(), 20u);
+      const auto core = std::count(wall.begin(), wall.end(), 5);
+      if (depth == 1)
+        EXPECT_EQ(core, wall.size());
+      else
+        EXPECT_NEAR(static_cast<double>(core) / wall.size(), 0.7, 0.06);
+    }
+  }
+}
+
+TEST(Biventricle, IsthmusIsTheOnlyWayThroughTransmuralScar) {
+  PhantomParams params;
+  params.scar = true;
+  params.scar_depth = 1;
+  const LabelVolume open = heart(params);
+  EXPECT_EQ(components(open).at(5).size(), 2u);
+  // The channel's sides go straight through the wall, so that nothing leads over or under the core.
+  std::size_t core = 0, channel = 0;
+  const auto walls = walls_of_scar(params);
+  for (const auto& wall : walls) {
+    core += std::count(wall.begin(), wall.end(), 5) == wall.size();
+    channel += std::count(wall.begin(), wall.end(), 6) == wall.size();
+  }
+  EXPECT_EQ(core + channel, walls.size());
+  EXPECT_GT(core, 100u);
+  EXPECT_GT(channel, 80u);
+  params.isthmus_mm = 0;
+  const LabelVolume closed = heart(params);
+  EXPECT_EQ(components(closed).at(5).size(), 1u);
+  // Closing turns border zone into core and nothing else.
+  ASSERT_EQ(open.size, closed.size);
+  for (std::size_t v = 0; v < open.labels.size(); ++v)
+    if (open.labels[v] != closed.labels[v]) {
+      EXPECT_EQ(open.labels[v], 6);
+      EXPECT_EQ(closed.labels[v], 5);
+    }
+}
+
+TEST(Biventricle, IsthmusIsAsWideAsAsked) {
+  for (const double width : {3.0, 6.0, 12.0}) {
+    PhantomParams params;
+    params.scar = true;
+    params.scar_depth = 1;
+    params.isthmus_mm = width;
+    params.roughness_mm = 0;
+    params.spacing_mm.setConstant(0.75);
+    LabelVolume volume = heart(params);
+    const auto parts = components(volume);
+    ASSERT_EQ(parts.at(5).size(), 2u);
+    for (const std::size_t v : parts.at(5)[1]) volume.labels[v] = 7;
+    // A millimetre of arc is 24 / 28 of one at the endocardium, and the channel bends.
+    const float least = least_distance_mm(volume, 5, [](Label l, double) { return l == 7; });
+    EXPECT_LE(least, width * 24 / 28 + 0.75) << width;
+    EXPECT_GE(least, width * 3 / 4 - 0.75) << width;
+  }
+}
+
+TEST(Biventricle, WithoutBorderZoneOnlyTheIsthmusIsLeftOfIt) {
+  PhantomParams params;
+  params.scar = true;
+  params.scar_depth = 1;
+  const auto wide = phantom_body(params);
+  params.border_mm = 0;
+  const auto narrow = phantom_body(params);
+  const LabelVolume bare = heart(params);
+  bare.visit([&](int i, int j, int k, std::size_t) {
+    const Eigen::Vector3d p = bare.to_mm(i, j, k);
+    EXPECT_EQ(narrow(p) == 5, wide(p) == 5);
+    if (narrow(p) != wide(p)) EXPECT_TRUE(narrow(p) == 1 && wide(p) == 6);
+  });
+  const auto parts = components(bare);
+  EXPECT_EQ(parts.at(5).size(), 2u);
+  EXPECT_EQ(parts.at(6).size(), 1u);
+  params.isthmus_mm = 0;
+  EXPECT_EQ(components(heart(params)).count(6), 0u);
+}
+
 TEST(Biventricle, ScaleMultipliesLengths) {
   PhantomParams params;
   const LabelVolume adult = heart(params);

@@ -177,6 +177,11 @@ TEST(MakePhantom, NamesTheParameterThatIsOutOfRange) {
   expect_error(PhantomKind::kBiventricle, "scale", [](P& p) { p.scale = 0; });
   expect_error(PhantomKind::kBiventricle, "roughness_mm", [](P& p) { p.roughness_mm = -0.1; });
   expect_error(PhantomKind::kBiventricle, "roughness_mm", [](P& p) { p.roughness_mm = 3; });
+  expect_error(PhantomKind::kBiventricle, "scar_depth", [](P& p) { p.scar_depth = 0; });
+  expect_error(PhantomKind::kBiventricle, "scar_depth", [](P& p) { p.scar_depth = 1.1; });
+  expect_error(PhantomKind::kBiventricle, "border_mm", [](P& p) { p.border_mm = -1; });
+  expect_error(PhantomKind::kBiventricle, "isthmus_mm", [](P& p) { p.isthmus_mm = -1; });
+  expect_error(PhantomKind::kBiventricle, "isthmus_mm", [](P& p) { p.isthmus_mm = INFINITY; });
 }
 
 TEST(MakePhantom, RefusesMoreThan512CubedVoxelsAndSpacingsThatMissTheBody) {
@@ -209,11 +214,16 @@ TEST(MakePhantom, GivesTheSameBytesOnEveryPlatform) {
   heart.mirrored = true;
   heart.seed = 9;
   add("oblique heart with scar", heart);
+  heart.scar_depth = 1;
+  heart.isthmus_mm = 5;
+  add("oblique heart with transmural scar", heart);
   add("oblique torus", oblique(PhantomKind::kTorus, 1.3));
   add("oblique tube", oblique(PhantomKind::kBranchingTube, 1.3));
   EXPECT_EQ(digests["heart"], "e0eb08284fe089d6abddc3b8f8bc6d18a42f703b09fe9f1f2c9ae23561faa679");
   EXPECT_EQ(digests["oblique heart with scar"],
             "97e1254e189f8c4974c995b852da73edfebd46ce0cfa4d69465ffff19f014107");
+  EXPECT_EQ(digests["oblique heart with transmural scar"],
+            "92753774b96c91678793f9697db17ef7f6ebd19c5c6a19259a529d2f802babca");
   EXPECT_EQ(digests["oblique torus"], "ee3073071c7b25e32bc6e9d79e612a589bb05ee40e9b8a9072f99cce091358aa");
   EXPECT_EQ(digests["oblique tube"], "5c4e5553e6175275e73d2ba4050804e99c334b035469a23b5c06112c193c622f");
 }

@@ -28,6 +28,12 @@ export interface RecipeFields {
       blood_pools: boolean;
       /** Biventricle: scar core 5, crossed by an isthmus, with border zone 6. */
       scar: boolean;
+      /** Biventricle: share of the wall that the scar core fills, from inside. */
+      scar_depth: number;
+      /** Biventricle: width of the border zone around the core at scale 1; 0: none; mm. */
+      border_mm: number;
+      /** Biventricle: width of the isthmus at scale 1; 0 closes it; mm. */
+      isthmus_mm: number;
       /** Biventricle: seed of the roughness. */
       seed: number;
     };
@@ -455,6 +461,9 @@ export const optionalDefaults = {
     "roughness_mm": 0.8,
     "blood_pools": true,
     "scar": false,
+    "scar_depth": 0.7,
+    "border_mm": 3,
+    "isthmus_mm": 8,
     "seed": 1
   },
   "source.file": {

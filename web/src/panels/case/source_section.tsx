@@ -137,6 +137,9 @@ function PhantomFields({ phantom }: { phantom: PhantomParams }) {
             onChange={(scar) => edit('Scar', { scar })}
           />
         )}
+        {heart && phantom.scar && number('Depth of the scar', 'scar_depth')}
+        {heart && phantom.scar && number('Width of the border zone', 'border_mm', 'mm')}
+        {heart && phantom.scar && number('Width of the isthmus', 'isthmus_mm', 'mm')}
         {heart && (
           <CheckField
             label="Blood pools"
