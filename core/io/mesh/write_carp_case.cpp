@@ -37,17 +37,17 @@ class ParFile {
   ByteWriter out_{4096};
 };
 
-std::string number(double value) {
+std::string par_number(double value) {
   char text[kRealChars];
   return {text, format_real(text, value)};
 }
 
-std::string entry(const char* list, std::size_t index, const char* field) {
+std::string par_entry(const char* list, std::size_t index, const char* field) {
   return std::string(list) + "[" + std::to_string(index) + "]." + field;
 }
 
 /// Characters that could end a quoted text are left out.
-std::string plain(const std::string& name) {
+std::string without_quotes(const std::string& name) {
   std::string out;
   for (const char c : name)
     if (c >= ' ' && c != '"' && c != '#') out += c;
@@ -59,20 +59,20 @@ std::string vtx_suffix(std::size_t electrode) {
 }
 
 void write_regions(ParFile& par, const char* list, std::size_t index, const std::vector<Label>& regions) {
-  par.set(entry(list, index, "num_IDs"), static_cast<std::int64_t>(regions.size()));
+  par.set(par_entry(list, index, "num_IDs"), static_cast<std::int64_t>(regions.size()));
   for (std::size_t i = 0; i < regions.size(); ++i)
-    par.set(entry(list, index, "ID[") + std::to_string(i) + "]", regions[i]);
+    par.set(par_entry(list, index, "ID[") + std::to_string(i) + "]", regions[i]);
 }
 
 /// a_crit is the root of the inward current that the modified model has at its gate; 0: the original model.
 std::string cell_text(const CellParams& cell, const CarpCase& simulation) {
-  return "V_gate=" + number(cell.gate) + ",a_crit=" + number(cell.modified ? cell.gate : 0) +
-         ",tau_in=" + number(cell.tau_in_ms) + ",tau_out=" + number(cell.tau_out_ms) +
-         ",tau_open=" + number(cell.tau_open_ms) + ",tau_close=" + number(cell.tau_close_ms) +
-         ",V_min=" + number(simulation.rest_mv) + ",V_max=" + number(simulation.peak_mv);
+  return "V_gate=" + par_number(cell.gate) + ",a_crit=" + par_number(cell.modified ? cell.gate : 0) +
+         ",tau_in=" + par_number(cell.tau_in_ms) + ",tau_out=" + par_number(cell.tau_out_ms) +
+         ",tau_open=" + par_number(cell.tau_open_ms) + ",tau_close=" + par_number(cell.tau_close_ms) +
+         ",V_min=" + par_number(simulation.rest_mv) + ",V_max=" + par_number(simulation.peak_mv);
 }
 
-void write_head(ParFile& par, const CarpCase& simulation, const std::string& name) {
+void write_par_head(ParFile& par, const CarpCase& simulation, const std::string& name) {
   par.comment("openCARP: openCARP +F " + name + ".par, in the folder of this file.");
   par.comment("Names of parameters as in https://opencarp.org/parameters; of im_param as in");
   par.comment("bench --imp=MitchellSchaeffer --imp-info.");
@@ -113,15 +113,15 @@ void write_tissues(ParFile& par, const CarpCase& simulation, const std::string& 
   par.heading(
       "Conductivities in S/m. Without the equivalent of a bidomain (bidm_eqv_mono) they are those of the");
   par.comment("monodomain model: D = g / (cellSurfVolRatio Cm), with Cm = 1 uF/cm^2; 1 mm^2/ms is " +
-              number(kSiemensPerM) + " S/m.");
+              par_number(kSiemensPerM) + " S/m.");
   par.set("bidm_eqv_mono", 0);
   par.set("num_gregions", static_cast<std::int64_t>(simulation.tissues.size()));
   for (std::size_t i = 0; i < simulation.tissues.size(); ++i) {
     const CarpCase::Tissue& tissue = simulation.tissues[i];
     write_regions(par, "gregion", i, tissue.regions);
-    par.set_real(entry("gregion", i, "g_il"), tissue.along_s_per_m);
-    par.set_real(entry("gregion", i, "g_it"), tissue.across_s_per_m);
-    par.set_real(entry("gregion", i, "g_in"), tissue.across_s_per_m);
+    par.set_real(par_entry("gregion", i, "g_il"), tissue.along_s_per_m);
+    par.set_real(par_entry("gregion", i, "g_it"), tissue.across_s_per_m);
+    par.set_real(par_entry("gregion", i, "g_in"), tissue.across_s_per_m);
   }
   if (!simulation.conductivity_factors.empty()) {
     par.comment("Factors of these, one for each element.");
@@ -132,9 +132,9 @@ void write_tissues(ParFile& par, const CarpCase& simulation, const std::string& 
   par.set("num_imp_regions", static_cast<std::int64_t>(simulation.tissues.size()));
   for (std::size_t i = 0; i < simulation.tissues.size(); ++i) {
     const CarpCase::Tissue& tissue = simulation.tissues[i];
-    par.set_text(entry("imp_region", i, "im"), "MitchellSchaeffer");
-    par.set_text(entry("imp_region", i, "im_param"), cell_text(tissue.cell, simulation));
-    par.set_real(entry("imp_region", i, "cellSurfVolRatio"), kSurfacePerUm);
+    par.set_text(par_entry("imp_region", i, "im"), "MitchellSchaeffer");
+    par.set_text(par_entry("imp_region", i, "im_param"), cell_text(tissue.cell, simulation));
+    par.set_real(par_entry("imp_region", i, "cellSurfVolRatio"), kSurfacePerUm);
     write_regions(par, "imp_region", i, tissue.regions);
   }
 }
@@ -144,14 +144,14 @@ void write_currents(ParFile& par, const CarpCase& simulation, const std::string&
   par.set("num_stim", static_cast<std::int64_t>(simulation.currents.size()));
   for (std::size_t i = 0; i < simulation.currents.size(); ++i) {
     const CarpCase::Current& current = simulation.currents[i];
-    par.set_text(entry("stim", i, "name"), plain(current.name));
-    par.set(entry("stim", i, "crct.type"), 0);
-    par.set_text(entry("stim", i, "elec.vtx_file"), name + vtx_suffix(current.electrode));
-    par.set_real(entry("stim", i, "pulse.strength"), current.strength_ua_per_cm2);
-    par.set_real(entry("stim", i, "ptcl.start"), current.start_ms);
-    par.set_real(entry("stim", i, "ptcl.duration"), current.duration_ms);
-    par.set(entry("stim", i, "ptcl.npls"), current.count);
-    if (current.count > 1) par.set_real(entry("stim", i, "ptcl.bcl"), current.interval_ms);
+    par.set_text(par_entry("stim", i, "name"), without_quotes(current.name));
+    par.set(par_entry("stim", i, "crct.type"), 0);
+    par.set_text(par_entry("stim", i, "elec.vtx_file"), name + vtx_suffix(current.electrode));
+    par.set_real(par_entry("stim", i, "pulse.strength"), current.strength_ua_per_cm2);
+    par.set_real(par_entry("stim", i, "ptcl.start"), current.start_ms);
+    par.set_real(par_entry("stim", i, "ptcl.duration"), current.duration_ms);
+    par.set(par_entry("stim", i, "ptcl.npls"), current.count);
+    if (current.count > 1) par.set_real(par_entry("stim", i, "ptcl.bcl"), current.interval_ms);
   }
   par.heading("The first time at which each point's voltage (mV) rises through the threshold.");
   par.set("num_LATs", 1);
@@ -188,7 +188,7 @@ Bytes write_column(std::string_view head, const std::vector<float>& values) {
 
 std::vector<OutputFile> write_carp_case(const CarpCase& simulation, const std::string& name) {
   ParFile par;
-  write_head(par, simulation, name);
+  write_par_head(par, simulation, name);
   write_numerics(par, simulation, name);
   write_tissues(par, simulation, name);
   write_currents(par, simulation, name);

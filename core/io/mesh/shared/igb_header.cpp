@@ -13,22 +13,22 @@
 namespace voxtet {
 namespace {
 
-using Type = IgbHeader::Type;
+using IgbValue = IgbHeader::Type;
 
 constexpr const char* kIgbReader = "read_igb";
 
-struct TypeName {
+struct IgbType {
   std::string_view name;
-  Type type;
+  IgbValue type;
   std::size_t bytes;
 };
-constexpr std::array<TypeName, 7> kTypes{{{"byte", Type::kByte, 1},
-                                          {"char", Type::kChar, 1},
-                                          {"short", Type::kShort, 2},
-                                          {"int", Type::kInt, 4},
-                                          {"uint", Type::kUint, 4},
-                                          {"float", Type::kFloat, 4},
-                                          {"double", Type::kDouble, 8}}};
+constexpr std::array<IgbType, 7> kIgbTypes{{{"byte", IgbValue::kByte, 1},
+                                            {"char", IgbValue::kChar, 1},
+                                            {"short", IgbValue::kShort, 2},
+                                            {"int", IgbValue::kInt, 4},
+                                            {"uint", IgbValue::kUint, 4},
+                                            {"float", IgbValue::kFloat, 4},
+                                            {"double", IgbValue::kDouble, 8}}};
 
 Error igb_error(const std::string& message) {
   return bad_input(kIgbReader, message);
@@ -100,25 +100,25 @@ double ms_of_unit(HeaderWords& words) {
 }
 
 template <class T>
-double value_at(const std::uint8_t* at, bool big_endian) {
+double igb_value(const std::uint8_t* at, bool big_endian) {
   return static_cast<double>(load_value<T>(at, big_endian));
 }
 
-double raw_value(const std::uint8_t* at, Type type, bool big_endian) {
+double raw_igb_value(const std::uint8_t* at, IgbValue type, bool big_endian) {
   switch (type) {
-    case Type::kByte: return *at;
-    case Type::kChar: return value_at<std::int8_t>(at, big_endian);
-    case Type::kShort: return value_at<std::int16_t>(at, big_endian);
-    case Type::kInt: return value_at<std::int32_t>(at, big_endian);
-    case Type::kUint: return value_at<std::uint32_t>(at, big_endian);
-    case Type::kFloat: return value_at<float>(at, big_endian);
-    case Type::kDouble: break;
+    case IgbValue::kByte: return *at;
+    case IgbValue::kChar: return igb_value<std::int8_t>(at, big_endian);
+    case IgbValue::kShort: return igb_value<std::int16_t>(at, big_endian);
+    case IgbValue::kInt: return igb_value<std::int32_t>(at, big_endian);
+    case IgbValue::kUint: return igb_value<std::uint32_t>(at, big_endian);
+    case IgbValue::kFloat: return igb_value<float>(at, big_endian);
+    case IgbValue::kDouble: break;
   }
-  return value_at<double>(at, big_endian);
+  return igb_value<double>(at, big_endian);
 }
 
 /// Whether the file has the frames that its header promises.
-std::optional<Error> check_size(const IgbHeader& header, std::size_t file_bytes, std::string_view size) {
+std::optional<Error> check_igb_size(const IgbHeader& header, std::size_t file_bytes, std::string_view size) {
   const std::uint64_t found = file_bytes - IgbHeader::kBytes;
   // Both counts may be any number of a damaged header: no product that might not fit.
   const std::uint64_t frame = header.values * header.value_bytes();
@@ -134,7 +134,8 @@ std::optional<Error> check_size(const IgbHeader& header, std::size_t file_bytes,
 }  // namespace
 
 std::size_t IgbHeader::value_bytes() const {
-  return std::find_if(kTypes.begin(), kTypes.end(), [&](const TypeName& t) { return t.type == type; })->bytes;
+  return std::find_if(kIgbTypes.begin(), kIgbTypes.end(), [&](const IgbType& t) { return t.type == type; })
+      ->bytes;
 }
 
 Result<IgbHeader> read_igb_header(std::span<const std::uint8_t> file) {
@@ -149,9 +150,9 @@ Result<IgbHeader> read_igb_header(std::span<const std::uint8_t> file) {
   const std::uint64_t x = words.count("x", true), y = words.count("y", true), z = words.count("z", false);
   header.frames = words.count("t", false);
   const std::string* type = words.find("type");
-  const auto known = std::find_if(kTypes.begin(), kTypes.end(),
-                                  [&](const TypeName& candidate) { return type && candidate.name == *type; });
-  if (known == kTypes.end())
+  const auto known = std::find_if(kIgbTypes.begin(), kIgbTypes.end(),
+                                  [&](const IgbType& candidate) { return type && candidate.name == *type; });
+  if (known == kIgbTypes.end())
     words.fail("type", type, "byte, char, short, int, uint, float or double");
   else
     header.type = known->type;
@@ -182,7 +183,7 @@ Result<IgbHeader> read_igb_header(std::span<const std::uint8_t> file) {
   else
     header.values = x * y * z;
   const std::string size = std::to_string(x) + " x " + std::to_string(y) + " x " + std::to_string(z);
-  if (auto error = check_size(header, file.size(), size)) return *std::move(error);
+  if (auto error = check_igb_size(header, file.size(), size)) return *std::move(error);
   return header;
 }
 
@@ -193,7 +194,7 @@ Result<std::vector<float>> read_igb_frame(std::span<const std::uint8_t> file, co
   std::vector<float> values;
   values.reserve(header.values);
   for (std::uint64_t i = 0; i < header.values; ++i, at += size) {
-    const double value = raw_value(at, header.type, header.big_endian) * header.facteur + header.zero;
+    const double value = raw_igb_value(at, header.type, header.big_endian) * header.facteur + header.zero;
     values.push_back(static_cast<float>(value));
     if (!std::isfinite(values.back()))
       return igb_error("frame " + std::to_string(frame) + ", value " + std::to_string(i) + ": found " +
