@@ -64,7 +64,7 @@ void write_regions(ParFile& par, const char* list, std::size_t index, const std:
     par.set(par_entry(list, index, "ID[") + std::to_string(i) + "]", regions[i]);
 }
 
-/// a_crit is the root of the inward current that the modified model has at its gate; 0: the original model.
+/// Names as in public cases of the model for openCARP; the modified one's inward current turns at its gate.
 std::string cell_text(const CellParams& cell, const CarpCase& simulation) {
   return "V_gate=" + par_number(cell.gate) + ",a_crit=" + par_number(cell.modified ? cell.gate : 0) +
          ",tau_in=" + par_number(cell.tau_in_ms) + ",tau_out=" + par_number(cell.tau_out_ms) +
@@ -111,9 +111,8 @@ void write_tissues(ParFile& par, const CarpCase& simulation, const std::string& 
   write_regions(par, "phys_region", 0, conducting);
 
   par.heading(
-      "Conductivities in S/m. Without the equivalent of a bidomain (bidm_eqv_mono) they are those of the");
-  par.comment("monodomain model: D = g / (cellSurfVolRatio Cm), with Cm = 1 uF/cm^2; 1 mm^2/ms is " +
-              par_number(kSiemensPerM) + " S/m.");
+      "Conductivities in S/m. Without the equivalent of a bidomain (bidm_eqv_mono) they are those of");
+  par.comment("the monodomain model: D = g / (cellSurfVolRatio Cm), Cm = 1 uF/cm^2; 1 mm^2/ms is 1.4 S/m.");
   par.set("bidm_eqv_mono", 0);
   par.set("num_gregions", static_cast<std::int64_t>(simulation.tissues.size()));
   for (std::size_t i = 0; i < simulation.tissues.size(); ++i) {
@@ -128,7 +127,10 @@ void write_tissues(ParFile& par, const CarpCase& simulation, const std::string& 
     par.set_text("gi_scale_vec", name + ".gi_scale.dat");
   }
 
-  par.heading("Cells.");
+  par.heading("Cells; v is 0 at V_min, 1 at V_max. With a_crit = 0 those of Mitchell and Schaeffer (2003):");
+  par.comment("  dv/dt = w v^2 (1 - v) / tau_in - v / tau_out");
+  par.comment("With a_crit > 0 those of Corrado and Niederer (2016):");
+  par.comment("  dv/dt = w v (v - a_crit) (1 - v) / tau_in - (1 - w) v / tau_out");
   par.set("num_imp_regions", static_cast<std::int64_t>(simulation.tissues.size()));
   for (std::size_t i = 0; i < simulation.tissues.size(); ++i) {
     const CarpCase::Tissue& tissue = simulation.tissues[i];

@@ -29,8 +29,10 @@ Session boxes(const std::string& more) {
   return session;
 }
 
-Session boxes_with_a_core() {
-  return boxes(R"("physics": {"tissue": {"kinds": [{"labels": [1, 2]}]}, )");
+/// Made once for all tests.
+const Session& boxes_with_a_core() {
+  static const Session session = boxes(R"("physics": {"tissue": {"kinds": [{"labels": [1, 2]}]}, )");
+  return session;
 }
 
 std::string dat(const std::vector<float>& values) {
@@ -57,7 +59,7 @@ std::vector<bool> conducting(const Session& session) {
 }
 
 TEST(ValuesOnMesh, AreThoseOfAllPoints) {
-  const Session session = boxes_with_a_core();
+  const Session& session = boxes_with_a_core();
   std::vector<float> values(session.mesh()->points.size());
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i);
   const Result<Field> field = values_on_mesh(session, values_of(values), 0);
@@ -66,7 +68,7 @@ TEST(ValuesOnMesh, AreThoseOfAllPoints) {
 }
 
 TEST(ValuesOnMesh, AreSpreadFromThePointsThatConduct) {
-  const Session session = boxes_with_a_core();
+  const Session& session = boxes_with_a_core();
   const std::vector<bool> conducts = conducting(session);
   std::vector<float> values;
   for (std::size_t i = 0; i < conducts.size(); ++i)
@@ -92,7 +94,7 @@ TEST(ValuesOnMesh, AreSpreadFromThePointsThatConduct) {
 }
 
 TEST(CarpCase, LeavesOutWhatDoesNotConduct) {
-  const Session session = boxes_with_a_core();
+  const Session& session = boxes_with_a_core();
   ASSERT_TRUE(has_wave(session));
   const auto files = carp_case_files(session, PatientSpace::kRas, "boxes");
   ASSERT_TRUE(files.ok()) << files.error().message;
