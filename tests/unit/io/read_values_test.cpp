@@ -252,5 +252,41 @@ TEST(PointValuesOfIgb, ComeBackAsTheyWereWrittenOnEveryPlatform) {
   EXPECT_EQ(text_of(file).substr(IgbHeader::kBytes), raw<float>({-80, 20, -80, 1, 2, 3}));
 }
 
+TEST(PointValues, SurviveDamagedFiles) {
+  const std::string whole[] = {
+      igb("x:3 y:2 z:1 t:4 type:float systeme:little_endian\r\nfacteur:1 zero:0 inc_t:5\r\n",
+          raw<float>(std::vector<float>(24, 1.5F))),
+      "1.5\n-1\n2e3\n4\n5\n"};
+  std::uint64_t state = 7;
+  const auto random = [&](std::size_t below) {
+    state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+    return static_cast<std::size_t>((state >> 33) % below);
+  };
+  const std::string spice = "0123456789-+.e:;# \n\f\xff\x80";
+  for (const std::string& good : whole) {
+    const std::string name = good[0] == 'x' ? "a.igb" : "a.dat";
+    int refused = 0;
+    for (int round = 0; round < 3000; ++round) {
+      std::string damaged = good;
+      // Half of the places are among the words.
+      for (std::size_t hits = 1 + random(4); hits > 0; --hits)
+        damaged[random(random(2) == 0 ? damaged.size() : std::min<std::size_t>(damaged.size(), 90))] =
+            spice[random(spice.size())];
+      if (random(4) == 0) damaged.resize(random(damaged.size()));
+      const auto values = open_text(name, damaged);
+      if (!values.ok()) {
+        EXPECT_EQ(values.error().code, ErrorCode::kBadInput);
+        ++refused;
+        continue;
+      }
+      for (std::size_t k = 0; k < values->frames(); ++k) {
+        const auto field = values->frame(k);
+        if (field.ok()) ASSERT_EQ(field->values.size(), values->count());
+      }
+    }
+    EXPECT_GT(refused, 1000) << name;
+  }
+}
+
 }  // namespace
 }  // namespace voxtet::test
