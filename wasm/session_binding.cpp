@@ -138,6 +138,18 @@ class SessionBinding {
 
   void end() { session_.end(); }
 
+  /// A stimulus (JSON as in the recipe's physics.stimuli, start_ms after now) for the simulation under way:
+  /// {stimulus}, with its time in the run, as it now stands in the recipe.
+  std::string stimulate(const std::string& text) {
+    json recipe = recipe_to_json(session_.recipe());
+    recipe["physics"]["stimuli"].push_back(json::parse(text, nullptr, false));
+    const Result<Recipe> parsed = parse_recipe(recipe);
+    if (!parsed) return reply(parsed.error());
+    const Result<Stimulus> given = session_.stimulate(parsed->physics->stimuli.back());
+    if (!given) return reply(given.error());
+    return reply({{"stimulus", recipe_to_json(session_.recipe())["physics"]["stimuli"].back()}});
+  }
+
   /// The arrays of a stage's result.
   std::string describe(const std::string& stage_name) const {
     const Result<Stage> stage = stage_of(stage_name);
@@ -304,6 +316,7 @@ EMSCRIPTEN_BINDINGS(voxtet) {
       .function("begin", &SessionBinding::begin)
       .function("advance", &SessionBinding::advance)
       .function("end", &SessionBinding::end)
+      .function("stimulate", &SessionBinding::stimulate)
       .function("describe", &SessionBinding::describe)
       .function("array", &SessionBinding::array)
       .function("takeSnapshot", &SessionBinding::take_snapshot)

@@ -40,6 +40,7 @@ const maySee = {
   'panels/view': [...aroundPanels, 'panels/controls', 'panels/case', 'scene/scene'],
   'panels/evidence': [...aroundPanels, 'panels/controls'],
   'panels/dialogs': [...aroundPanels, 'panels/controls', 'panels/run', 'panels/case', 'panels/view'],
+  verification: ['styles'],
   styles: [],
 };
 /** Packages, and the only folders that may name them; '.' is main.tsx. */
@@ -51,7 +52,7 @@ const packages = {
   '@itk-wasm/dicom': ['dicom'],
   uplot: ['panels'],
   preact: ['panels', '.'],
-  '@preact/signals': ['store', 'scene', 'panels', '.'],
+  '@preact/signals': ['store', 'scene', 'panels', 'verification', '.'],
 };
 /** Made by generate_contract.mjs, not written. */
 const generated = 'engine/generated.ts';

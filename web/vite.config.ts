@@ -62,6 +62,7 @@ export default defineConfig({
     modulePreload: { polyfill: false },
     // All that the page loads at first, but for the views, is one chunk: several small ones compress worse.
     rolldownOptions: {
+      input: ['index.html', 'verification.html'],
       output: {
         codeSplitting: {
           groups: [

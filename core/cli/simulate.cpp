@@ -35,7 +35,8 @@ Status check_simulate_outputs(const CaseOptions& options, const SimulateOptions&
   return check_outputs({{"-o", wanted.out},
                         {"--report", wanted.report},
                         {"--traces", wanted.traces},
-                        {"--frames", wanted.frames}},
+                        {"--frames", wanted.frames},
+                        {"--save-state", wanted.save_state}},
                        inputs_of(options));
 }
 
@@ -53,23 +54,25 @@ std::string traces_csv(const Trajectory& result) {
 }
 
 /// Frames of the voltage, collected while the model runs: for each multiple of the recipe's `frame_ms` the
-/// first that is not before it. One at an end between two multiples has no place in an .igb.
-/// Points that do not conduct are written at rest, as all of the first frame is.
+/// first that is not before it. One at an end between two multiples has no place in an .igb. Points that do
+/// not conduct are written at rest.
 class VoltageFrames {
  public:
   explicit VoltageFrames(double interval_ms) : interval_ms_(interval_ms) {}
   void add(const Snapshot& frame) {
-    const std::vector<float>& values = frame.fields[0].values;
-    if (!writer_) writer_.emplace(values.size(), frame.fields[0].unit, interval_ms_, first_value(values));
-    while (frame.time_ms > writer_->next_ms() - kRounding) writer_->add(values);
+    const Field& voltage = frame.fields[0];
+    // A run that goes on from a state begins at any time.
+    if (!writer_)
+      writer_.emplace(voltage.values.size(), voltage.unit,
+                      std::max(0.0, interval_ms_ * std::ceil(frame.time_ms / interval_ms_ - kRounding)),
+                      interval_ms_, kRestingVoltageMv);
+    while (frame.time_ms > writer_->next_ms() - kRounding) writer_->add(voltage.values);
   }
+  bool empty() const { return !writer_ || writer_->frames() == 0; }
   Bytes take() { return writer_->take(); }
 
  private:
-  static constexpr double kRounding = 1e-6;  ///< of a time, ms
-  static float first_value(const std::vector<float>& values) {
-    return *std::find_if(values.begin(), values.end(), [](float value) { return !std::isnan(value); });
-  }
+  static constexpr double kRounding = 1e-6;
   double interval_ms_;
   std::optional<IgbWriter> writer_;
 };
@@ -113,6 +116,14 @@ void add_simulate_command(CLI::App& command, CaseOptions& options, SimulateOptio
       ->check(kNotEmpty);
   command.add_option("--frames", wanted.frames, "write the voltage of each frame to this file, .igb")
       ->check(kNotEmpty);
+  command
+      .add_option("--save-state", wanted.save_state,
+                  "write the state at the end to this file, for --from-state of a later run")
+      ->check(kNotEmpty);
+  command
+      .add_option("--from-state", wanted.from_state,
+                  "go on from this state: of a case that differs in end_ms or in later stimuli only")
+      ->check(kNotEmpty);
   command.add_option("--what", wanted.what, "monodomain, or eikonal: the activation map alone")
       ->check(CLI::IsMember({kMonodomainStage, kEikonalStage}));
   command.add_option("--space", output.lps_or_ras, "patient space of the mesh file")
@@ -131,6 +142,13 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
         usage_error("cli", "--traces: found no physics.monodomain.electrodes, expected at least one"));
   if (!wanted.frames.empty() && *stage != Stage::kMonodomain)
     return fail(usage_error("cli", "--frames: found no physics.monodomain to run, expected one"));
+  if (*stage != Stage::kMonodomain && !(wanted.save_state + wanted.from_state).empty())
+    return fail(usage_error("cli", "--save-state, --from-state: the activation map alone has no state"));
+  if (!wanted.from_state.empty()) {
+    Result<Bytes> state = read_file(wanted.from_state);
+    if (!state) return fail(state.error());
+    session.resume_from(*std::move(state));
+  }
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
   Status done = session.run(Stage::kQuality, ctx);
   std::optional<VoltageFrames> frames;
@@ -145,11 +163,16 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
     if (Status written = write_text_file(wanted.report, text_of(report)); !written)
       return fail(written.error());
   if (output.as_json) print_json(report);
+  if (!wanted.save_state.empty() && (done || done.error().code == ErrorCode::kCancelled))
+    if (Result<Bytes> state = session.saved_state(); state)
+      if (Status placed = place_files({{wanted.save_state, *state}}); !placed) return fail(placed.error());
   if (!done) return fail_run(done.error(), output);
   if (!wanted.traces.empty())
     if (Status written = write_text_file(wanted.traces, traces_csv(*session.monodomain())); !written)
       return fail(written.error());
-  if (frames)
+  if (frames && frames->empty())
+    print_warning("--frames: found no frame at a multiple of physics.monodomain.frame_ms, wrote no file");
+  else if (frames)
     if (Status written = place_files({{wanted.frames, frames->take()}}); !written)
       return fail(written.error());
   if (!wanted.out.empty())

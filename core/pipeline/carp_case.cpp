@@ -18,6 +18,8 @@
 namespace voxtet {
 namespace {
 
+static_assert(kRestingVoltageMv == kRestMv);
+
 using LabelAndKind = std::pair<Label, std::uint16_t>;
 
 /// A region for each label and kind of tissue that tetrahedra have.

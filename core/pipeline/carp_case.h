@@ -13,6 +13,9 @@
 
 namespace voxtet {
 
+/// The membrane's voltage where nothing is excited.
+inline constexpr float kRestingVoltageMv = -80;
+
 /// Whether a session has simulated a wave: kTissue, and kMonodomain or kEikonal, have results.
 bool has_wave(const Session& session);
 

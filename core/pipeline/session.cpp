@@ -6,6 +6,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "base/digest.h"
 #include "pipeline/admission.h"
@@ -163,8 +164,46 @@ void Session::begin(Stage last) {
 }
 
 void Session::end() {
+  save_state();
+  drop_run();
+}
+
+void Session::drop_run() {
   plan_.clear();
   running_.reset();
+}
+
+void Session::save_state() {
+  if (!running_ || !running_->task) return;
+  Result<Bytes> state = running_->task->checkpoint();
+  if (state && !state->empty()) saved_ = {plan_.back(), *std::move(state), false};
+}
+
+Result<Bytes> Session::saved_state() {
+  save_state();
+  if (!saved_) return usage_error("session", "state: found no simulation, expected one that has begun");
+  return saved_->state;
+}
+
+void Session::resume_from(Bytes state) {
+  saved_ = {Stage::kMonodomain, std::move(state), true};
+}
+
+Status Session::resume(Stage stage, StageTask& task) {
+  if (!saved_ || saved_->stage != stage) return std::monostate{};
+  Status resumed = task.resume(saved_->state);
+  const bool asked = std::exchange(saved_->asked, false);
+  return asked ? resumed : Status(std::monostate{});
+}
+
+Result<Stimulus> Session::stimulate(const Stimulus& stimulus) {
+  if (!running_ || !running_->task)
+    return usage_error("session", "stimulus: found no simulation under way, expected one");
+  Result<Stimulus> given = running_->task->stimulate(stimulus);
+  if (!given) return given.error();
+  recipe_.physics->stimuli.push_back(*given);
+  keys_ = keys_of(recipe_, files_);
+  return given;
 }
 
 Result<RunProgress> Session::advance(double budget_ms, RunContext& ctx) {
@@ -175,7 +214,8 @@ Result<RunProgress> Session::advance(double budget_ms, RunContext& ctx) {
     progress = {false, plan_.back(), 0};
     Result<bool> done = work_guarded(ctx);
     if (!done) {
-      end();
+      if (done.error().code == ErrorCode::kCancelled) save_state();
+      drop_run();
       return done.error();
     }
     progress.fraction = *done ? 1 : running_->task->fraction();
@@ -248,6 +288,7 @@ Result<bool> Session::work(RunContext& ctx) {
     if (!running_->task) {
       Result<std::unique_ptr<StageTask>> task = spec.start(inputs_of(spec), recipe_);
       if (!task) return task.error();
+      if (Status resumed = resume(spec.stage, **task); !resumed) return resumed.error();
       running_->task = std::move(task).value();
     }
     const Result<bool> done = running_->task->step(watched);
@@ -255,6 +296,7 @@ Result<bool> Session::work(RunContext& ctx) {
     if (!done) return done.error();
     ctx.progress(name, running_->task->fraction());
     if (!*done) return false;
+    save_state();
     running_->task->finish(running_->output);
   }
   if (spec.run) record.seconds = seconds_since(start);

@@ -63,6 +63,18 @@ class Session {
   Result<RunProgress> advance(double budget_ms, RunContext& ctx);
   void end();
 
+  /// A stimulus for the simulation under way, `start_ms` after now. It becomes a part of the recipe, with its
+  /// time in the run, which is given back; the run goes on, and its result is that of the new recipe. Errors:
+  /// kUsage where no simulation is under way, and where it touches no point that conducts.
+  Result<Stimulus> stimulate(const Stimulus& stimulus);
+  /// The state of a simulation: of the one under way, else of the last one, which was ended or came to its
+  /// end. Errors: kUsage where there was none.
+  Result<Bytes> saved_state();
+  /// The next simulation goes on from it. Without this one goes on from the last if it may: where only the
+  /// end, or what comes later, has changed. The result is the same as from the start. Errors, of the run:
+  /// those of StageTask::resume().
+  void resume_from(Bytes state);
+
   /// The value of a stage, of that stage's own type (stage_results.h).
   template <class T>
   const T* result(Stage stage) const {
@@ -121,6 +133,15 @@ class Session {
   void files_changed();
   Status admit(const StageSpec& spec, RunContext& ctx);
   StageInputs inputs_of(const StageSpec& spec) const;
+  /// A simulation that has come to some time.
+  struct SavedState {
+    Stage stage;
+    Bytes state;
+    bool asked;  ///< by resume_from()
+  };
+  void save_state();
+  void drop_run();
+  Status resume(Stage stage, StageTask& task);
   /// Works on the stage under way; true when it is complete.
   Result<bool> work(RunContext& ctx);
   Result<bool> work_guarded(RunContext& ctx);
@@ -133,6 +154,7 @@ class Session {
   std::array<bool, kStageCount> cached_{};
   std::vector<Stage> plan_;  ///< what is still to be done, the next one last
   std::optional<Running> running_;
+  std::optional<SavedState> saved_;
 };
 
 }  // namespace voxtet

@@ -19,9 +19,11 @@ constexpr std::size_t kLine = 72;
 
 }  // namespace
 
-IgbWriter::IgbWriter(std::size_t points, std::string unit, double interval_ms, float elsewhere)
+IgbWriter::IgbWriter(std::size_t points, std::string unit, double first_ms, double interval_ms,
+                     float elsewhere)
     : points_(points),
       unit_(std::move(unit)),
+      first_ms_(first_ms),
       interval_ms_(interval_ms),
       elsewhere_(elsewhere),
       bytes_(IgbHeader::kBytes, ' ') {}
@@ -42,7 +44,9 @@ Bytes IgbWriter::take() {
   header.integer(static_cast<std::int64_t>(points_));
   header.text(" y:1 z:1 t:");
   header.integer(static_cast<std::int64_t>(frames_));
-  header.text(" type:float systeme:little_endian\r\norg_t:0 inc_t:");
+  header.text(" type:float systeme:little_endian\r\norg_t:");
+  header.real(first_ms_);
+  header.text(" inc_t:");
   header.real(interval_ms_);
   header.text(" dim_t:");
   header.real(interval_ms_ * static_cast<double>(frames_ - 1));

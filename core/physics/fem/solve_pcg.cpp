@@ -1,5 +1,6 @@
 #include "physics/fem/solve_pcg.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <utility>
@@ -31,20 +32,8 @@ Error sizes_differ(const SparseMatrix& a, const Eigen::VectorXd& b, const Eigen:
   return solver_error(message.str());
 }
 
-/// y = A p, and returns p . y.
-double multiply_and_dot(const SparseMatrix& a, const Eigen::VectorXd& p, Eigen::VectorXd& y) {
-  const int* const row = a.outerIndexPtr();
-  const int* const column = a.innerIndexPtr();
-  const double* const value = a.valuePtr();
-  double sum = 0;
-  for (Eigen::Index i = 0; i < p.size(); ++i) {
-    double entry = 0;
-    for (int at = row[i]; at < row[i + 1]; ++at) entry += value[at] * p[column[at]];
-    y[i] = entry;
-    sum += p[i] * entry;
-  }
-  return sum;
-}
+/// Where the first residual is below this share of what a value may have left at the end, nothing is solved.
+constexpr double kSettled = 0.1;
 
 }  // namespace
 
@@ -58,16 +47,38 @@ Result<PcgSolve> PcgSolve::start(const SparseMatrix& a, const Eigen::VectorXd& b
     if (!(entry > 0)) return not_positive("diagonal entry", entry);
     entry = 1 / entry;
   }
-  solve.b_norm_ = std::sqrt(dot(b, b));
-  solve.x_ = std::move(x0);
-  if (solve.b_norm_ == 0)
-    solve.x_.setZero();  // the solution, which no number of iterations would reach exactly
-  multiply(a, solve.x_, solve.product_);
-  solve.residual_ = b;
-  for (Eigen::Index i = 0; i < b.size(); ++i) solve.residual_[i] -= solve.product_[i];
-  solve.direction_ = Eigen::VectorXd::Zero(b.size());
-  solve.sum_residual();
+  solve.residual_ = solve.direction_ = solve.product_ = Eigen::VectorXd::Zero(b.size());
+  solve.start_again(a, b, std::move(x0), {{0, static_cast<int>(b.size())}});
   return solve;
+}
+
+void PcgSolve::start_again(const SparseMatrix& a, const Eigen::VectorXd& b, Eigen::VectorXd x0,
+                           RowRanges rows) {
+  for (const auto [first, last] : rows_) direction_.segment(first, last - first).setZero();
+  rows_ = std::move(rows);
+  x_ = std::move(x0);
+  iterations_ = 0;
+  previous_ = 0;
+  double b2 = 0;
+  for (const auto [first, last] : rows_)
+    for (int i = first; i < last; ++i) b2 += b[i] * b[i];
+  b_norm_ = std::sqrt(b2);
+  if (b_norm_ == 0) x_.setZero();  // the solution, which no number of iterations would reach exactly
+  current_ = residual2_ = 0;
+  const double* const x = x_.data();
+  double count = 0;
+  for (const auto [first, last] : rows_) count += last - first;
+  const double settled = kSettled * params_.relative_tolerance * b_norm_ / std::sqrt(count);
+  std::erase_if(rows_, [&](const RowRange& range) {
+    double largest = 0;
+    for (int i = range.first; i < range.last; ++i) {
+      residual_[i] = b[i] - row_product(a, i, x);
+      largest = std::max(largest, std::abs(residual_[i]));
+    }
+    return largest <= settled;
+  });
+  for (const auto [first, last] : rows_)
+    for (int i = first; i < last; ++i) add_residual(i);
 }
 
 Result<bool> PcgSolve::iterate(const SparseMatrix& a, int iterations) {
@@ -80,29 +91,35 @@ Result<bool> PcgSolve::iterate(const SparseMatrix& a, int iterations) {
   }
 }
 
-void PcgSolve::sum_residual() {
-  current_ = residual2_ = 0;
-  for (Eigen::Index i = 0; i < residual_.size(); ++i) {
-    const double square = residual_[i] * residual_[i];
-    residual2_ += square;
-    current_ += square * inverse_diagonal_[i];
-  }
+void PcgSolve::add_residual(int i) {
+  const double square = residual_[i] * residual_[i];
+  residual2_ += square;
+  current_ += square * inverse_diagonal_[i];
 }
 
 Status PcgSolve::iterate_once(const SparseMatrix& a) {
   const double keep = previous_ > 0 ? current_ / previous_ : 0;
-  for (Eigen::Index i = 0; i < x_.size(); ++i)
-    direction_[i] = residual_[i] * inverse_diagonal_[i] + keep * direction_[i];
+  double* const direction = direction_.data();
+  for (const auto [first, last] : rows_)
+    for (int i = first; i < last; ++i)
+      direction[i] = residual_[i] * inverse_diagonal_[i] + keep * direction[i];
   previous_ = current_;
 
-  const double curvature = multiply_and_dot(a, direction_, product_);
+  double curvature = 0;
+  for (const auto [first, last] : rows_)
+    for (int i = first; i < last; ++i) {
+      product_[i] = row_product(a, i, direction);
+      curvature += direction[i] * product_[i];
+    }
   if (!(curvature > 0)) return not_positive("p . A p of a search direction p", curvature);
   const double step = current_ / curvature;
-  for (Eigen::Index i = 0; i < x_.size(); ++i) {
-    x_[i] += step * direction_[i];
-    residual_[i] -= step * product_[i];
-  }
-  sum_residual();
+  current_ = residual2_ = 0;
+  for (const auto [first, last] : rows_)
+    for (int i = first; i < last; ++i) {
+      x_[i] += step * direction[i];
+      residual_[i] -= step * product_[i];
+      add_residual(i);
+    }
   ++iterations_;
   return std::monostate{};
 }

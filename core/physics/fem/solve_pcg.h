@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 
 #include "physics/fem/fixed_order.h"
 #include "types/result.h"
@@ -24,6 +25,13 @@ class PcgSolve {
   static Result<PcgSolve> start(const SparseMatrix& a, const Eigen::VectorXd& b, Eigen::VectorXd x0,
                                 const PcgParams& params);
 
+  /// The same for another b, in those rows alone: elsewhere x stays 0, and so must `x0` be. x also stays as
+  /// it is in ranges of rows whose residual is small from the beginning (a tenth of what each row may have
+  /// left at the end). `a` is the matrix that start() had; its vectors are used again.
+  void start_again(const SparseMatrix& a, const Eigen::VectorXd& b, Eigen::VectorXd x0, RowRanges rows);
+  /// Gives up x, for the next start.
+  Eigen::VectorXd take_x() { return std::move(x_); }
+
   /// At most so many iterations; true when x meets the tolerance. Returns kInternal for a matrix found not to
   /// be positive definite, and when the tolerance is not met within `max_iterations` of all calls.
   Result<bool> iterate(const SparseMatrix& a, int iterations);
@@ -34,9 +42,10 @@ class PcgSolve {
  private:
   PcgSolve() = default;
   Status iterate_once(const SparseMatrix& a);
-  void sum_residual();
+  void add_residual(int i);  ///< of row i to the sums
 
   PcgParams params_;
+  RowRanges rows_;
   double b_norm_ = 0;
   double residual2_ = 0;               ///< r . r
   double current_ = 0, previous_ = 0;  ///< r . P^-1 r now, and in the iteration before

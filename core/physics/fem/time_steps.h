@@ -18,6 +18,9 @@ class TimeSteps {
 
   bool done() const { return step_ == count_; }
   void next() { ++step_; }
+  int step() const { return step_; }
+  int count() const { return count_; }
+  void go_to(int step) { step_ = step; }
   double fraction() const { return static_cast<double>(step_) / count_; }
   double time_ms() const { return step_ms_ * step_; }
   double step_ms() const { return step_ms_; }

@@ -14,15 +14,16 @@ float crossing(double begin_ms, double step_ms, double before, double after, dou
 }  // namespace
 
 void ActivationLog::record(double begin_ms, double step_ms, const Eigen::VectorXd& before,
-                           const Eigen::VectorXd& after) {
-  for (Eigen::Index i = 0; i < before.size(); ++i) {
-    const double from = before[i], to = after[i];
-    const auto point = static_cast<std::uint32_t>(i);
-    if (from < kActivated && to >= kActivated)
-      activations_.push_back({point, crossing(begin_ms, step_ms, from, to, kActivated)});
-    else if (from > kRepolarised && to <= kRepolarised)
-      repolarisations_.push_back({point, crossing(begin_ms, step_ms, from, to, kRepolarised)});
-  }
+                           const Eigen::VectorXd& after, const fem::RowRanges& rows) {
+  for (const auto [first, last] : rows)
+    for (int i = first; i < last; ++i) {
+      const double from = before[i], to = after[i];
+      const auto point = static_cast<std::uint32_t>(i);
+      if (from < kActivated && to >= kActivated)
+        activations_.push_back({point, crossing(begin_ms, step_ms, from, to, kActivated)});
+      else if (from > kRepolarised && to <= kRepolarised)
+        repolarisations_.push_back({point, crossing(begin_ms, step_ms, from, to, kRepolarised)});
+    }
 }
 
 std::vector<float> ActivationLog::activation(std::size_t points, int k) const {

@@ -3,7 +3,10 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <utility>
 #include <vector>
+
+#include "physics/fem/fixed_order.h"
 
 namespace voxtet {
 
@@ -18,10 +21,18 @@ class ActivationLog {
     float time_ms;
   };
 
-  /// The step from `begin_ms`, over which v went from `before` to `after`. Call in the order of time.
-  void record(double begin_ms, double step_ms, const Eigen::VectorXd& before, const Eigen::VectorXd& after);
+  ActivationLog() = default;
+  /// With what was recorded before, in the order of its steps.
+  ActivationLog(std::vector<Crossing> activations, std::vector<Crossing> repolarisations)
+      : activations_(std::move(activations)), repolarisations_(std::move(repolarisations)) {}
+
+  /// The step from `begin_ms`, over which v went from `before` to `after`, in these rows and nowhere else.
+  /// Call in the order of time.
+  void record(double begin_ms, double step_ms, const Eigen::VectorXd& before, const Eigen::VectorXd& after,
+              const fem::RowRanges& rows);
 
   const std::vector<Crossing>& activations() const { return activations_; }  ///< in the order of their steps
+  const std::vector<Crossing>& repolarisations() const { return repolarisations_; }
 
   /// The k-th activation of each of `points` points, from 0; NaN where there are fewer.
   std::vector<float> activation(std::size_t points, int k) const;

@@ -28,16 +28,15 @@ class CellStep {
   CellStep(const CellParams& cell, double step_ms);
 
   /// One step with the current `j`, 1/ms. The arithmetic is the same on every platform.
-  void react(double& v, double& w, double j) const {
-    for (int i = 0; i < substeps_; ++i) {
-      const double dv = modified_ ? w * in_ * v * (v - gate_) * (1 - v) - (1 - w) * out_ * v
-                                  : w * in_ * v * v * (1 - v) - out_ * v;
-      w = v < gate_ ? 1 - (1 - w) * stay_closed_ : w * stay_open_;
-      v += substep_ * (dv + j);
-    }
-  }
+  void react(double& v, double& w, double j) const { react_all(&v, &w, &j, 1); }
+
+  /// The same for some cells, each by itself.
+  void react_all(double* v, double* w, const double* j, int count) const;
 
  private:
+  template <bool modified, int count>
+  void react_some(double* v, double* w, const double* j) const;
+
   int substeps_;
   double substep_, in_, out_, gate_, stay_closed_, stay_open_;
   bool modified_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/elements/tet_measures.h"
+#include "geometry/search/morton_curve.h"
 #include "physics/monodomain/cell.h"
 #include "physics/tissue/conducting_points.h"
 #include "types/stage_names.h"
@@ -75,10 +76,11 @@ Result<ConductingMesh> conducting_mesh(const TetMesh& whole, const Tissue& tissu
   ConductingMesh part;
   const std::vector<bool> conducts = conducting_points(whole, tissue);
   std::vector<std::uint32_t> number(whole.points.size());  // of the points that conduct
-  for (std::size_t i = 0; i < number.size(); ++i) {
+  const MortonCurve curve(whole.points);
+  for (const std::uint32_t i : curve.order(number.size(), [&](std::size_t at) { return whole.points[at]; })) {
     if (!conducts[i]) continue;
     number[i] = static_cast<std::uint32_t>(part.points.size());
-    part.points.push_back(static_cast<std::uint32_t>(i));
+    part.points.push_back(i);
     part.mesh.points.push_back(whole.points[i]);
   }
   std::vector<std::uint16_t> kinds;

@@ -11,8 +11,9 @@
 
 namespace voxtet {
 
-/// The tetrahedra of a mesh that conduct, with the points that they use, both in the order of the whole mesh.
-/// Points of nothing but scar or blood take no part.
+/// The tetrahedra of a mesh that conduct, in the order of the whole mesh, with the points that they use, in
+/// the order of Morton's curve: points near each other have numbers near each other. Points of nothing but
+/// scar or blood take no part.
 struct ConductingMesh {
   TetMesh mesh;                              ///< points and tets; without labels and faces
   std::vector<std::uint32_t> points;         ///< of each point its number in the whole mesh

@@ -1,6 +1,7 @@
 #include "physics/monodomain/monodomain.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -19,10 +20,13 @@ namespace {
 
 constexpr float kNotConducting = std::numeric_limits<float>::quiet_NaN();
 constexpr double kMostMonodomainSteps = 1e7;
+/// A voltage below it, as a part of its range, is rest: the wave's front falls off by e in a third of a
+/// millimetre, and what is so far ahead of it does not drive it.
+constexpr double kRest = 1e-8;
 /// Iterations of the solver between two looks at the clock.
 constexpr int kIterationsAtOnce = 4;
 /// Of the change by one diffusion step, whose own error is far larger.
-constexpr fem::PcgParams kSolver{.relative_tolerance = 1e-6, .max_iterations = 1000};
+constexpr fem::PcgParams kSolver{.relative_tolerance = 1e-5, .max_iterations = 1000};
 
 Error field_error(const std::string& field, double found, const std::string& expected) {
   std::ostringstream text;
@@ -66,7 +70,7 @@ Result<Monodomain> Monodomain::start(const TetMesh& mesh, const Tissue& tissue,
   const auto count = static_cast<Eigen::Index>(out.points().size());
   out.v_ = Eigen::VectorXd::Zero(count);
   out.w_ = Eigen::VectorXd::Ones(count);
-  out.next_ = out.change_ = out.v_;
+  out.next_ = out.change_ = out.earlier_ = out.v_;
   for (const Electrode& electrode : params.electrodes)
     out.electrode_weights_.push_back(electrogram_weights(out.tissue_, electrode.at_mm));
   return out;
@@ -81,9 +85,41 @@ Status Monodomain::add_current(const Stimulus& stimulus, const std::string& fiel
   return std::monostate{};
 }
 
-Status Monodomain::stimulate(Stimulus stimulus) {
-  stimulus.start_ms += time_ms();
+Status Monodomain::stimulate(const Stimulus& stimulus) {
   return add_current(stimulus, "stimulus");
+}
+
+MonodomainState Monodomain::state() const {
+  const auto list = [](const Eigen::VectorXd& values) {
+    return std::vector<double>(values.begin(), values.end());
+  };
+  return {steps_.step(), step_ms(),      list(v_),           list(w_),
+          list(change_), list(earlier_), log_.activations(), log_.repolarisations()};
+}
+
+Status Monodomain::restore(const MonodomainState& state) {
+  const std::size_t count = points().size();
+  if (state.v.size() != count || state.w.size() != count || state.change.size() != count ||
+      state.earlier.size() != count)
+    return usage_error(kMonodomainStage, "state: found " + std::to_string(state.v.size()) +
+                                             " points, expected the " + std::to_string(count) +
+                                             " that conduct");
+  if (std::abs(state.step_ms - step_ms()) > 1e-12 * step_ms())
+    return usage_error(kMonodomainStage, "state: found a step of " + std::to_string(state.step_ms) +
+                                             " ms, expected " + std::to_string(step_ms()) + " ms");
+  if (state.steps > steps_.count())
+    return field_error(
+        "monodomain.end_ms", params_.end_ms,
+        "at least the " + std::to_string(state.steps * step_ms()) + " ms that the state has reached");
+  const auto vector = [](const std::vector<double>& values) {
+    return Eigen::VectorXd(
+        Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  steps_.go_to(state.steps);
+  v_ = vector(state.v), w_ = vector(state.w);
+  change_ = vector(state.change), earlier_ = vector(state.earlier);
+  log_ = ActivationLog(state.activations, state.repolarisations);
+  return std::monostate{};
 }
 
 /// Parts of about the same length.
@@ -121,6 +157,13 @@ Status Monodomain::prepare() {
         stiffness[at] *= step_ms() / lumped_[i];
     system_ = {};
   }
+  excited_ = ExcitedBlocks(stiffness_);
+  load_ = Eigen::VectorXd::Zero(v_.size());
+  if (params_.integration == Integration::kSemiImplicit) {
+    auto solve = fem::PcgSolve::start(system_, load_, load_, kSolver);
+    if (!solve) return solve.error();
+    solve_ = *std::move(solve);
+  }
   tissue_.mesh.tets = {};
   tissue_.diffusivity = {};
   return std::monostate{};
@@ -147,60 +190,76 @@ void Monodomain::set_currents() {
   }
 }
 
+/// What is out of reach is 0 in all vectors of voltages.
+void Monodomain::find_reach() {
+  excited_.update(v_, w_, current_);
+  for (const auto [first, last] : excited_.left())
+    for (Eigen::VectorXd* values : {&next_, &change_, &earlier_})
+      values->segment(first, last - first).setZero();
+}
+
 /// From v_ to next_, and w_ in its place.
 void Monodomain::react() {
   set_currents();
+  find_reach();
   const std::uint16_t* const kind = tissue_.kind.data();
   const CellStep* const cells = cells_.data();
-  const double* const j = current_.empty() ? nullptr : current_.data();
+  const double* const current = current_.empty() ? nullptr : current_.data();
   const double* const v = v_.data();
   double* const next = next_.data();
   double* const w = w_.data();
-  parallel_for(threads_, points().size(), [=](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      double value = v[i];
-      cells[kind[i]].react(value, w[i], j ? j[i] : 0);
-      next[i] = value;
-    }
-  });
+  for (const fem::RowRanges* ranges : {&excited_.rows(), &excited_.recovering()})
+    parallel_for(threads_, ranges->size(), [=](std::size_t from, std::size_t to) {
+      constexpr std::array<double, ExcitedBlocks::kPoints> kNone{};
+      for (std::size_t r = from; r < to; ++r) {
+        const auto [first, last] = (*ranges)[r];
+        std::copy(v + first, v + last, next + first);
+        for (int i = first, end = i; i < last; i = end) {
+          while (end < last && kind[end] == kind[i]) ++end;
+          cells[kind[i]].react_all(next + i, w + i, current ? current + i : kNone.data(), end - i);
+        }
+      }
+    });
 }
 
 void Monodomain::diffuse_explicitly() {
-  const int* const row = stiffness_.outerIndexPtr();
-  const int* const column = stiffness_.innerIndexPtr();
-  const double* const value = stiffness_.valuePtr();
   const double* const before = next_.data();
   double* const after = change_.data();
-  parallel_for(threads_, points().size(), [=](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      double sum = 0;
-      for (int at = row[i]; at < row[i + 1]; ++at) sum += value[at] * before[column[at]];
-      after[i] = before[i] - sum;
-    }
+  const fem::RowRanges& rows = excited_.rows();
+  parallel_for(threads_, rows.size(), [=, this, &rows](std::size_t from, std::size_t to) {
+    for (std::size_t r = from; r < to; ++r)
+      for (int i = rows[r].first; i < rows[r].last; ++i)
+        after[i] = before[i] - fem::row_product(stiffness_, i, before);
   });
   next_.swap(change_);
 }
 
 /// (M + step K) (v_new - v) = - step K v.
 Result<bool> Monodomain::diffuse_implicitly() {
-  if (!solve_) {
-    Eigen::VectorXd load;
-    fem::multiply(stiffness_, next_, load);
-    for (double& entry : load) entry *= -step_ms();
-    auto started = fem::PcgSolve::start(system_, load, std::move(change_), kSolver);
-    if (!started) return started.error();
-    solve_ = *std::move(started);
+  if (!solving_) {
+    const double* const v = next_.data();
+    for (const auto [first, last] : excited_.rows())
+      for (int i = first; i < last; ++i) {
+        load_[i] = -step_ms() * fem::row_product(stiffness_, i, v);
+        earlier_[i] = 2 * change_[i] - earlier_[i];  // a guess, by what the last two steps did
+      }
+    solve_->start_again(system_, load_, std::move(earlier_), excited_.rows());
+    solving_ = true;
   }
   Result<bool> solved = solve_->iterate(system_, kIterationsAtOnce);
   if (!solved || !*solved) return solved;
-  change_ = solve_->x();
-  for (Eigen::Index i = 0; i < change_.size(); ++i) next_[i] += change_[i];
-  solve_.reset();
+  earlier_ = std::exchange(change_, solve_->take_x());
+  for (const auto [first, last] : excited_.rows())
+    for (int i = first; i < last; ++i) next_[i] += change_[i];
+  solving_ = false;
   return true;
 }
 
 void Monodomain::complete_step() {
-  log_.record(time_ms(), step_ms(), v_, next_);
+  for (const auto [first, last] : excited_.rows())
+    for (int i = first; i < last; ++i)
+      if (std::abs(next_[i]) < kRest) next_[i] = 0;
+  log_.record(time_ms(), step_ms(), v_, next_, excited_.rows());
   v_.swap(next_);
   steps_.next();
   reacted_ = false;

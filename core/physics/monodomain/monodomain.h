@@ -12,6 +12,7 @@
 #include "physics/monodomain/cell.h"
 #include "physics/monodomain/conducting_mesh.h"
 #include "physics/monodomain/electrogram.h"
+#include "physics/monodomain/excited_blocks.h"
 #include "types/field.h"
 #include "types/result.h"
 #include "types/stimulus.h"
@@ -35,6 +36,16 @@ struct MonodomainParams {
   /// Bernabeu, Niederer, Gavaghan and Kay, Int. J. Numer. Meth. Biomed. Eng. 28, 2012, on mass lumping).
   double consistent_mass = 0.5;
   std::vector<Electrode> electrodes{};
+};
+
+/// Between two steps: all that a run needs to go on as if it had never stopped. Values are of the conducting
+/// points.
+struct MonodomainState {
+  int steps = 0;  ///< that are done
+  double step_ms = 0;
+  std::vector<double> v, w;
+  std::vector<double> change, earlier;  ///< semi-implicit: by the diffusion of the last two steps
+  std::vector<ActivationLog::Crossing> activations, repolarisations;
 };
 
 /// dv/dt = div(D grad v) + reaction + stimulus, no flow through the tissue's surface, on linear elements; the
@@ -72,8 +83,18 @@ class Monodomain {
   const Eigen::VectorXd& v() const { return v_; }
   const std::vector<std::uint32_t>& points() const { return tissue_.points; }
 
-  /// One more stimulus, from now on: `start_ms` is as seen from now. Errors as in start().
-  Status stimulate(Stimulus stimulus);
+  /// One more stimulus, whose `start_ms` is a time of the run; one that is over does nothing. Errors as in
+  /// start().
+  Status stimulate(const Stimulus& stimulus);
+
+  /// Whether no step is under way.
+  bool between_steps() const { return !reacted_; }
+  /// Needs between_steps().
+  MonodomainState state() const;
+  /// Goes on from a state of a run on the same mesh and tissue, with the same parameters but for its end; to
+  /// be called before the first step. The result is that of one run. Errors: kUsage for a state of other
+  /// points or another step, or one that is later than the end.
+  Status restore(const MonodomainState& state);
 
   /// The longest explicit step that is stable, in ms; known once the matrices are made.
   double most_explicit_step_ms() const { return most_step_ms_; }
@@ -90,6 +111,7 @@ class Monodomain {
   Status prepare();
   Status add_current(const Stimulus& stimulus, const std::string& field);
   void set_currents();
+  void find_reach();
   void react();
   void diffuse_explicitly();
   Result<bool> diffuse_implicitly();
@@ -113,7 +135,11 @@ class Monodomain {
   Eigen::VectorXd lumped_;        ///< M_L, mm^3
   Eigen::VectorXd v_, w_, next_;  ///< next_: v at the end of the step under way
   Eigen::VectorXd change_;        ///< semi-implicit: by the diffusion of the last step
+  Eigen::VectorXd load_;          ///< semi-implicit
+  Eigen::VectorXd earlier_;       ///< semi-implicit: by that of the step before it
   bool reacted_ = false;          ///< the reaction of the step under way is done, in next_
+  bool solving_ = false;
+  ExcitedBlocks excited_;
   std::optional<fem::PcgSolve> solve_;
   std::vector<Eigen::VectorXd> electrode_weights_;
   ActivationLog log_;

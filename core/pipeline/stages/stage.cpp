@@ -40,6 +40,14 @@ bool needs(Stage stage, Stage input) {
          std::any_of(inputs.begin(), inputs.end(), [&](Stage other) { return needs(other, input); });
 }
 
+Result<Stimulus> StageTask::stimulate(Stimulus) {
+  return usage_error("session", "the stage under way takes no stimulus");
+}
+
+Status StageTask::resume(const Bytes&) {
+  return usage_error("session", "this stage cannot go on from a saved state");
+}
+
 Result<Stage> stage_of(std::string_view name) {
   std::string names;
   for (const StageSpec& spec : stage_table()) {

@@ -10,11 +10,13 @@
 #include <string_view>
 #include <vector>
 
+#include "io/bytes/bytes.h"
 #include "pipeline/results/stage_arrays.h"
 #include "pipeline/stages/loaded_files.h"
 #include "recipe/recipe.h"
 #include "types/result.h"
 #include "types/run_context.h"
+#include "types/stimulus.h"
 
 namespace voxtet {
 
@@ -86,6 +88,17 @@ class StageTask {
   virtual Result<bool> step(RunContext& ctx) = 0;
   virtual double fraction() const = 0;  ///< part of the work that is done
   virtual void finish(StageOutput& out) = 0;
+
+  /// One more stimulus, `start_ms` after now; it is given back with its time in the run. A run whose recipe
+  /// had it from the beginning gives the same result. Errors: kUsage where the stage has no stimuli, and
+  /// where it touches no point.
+  virtual Result<Stimulus> stimulate(Stimulus stimulus);
+  /// All that a run with the same inputs, of this recipe or of one that differs in its end or in what comes
+  /// later, needs to go on from here; empty where the stage cannot. May work for some milliseconds.
+  virtual Result<Bytes> checkpoint() { return Bytes{}; }
+  /// Goes on from a checkpoint; to be called before the first step. Nothing changes on failure. Errors:
+  /// kBadInput for bytes that are none, kUsage naming what differs.
+  virtual Status resume(const Bytes& checkpoint);
 };
 
 /// Everything that the pipeline knows about a stage. Its key is made of its inputs and of the fields and

@@ -4,13 +4,14 @@
 Cases: slab, a generated plate; heart, biv_ed_scar_1mm.nii.gz of $VOXTET_DATA. voxtet meshes, simulates and writes XDMF;
 FEniCSx reads the mesh from it, assembles its own matrices and takes the same steps: reaction in substeps, then
 diffusion, explicit with lumped mass or by backward Euler with half-lumped mass (PETSc: conjugate gradients, Jacobi).
-The reaction is numpy's. Each runs in one process with one thread. Prints how far activation times differ, in ms, and
+The reaction is numpy's. `--bricks` prints FEniCSx's times in the slab of verify_physics's checks instead. Each runs in one process with one thread. Prints how far activation times differ, in ms, and
 how many seconds the steps took: of voxtet, the whole stage, which makes its matrices too. Fails where the root mean
 square of the differences is above 0.5 ms.
 
 FEniCSx is Debian's: apt-get install python3-dolfinx (0.5.2 in Debian 12), for /usr/bin/python3; also python3-h5py.
 """
 import argparse
+import itertools
 import json
 import logging
 import math
@@ -97,7 +98,9 @@ def diffusivity_of(speed):
 class Matrices:
     """Of the conducting part: stiffness K, consistent mass M, and lumped mass. `nodes`: of each row its point."""
 
-    def __init__(self, points, tets, labels, speeds):
+    def __init__(self, points, tets, labels, speeds, across=1):
+        """`across`: of the diffusivity across the x axis over that along it."""
+        scale = ufl.as_matrix(np.diag([1, across, across]).tolist())
         conducts = np.isin(labels, list(speeds))
         used, cells = np.unique(tets[conducts], return_inverse=True)
         element = ufl.VectorElement("Lagrange", ufl.Cell("tetrahedron", geometric_dimension=3), 1)
@@ -108,7 +111,7 @@ class Matrices:
         of_tets = np.array([by_label[label] for label in labels[conducts]])
         diffusivity.x.array[:] = of_tets[domain.topology.original_cell_index]
         u, v = ufl.TrialFunction(space), ufl.TestFunction(space)
-        self.stiffness = assembled(diffusivity * ufl.inner(ufl.grad(u), ufl.grad(v)) * ufl.dx)
+        self.stiffness = assembled(ufl.inner(scale * diffusivity * ufl.grad(u), ufl.grad(v)) * ufl.dx)
         self.mass = assembled(u * v * ufl.dx)
         corners = ufl.dx(metadata={"quadrature_rule": "vertex", "quadrature_degree": 1})
         self.lumped = assembled(u * v * corners).getDiagonal()
@@ -211,14 +214,34 @@ def compare(program, name, integration, step_ms, end_ms):
     return alone == 0 and rms <= LARGEST_RMS_MS
 
 
+def print_bricks():
+    """Activation in the slab of Niederer et al. (2011) of bricks of 0.5 mm, each cut into six around its diagonal."""
+    size, edge = (40, 14, 6), 0.5
+    grid = np.indices(tuple(n + 1 for n in reversed(size)))[::-1].reshape(3, -1).T
+    at = np.array([1, size[0] + 1, (size[0] + 1) * (size[1] + 1)])
+    bricks = grid[(grid < size).all(axis=1)] @ at
+    tets = np.vstack([np.column_stack([bricks, bricks + at[a], bricks + at[a] + at[b], bricks + at.sum()])
+                      for a, b, _ in itertools.permutations(range(3))])
+    along = 0.0953 / diffusivity_of(1)
+    matrices = Matrices(edge * grid, tets, np.ones(len(tets)), {1: math.sqrt(along)}, 0.012576 / 0.0953)
+    points = edge * grid[matrices.nodes]
+    stimulated = (points <= 1.5).all(axis=1).astype(float)
+    times, _, _ = run_fenicsx(matrices, stimulated, "semi_implicit", 0.05, 110)
+    for corner in ((20, 0, 0), (0, 7, 0), (20, 7, 3)):
+        print(corner, f"{times[(points == corner).all(axis=1)][0]:.4f} ms")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--voxtet", default=ROOT / "build" / "native" / "voxtet", help="the command line")
     parser.add_argument("--step-ms", type=float, default=0.05)
     parser.add_argument("--end-ms", type=float, default=350)
+    parser.add_argument("--bricks", action="store_true")
     parser.add_argument("cases", nargs="*", help=f"of {', '.join(CASES)}; all without")
     wanted = parser.parse_args()
     logging.disable(logging.INFO)  # of the compiler of forms
+    if wanted.bricks:
+        return print_bricks()
     print("case   integration       tets  points reached  alone  last ms    rms ms    max ms   voxtet  fenicsx  "
           "reacts  ratio", flush=True)
     agree = [compare(wanted.voxtet, name, integration, wanted.step_ms, wanted.end_ms)

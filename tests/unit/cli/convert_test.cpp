@@ -23,7 +23,7 @@ class ConvertTest : public CliTest {
     write("a.elem", "2\nTt 0 1 2 3 1\nTt 0 2 1 4 2\n");
     write("a.lon", "2\n1 0 0 0 1 0\n0 0.6 0.8 1 0 0\n");
     write("lat.dat", "1\n2\n3.5\n-1\n5\n");
-    IgbWriter frames(5, "mV", 10, -80);
+    IgbWriter frames(5, "mV", 0, 10, -80);
     frames.add({-80, -79, -78, -77, -76});
     frames.add({20, 19, 18, 17, 16});
     ASSERT_TRUE(place_files({{at("vm.igb"), frames.take()}}).ok());

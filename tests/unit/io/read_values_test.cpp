@@ -226,11 +226,12 @@ TEST(PointValuesOfIgb, NameWhatIsWrong) {
 }
 
 TEST(PointValuesOfIgb, ComeBackAsTheyWereWrittenOnEveryPlatform) {
-  IgbWriter writer(3, "mV", 2.5, -80);
-  EXPECT_EQ(writer.next_ms(), 0);
+  IgbWriter writer(3, "mV", 10, 2.5, -80);
+  EXPECT_EQ(writer.next_ms(), 10);
   writer.add({-80, 20, NAN});
   writer.add({1, 2, 3});
-  EXPECT_EQ(writer.next_ms(), 5);
+  EXPECT_EQ(writer.next_ms(), 15);
+  EXPECT_EQ(writer.frames(), 2U);
   const Bytes file = writer.take();
   EXPECT_EQ(file.size(), IgbHeader::kBytes + 24);
   EXPECT_EQ(file[IgbHeader::kBytes - 1], '\f');
@@ -241,12 +242,12 @@ TEST(PointValuesOfIgb, ComeBackAsTheyWereWrittenOnEveryPlatform) {
   }
   const auto values = PointValues::open("vm.igb", file);
   ASSERT_TRUE(values.ok()) << values.error().message;
-  EXPECT_EQ(values->times_ms(), (std::vector<double>{0, 2.5}));
+  EXPECT_EQ(values->times_ms(), (std::vector<double>{10, 12.5}));
   EXPECT_EQ(values->frame(0)->values, (std::vector<float>{-80, 20, -80}));
   EXPECT_EQ(values->frame(1)->values, (std::vector<float>{1, 2, 3}));
   const std::string words =
       "x:3 y:1 z:1 t:2 type:float systeme:little_endian\r\n"
-      "org_t:0 inc_t:2.5 dim_t:2.5 unites_t:ms\r\n"
+      "org_t:10 inc_t:2.5 dim_t:2.5 unites_t:ms\r\n"
       "unites:mV facteur:1 zero:0\r\n ";
   EXPECT_EQ(text_of(file).substr(0, words.size()), words);
   EXPECT_EQ(text_of(file).substr(IgbHeader::kBytes), raw<float>({-80, 20, -80, 1, 2, 3}));

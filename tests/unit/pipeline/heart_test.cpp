@@ -199,6 +199,110 @@ TEST(HeartStages, GiveTheSameWaveInOnePartAndInMany) {
   EXPECT_EQ(session.monodomain()->digest, whole);
 }
 
+/// A session that has come to the excitation wave of the recipe, and to `parts` parts of it.
+void begin_wave(Session& session, const Recipe& recipe, int parts) {
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  RunContext ctx;
+  session.begin(Stage::kMonodomain);
+  for (int part = 0; part < parts;) {
+    const Result<RunProgress> progress = session.advance(0, ctx);
+    ASSERT_TRUE(progress.ok()) << progress.error().message;
+    part += progress->stage == Stage::kMonodomain;
+  }
+}
+
+TEST(HeartStages, AStimulusThatComesWhileTheWaveRunsIsAPartOfTheCase) {
+  Session session(0);
+  RunContext ctx;
+  Stimulus more;
+  more.centre_mm = {0, 0, 20};
+  more.radius_mm = 12;
+  EXPECT_EQ(session.stimulate(more).error().message, "stimulus: found no simulation under way, expected one");
+  begin_wave(session, heart(), 7);
+  const Result<Stimulus> given = session.stimulate(more);
+  ASSERT_TRUE(given.ok()) << given.error().message;
+  EXPECT_GT(given->start_ms, 0);
+  more.centre_mm = {500, 0, 0};
+  more.radius_mm = 1;
+  EXPECT_EQ(session.stimulate(more).error().message.substr(0, 9), "stimulus:");
+  for (bool done = false; !done;) {
+    const Result<RunProgress> progress = session.advance(5, ctx);
+    ASSERT_TRUE(progress.ok());
+    done = progress->done;
+  }
+  ASSERT_EQ(session.recipe().physics->stimuli.size(), 2U);
+  const std::string live = session.monodomain()->digest;
+  EXPECT_NE(live, finished().monodomain()->digest);
+
+  Session again(0);
+  ASSERT_TRUE(again.set_recipe(*parse_recipe(recipe_to_json(session.recipe()))).ok());
+  ASSERT_TRUE(again.run(Stage::kMonodomain, ctx).ok());
+  EXPECT_EQ(again.monodomain()->digest, live);
+}
+
+TEST(HeartStages, AWaveGoesOnFromASavedState) {
+  RunContext ctx;
+  Session session(0);
+  Recipe recipe = heart();
+  // An end that is no time of a frame, and one to which no whole part leads.
+  recipe.physics->monodomain->end_ms = 12.4;
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  ASSERT_TRUE(session.run(Stage::kMonodomain, ctx).ok());
+  const Result<Bytes> state = session.saved_state();
+  ASSERT_TRUE(state.ok());
+
+  // In the same session, of itself.
+  int frames = 0;
+  RunContext counting;
+  counting.on_snapshot = [&](const Snapshot&) { ++frames; };
+  ASSERT_TRUE(session.set_recipe(heart()).ok());
+  ASSERT_TRUE(session.run(Stage::kMonodomain, counting).ok());
+  EXPECT_EQ(frames, 2);
+  EXPECT_EQ(session.monodomain()->digest, finished().monodomain()->digest);
+  EXPECT_EQ(session.monodomain()->times_ms, finished().monodomain()->times_ms);
+  EXPECT_EQ(session.monodomain()->traces[0].values, finished().monodomain()->traces[0].values);
+
+  // In another, after what was cancelled in the middle of a step.
+  Session other(0);
+  begin_wave(other, heart(), 6);
+  const Result<Bytes> middle = other.saved_state();
+  ASSERT_TRUE(middle.ok());
+  Session last(0);
+  last.resume_from(*middle);
+  frames = 0;
+  ASSERT_TRUE(last.set_recipe(heart()).ok());
+  ASSERT_TRUE(last.run(Stage::kMonodomain, counting).ok());
+  EXPECT_LT(frames, 5);
+  EXPECT_EQ(last.monodomain()->digest, finished().monodomain()->digest);
+
+  // From what does not fit.
+  const auto error_of = [&](const Recipe& changed, const Bytes& from) {
+    last.resume_from(from);
+    EXPECT_TRUE(last.set_recipe(changed).ok());
+    const Status done = last.run(Stage::kMonodomain, ctx);
+    return done.ok() ? "none" : done.error().message;
+  };
+  Recipe changed = heart();
+  changed.physics->stimuli[0].radius_mm = 11;
+  EXPECT_EQ(error_of(changed, *state).substr(0, 46), "state: was made from another physics.stimuli, ");
+  changed = heart();
+  changed.physics->monodomain->end_ms = 8;
+  EXPECT_EQ(
+      error_of(changed, *state),
+      "physics.monodomain.end_ms: found 8, expected at least the 12.400000 ms that the state has reached");
+  changed.physics->monodomain->end_ms = 30;
+  EXPECT_EQ(error_of(changed, {1, 2, 3}),
+            "state: found bytes of another kind, expected the saved state of a simulation");
+  EXPECT_EQ(error_of(changed, Bytes(state->begin(), state->end() - 9)),
+            "state: found cut or damaged bytes, expected a whole file");
+  // Of itself a session goes on only where it may.
+  changed.physics->stimuli[0].radius_mm = 11;
+  ASSERT_TRUE(last.set_recipe(changed).ok());
+  frames = 0;
+  ASSERT_TRUE(last.run(Stage::kMonodomain, counting).ok());
+  EXPECT_EQ(frames, 7);
+}
+
 TEST(HeartStages, SayWhatTheCaseLacks) {
   Session session;  // the mesh is that of all these cases
   const auto error_of = [&](void (*change)(Recipe&), Stage stage) {

@@ -1,4 +1,4 @@
-#include "bench/verify_physics/verify.h"
+#include "verify.h"
 
 #include "geometry/topology/adjacency.h"
 #include "support/test_surfaces.h"

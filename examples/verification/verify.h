@@ -21,6 +21,18 @@ void print_slab(bool all);
 void print_eikonal(bool all);
 void print_speed(bool all);
 
+/// Short checks, a line of JSON each: {check, case, measured, unit, expected, source, agrees}.
+void print_checks();
+
+/// mm/ms along x of a wave in a bar of tissue of 0.5 mm/ms, of the line of least squares through the times of
+/// all points of the bar's middle.
+double speed_along(const std::shared_ptr<const TetMesh>& bar, const MonodomainParams& params);
+/// Mean edge of box_of_tets over its squares' width.
+inline constexpr double kEdgePerSquare = 1.2;
+/// Of the times by the eikonal equation and by the monodomain model in the generated heart, with these
+/// speeds.
+double heart_correlation(double along, double across);
+
 /// The value, or else the program ends with the error's message.
 template <class T>
 T value_or_exit(Result<T> result) {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "bench/verify_physics/verify.h"
 #include "physics/monodomain/cell.h"
 #include "support/bricks.h"
 #include "support/uniform_tissue.h"
+#include "verify.h"
 
 namespace voxtet::verify {
 namespace {

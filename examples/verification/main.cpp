@@ -1,11 +1,12 @@
-// What the physics gives beside what is expected: verify_physics [--all] [PART ...].
+// What the physics gives beside what is expected: verify_physics [--all] [PART ...]; all tables without a
+// part.
 #include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
 
-#include "bench/verify_physics/verify.h"
 #include "cli/huge_pages.h"
+#include "verify.h"
 
 namespace {
 
@@ -16,7 +17,8 @@ struct Part {
 constexpr Part kParts[] = {{"plane_wave", voxtet::verify::print_plane_wave},
                            {"slab", voxtet::verify::print_slab},
                            {"eikonal", voxtet::verify::print_eikonal},
-                           {"speed", voxtet::verify::print_speed}};
+                           {"speed", voxtet::verify::print_speed},
+                           {"checks", [](bool) { voxtet::verify::print_checks(); }}};
 
 }  // namespace
 
@@ -32,13 +34,15 @@ int main(int argc, char** argv) {
                            [&](const Part& part) { return argument == part.name; })) {
       wanted.push_back(argument);
     } else {
-      std::fprintf(stderr, "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal or speed\n",
+      std::fprintf(stderr,
+                   "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, speed or checks\n",
                    argument.c_str());
       return 2;
     }
   }
+  if (wanted.empty()) wanted = {"plane_wave", "slab", "eikonal", "speed"};
   for (const Part& part : kParts)
-    if (wanted.empty() || std::find(wanted.begin(), wanted.end(), part.name) != wanted.end()) {
+    if (std::find(wanted.begin(), wanted.end(), part.name) != wanted.end()) {
       part.print(all);
       std::printf("\n");
     }

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <cstdio>
 
-#include "bench/verify_physics/verify.h"
 #include "support/uniform_tissue.h"
+#include "verify.h"
 
 namespace voxtet::verify {
 namespace {

@@ -2,37 +2,20 @@
 #include <cmath>
 #include <cstdio>
 
-#include "bench/verify_physics/verify.h"
 #include "physics/monodomain/cell.h"
 #include "support/bricks.h"
 #include "support/uniform_tissue.h"
+#include "verify.h"
 
 namespace voxtet::verify {
 namespace {
 
 constexpr double kSpeed = 0.5;
-/// Of box_of_tets, mean edge.
-constexpr double kEdgePerSquare = 1.2;
 constexpr Way kBarWays[] = {{"explicit", Integration::kExplicit, 0},
                             {"consistent 0", Integration::kSemiImplicit, 0},
                             {"0.5", Integration::kSemiImplicit, 0.5},
                             {"0.75", Integration::kSemiImplicit, 0.75},
                             {"1", Integration::kSemiImplicit, 1}};
-
-/// mm/ms, of the line of least squares through the times of all points of the bar's middle.
-double speed_along(const std::shared_ptr<const TetMesh>& bar, const MonodomainParams& params) {
-  double length = 0;
-  for (const Eigen::Vector3d& p : bar->points) length = std::max(length, p[0]);
-  const auto times =
-      activations_ms(bar, test::isotropic_tissue(*bar, kSpeed), at_corner({4, 1000, 1000}), params);
-  double n = 0, x = 0, t = 0, xx = 0, xt = 0;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    const double at = bar->points[i][0] / length;
-    if (at < 0.35 || at > 0.85) continue;
-    n += 1, x += at, t += times[i], xx += at * at, xt += at * times[i];
-  }
-  return length * (n * xx - x * x) / (n * xt - x * t);
-}
 
 /// Of `ms` steps in the limit of short edges: along one row of bricks.
 double fine_speed(const MonodomainParams& params) {
@@ -56,6 +39,20 @@ constexpr Expected kExpected[] = {
 };
 
 }  // namespace
+
+double speed_along(const std::shared_ptr<const TetMesh>& bar, const MonodomainParams& params) {
+  double length = 0;
+  for (const Eigen::Vector3d& p : bar->points) length = std::max(length, p[0]);
+  const auto times =
+      activations_ms(bar, test::isotropic_tissue(*bar, kSpeed), at_corner({4, 1000, 1000}), params);
+  double n = 0, x = 0, t = 0, xx = 0, xt = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double at = bar->points[i][0] / length;
+    if (at < 0.35 || at > 0.85) continue;
+    n += 1, x += at, t += times[i], xx += at * at, xt += at * times[i];
+  }
+  return length * (n * xx - x * x) / (n * xt - x * t);
+}
 
 void print_plane_wave(bool all) {
   const double step_ms = all ? 0.01 : 0.05;
