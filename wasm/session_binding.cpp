@@ -7,12 +7,15 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "base/parallel.h"
+#include "io/mesh/read_values.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/read_volume.h"
+#include "pipeline/carp_case.h"
 #include "pipeline/exported_fields.h"
 #include "pipeline/field_volume.h"
 #include "pipeline/forecast.h"
@@ -180,6 +183,31 @@ class SessionBinding {
     return field ? view_of(std::span<const float>(field->values)) : val::undefined();
   }
 
+  /// Takes values that were found elsewhere on the mesh of this session: {frames}. Whether points
+  /// conduct is found out where only that may explain how many values there are.
+  std::string open_values(const std::string& name, const val& bytes) {
+    if (!session_.mesh())
+      return reply(Error{ErrorCode::kUsage, "values", name + ": no mesh yet: run the stage optimise", {}});
+    Result<PointValues> opened = PointValues::open(name, to_bytes(bytes));
+    if (!opened) return reply(opened.error());
+    RunContext ctx = context();
+    if (opened->count() != session_.mesh()->points.size() && session_.recipe().physics)
+      if (Status done = session_.run(Stage::kTissue, ctx); !done) return reply(done.error());
+    values_ = std::move(opened).value();
+    return reply(json{{"frames", values_->frames()}});
+  }
+
+  /// A frame of these, as take_snapshot() gives one.
+  std::string values_frame(int frame) {
+    const auto k = static_cast<std::size_t>(frame);
+    Result<Field> field = values_on_mesh(session_, *values_, k);
+    if (!field) return reply(field.error());
+    snapshot_ = {values_->times_ms().empty() ? 0 : values_->times_ms()[k], {std::move(field).value()}};
+    return reply(snapshot_json(snapshot_));
+  }
+
+  void close_values() { values_.reset(); }
+
   /// What meshing will take; with `elements` > 0 also the edge lengths that give so many tetrahedra, as
   /// "fitting". Where only sizes have changed, a mesh of the earlier ones stays: they may come back.
   std::string forecast(double elements) {
@@ -198,11 +226,8 @@ class SessionBinding {
       return reply(Error{ErrorCode::kUsage, "export", "no mesh yet: run the stage optimise", {}});
     Result<MeshFormat> which = format_of(format);
     if (!which) return reply(which.error());
-    const PatientSpace patient = space == "lps" ? PatientSpace::kLps : PatientSpace::kRas;
-    WriteMeshOptions options = exported_fields(session_, *which, measures).options;
-    options.space = patient;
-    options.name = name;
-    Result<std::vector<OutputFile>> files = write_tet_mesh(*session_.mesh(), *which, options);
+    Result<std::vector<OutputFile>> files =
+        written_mesh(*which, space == "lps" ? PatientSpace::kLps : PatientSpace::kRas, name, measures);
     if (!files) return reply(files.error());
     exported_ = std::move(files).value();
     json list = json::array();
@@ -221,6 +246,16 @@ class SessionBinding {
     RunContext ctx;
     ctx.threads = hardware_threads();
     return ctx;
+  }
+
+  /// For openCARP a case, where a wave has been simulated.
+  Result<std::vector<OutputFile>> written_mesh(MeshFormat format, PatientSpace space, const std::string& name,
+                                               bool measures) const {
+    if (format == MeshFormat::kCarp && has_wave(session_)) return carp_case_files(session_, space, name);
+    WriteMeshOptions options = exported_fields(session_, format, measures).options;
+    options.space = space;
+    options.name = name;
+    return write_tet_mesh(*session_.mesh(), format, options);
   }
 
   std::string load_mask(const VolumeFile& file) {
@@ -261,6 +296,7 @@ class SessionBinding {
   Stage last_ = Stage::kVolume;     ///< that begin() named
   std::deque<Snapshot> snapshots_;  ///< that were not taken
   Snapshot snapshot_;
+  std::optional<PointValues> values_;  ///< that open_values() took
   std::vector<OutputFile> exported_;
   std::vector<float> floats_;
 };
@@ -285,6 +321,9 @@ EMSCRIPTEN_BINDINGS(voxtet) {
       .function("array", &SessionBinding::array)
       .function("takeSnapshot", &SessionBinding::take_snapshot)
       .function("snapshotArray", &SessionBinding::snapshot_array)
+      .function("openValues", &SessionBinding::open_values)
+      .function("valuesFrame", &SessionBinding::values_frame)
+      .function("closeValues", &SessionBinding::close_values)
       .function("forecast", &SessionBinding::forecast)
       .function("exportMesh", &SessionBinding::export_mesh)
       .function("exportBytes", &SessionBinding::export_bytes)

@@ -7,11 +7,11 @@
 #include "base/digest.h"
 #include "base/parallel.h"
 #include "cli/case_input.h"
+#include "cli/convert.h"
 #include "cli/dump_results.h"
 #include "cli/options.h"
 #include "cli/print.h"
 #include "cli/simulate.h"
-#include "geometry/topology/adjacency.h"
 #include "io/bytes/files.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/write_mesh.h"
@@ -27,10 +27,6 @@ namespace voxtet {
 namespace {
 
 using nlohmann::json;
-
-bool is_nifti_name(const std::string& path) {
-  return path.ends_with(".nii") || path.ends_with(".nii.gz");
-}
 
 /// What `mesh` writes, and how far it goes.
 struct MeshOptions {
@@ -173,30 +169,6 @@ int run_phantom(const std::string& name, const std::vector<std::string>& set, co
   return kExitOk;
 }
 
-int run_convert(const std::string& in, const std::string& out, const Output& output) {
-  if (Status there = check_outputs({{"OUTPUT", out}}, {{"INPUT", in}}); !there) return fail(there.error());
-  if (Status none = check_no_fibres({"OUTPUT", out}); !none) return fail(none.error());
-  if (mesh_format_of(in).ok()) {
-    MeshArrays arrays;
-    Result<TetMesh> mesh = read_tet_mesh_file(in, &arrays);
-    if (!mesh) return fail(mesh.error());
-    for (const std::string& name : arrays.left_out)
-      print_warning(in + ": left out the array " + name + ", expected a finite number for each cell");
-    add_label_faces(*mesh);
-    return export_mesh(*mesh, {.cell_data = std::move(arrays.cell_data)}, out, output);
-  }
-  std::vector<std::string> warnings;
-  Result<LabelVolume> volume = read_volume_file(in, &warnings);
-  if (!volume) return fail(volume.error());
-  for (const std::string& warning : warnings) print_warning(warning);
-  if (!is_nifti_name(out))
-    return fail({ErrorCode::kUsage, "cli", out + ": a volume is written as .nii or .nii.gz", {}});
-  Result<Bytes> bytes = write_nifti(*volume, out.ends_with(".gz"));
-  if (!bytes) return fail(bytes.error());
-  if (Status written = place_files({{out, *bytes}}); !written) return fail(written.error());
-  return kExitOk;
-}
-
 int run_url(const std::string& input, const std::string& base) {
   if (!is_link(input) && !input.ends_with(".json"))
     return fail(
@@ -299,12 +271,10 @@ int run_cli(int argc, const char* const* argv) {
   phantom->add_option("-o,--output", out, ".nii or .nii.gz")->required();
   phantom->callback([&] { code = run_phantom(in, set, out); });
 
+  ConvertOptions converted;
   CLI::App* convert = app.add_subcommand("convert", "convert a mesh file, or a volume to NIfTI");
-  convert->add_option("INPUT", in)->required();
-  convert->add_option("OUTPUT", out)->required();
-  convert->add_option("--space", output.lps_or_ras, "patient space written")
-      ->check(CLI::IsMember({"ras", "lps"}));
-  convert->callback([&] { code = run_convert(in, out, output); });
+  add_convert_command(*convert, converted, output);
+  convert->callback([&] { code = run_convert(converted, output); });
 
   CLI::App* url = app.add_subcommand("url", "the link of a case, or the case of a link");
   url->add_option("CASE.json", in)->required();

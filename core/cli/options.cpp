@@ -12,6 +12,10 @@ namespace voxtet {
 
 using nlohmann::json;
 
+bool is_nifti_name(const std::string& path) {
+  return path.ends_with(".nii") || path.ends_with(".nii.gz");
+}
+
 const CLI::Validator kNotEmpty(
     [](const std::string& text) { return text.empty() ? std::string("found '', expected a value") : ""; },
     "");

@@ -24,6 +24,9 @@ struct Output {
   PatientSpace space() const { return lps_or_ras == "lps" ? PatientSpace::kLps : PatientSpace::kRas; }
 };
 
+/// Whether a file of this name would be NIfTI.
+bool is_nifti_name(const std::string& path);
+
 /// Refuses an empty text: what is left of a shell's variable that is not set.
 extern const CLI::Validator kNotEmpty;
 

@@ -1,12 +1,18 @@
 #include "cli/simulate.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
+#include <utility>
 
 #include "cli/cli.h"
 #include "cli/print.h"
 #include "io/bytes/files.h"
+#include "io/mesh/write_igb.h"
+#include "pipeline/carp_case.h"
 #include "pipeline/report.h"
 #include "types/stage_names.h"
 
@@ -24,9 +30,12 @@ Status check_simulate_outputs(const CaseOptions& options, const SimulateOptions&
                                     ": this format has no place for values at points, expected .vtu, .xdmf "
                                     "or .carp");
   }
+  if (!wanted.frames.empty() && !wanted.frames.ends_with(".igb"))
+    return usage_error("cli", "--frames " + wanted.frames + ": frames are written as .igb");
   return check_outputs({{"-o", wanted.out},
                         {"--report", wanted.report},
                         {"--traces", wanted.traces},
+                        {"--frames", wanted.frames},
                         {"--save-state", wanted.save_state}},
                        inputs_of(options));
 }
@@ -42,6 +51,41 @@ std::string traces_csv(const Trajectory& result) {
   }
   out << "\n";
   return out.str();
+}
+
+/// Frames of the voltage, collected while the model runs: for each multiple of the recipe's `frame_ms` the
+/// first that is not before it. One at an end between two multiples has no place in an .igb. Points that do
+/// not conduct are written at rest.
+class VoltageFrames {
+ public:
+  explicit VoltageFrames(double interval_ms) : interval_ms_(interval_ms) {}
+  void add(const Snapshot& frame) {
+    const Field& voltage = frame.fields[0];
+    // A run that goes on from a state begins at any time.
+    if (!writer_)
+      writer_.emplace(voltage.values.size(), voltage.unit,
+                      std::max(0.0, interval_ms_ * std::ceil(frame.time_ms / interval_ms_ - kRounding)),
+                      interval_ms_, kRestingVoltageMv);
+    while (frame.time_ms > writer_->next_ms() - kRounding) writer_->add(voltage.values);
+  }
+  bool empty() const { return !writer_ || writer_->frames() == 0; }
+  Bytes take() { return writer_->take(); }
+
+ private:
+  static constexpr double kRounding = 1e-6;
+  double interval_ms_;
+  std::optional<IgbWriter> writer_;
+};
+
+/// The mesh with what was found on it; for openCARP a case that runs there.
+int export_simulation(const Session& session, const std::string& path, const Output& output) {
+  const Result<MeshFormat> format = mesh_format_of(path);
+  if (!format) return fail(format.error());
+  if (*format != MeshFormat::kCarp) return export_session(session, false, path, output);
+  const Result<std::vector<OutputFile>> files = carp_case_files(session, output.space(), mesh_name_of(path));
+  if (!files) return fail(files.error());
+  if (Status written = write_files(path, *files); !written) return fail(written.error());
+  return kExitOk;
 }
 
 void print_simulation(const json& simulation) {
@@ -70,6 +114,8 @@ void add_simulate_command(CLI::App& command, CaseOptions& options, SimulateOptio
   command.add_option("--report", wanted.report, "write the report as JSON to this file")->check(kNotEmpty);
   command.add_option("--traces", wanted.traces, "write the electrodes' potentials as CSV to this file")
       ->check(kNotEmpty);
+  command.add_option("--frames", wanted.frames, "write the voltage of each frame to this file, .igb")
+      ->check(kNotEmpty);
   command
       .add_option("--save-state", wanted.save_state,
                   "write the state at the end to this file, for --from-state of a later run")
@@ -90,12 +136,12 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
   if (Status opened = open_case(options, session); !opened) return fail(opened.error());
   const Result<Stage> stage = stage_to_run(session.recipe(), wanted.what);
   if (!stage) return fail(stage.error());
-  if (!gives_fibres(session.recipe(), *stage))
-    if (Status none = check_no_fibres({"-o", wanted.out}); !none) return fail(none.error());
   if (!wanted.traces.empty() &&
       (*stage != Stage::kMonodomain || session.recipe().physics->monodomain->electrodes.empty()))
     return fail(
         usage_error("cli", "--traces: found no physics.monodomain.electrodes, expected at least one"));
+  if (!wanted.frames.empty() && *stage != Stage::kMonodomain)
+    return fail(usage_error("cli", "--frames: found no physics.monodomain to run, expected one"));
   if (*stage != Stage::kMonodomain && !(wanted.save_state + wanted.from_state).empty())
     return fail(usage_error("cli", "--save-state, --from-state: the activation map alone has no state"));
   if (!wanted.from_state.empty()) {
@@ -105,6 +151,11 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
   }
   RunContext ctx = printing_context(output.time_limit_s, output.threads);
   Status done = session.run(Stage::kQuality, ctx);
+  std::optional<VoltageFrames> frames;
+  if (done && !wanted.frames.empty()) {
+    frames.emplace(session.recipe().physics->monodomain->frame_ms);
+    ctx.on_snapshot = [&](const Snapshot& frame) { frames->add(frame); };
+  }
   if (done) done = session.run(*stage, ctx);
   json report = report_json(session);
   if (!done) report["error"] = error_json(done.error());
@@ -119,8 +170,13 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
   if (!wanted.traces.empty())
     if (Status written = write_text_file(wanted.traces, traces_csv(*session.monodomain())); !written)
       return fail(written.error());
+  if (frames && frames->empty())
+    print_warning("--frames: found no frame at a multiple of physics.monodomain.frame_ms, wrote no file");
+  else if (frames)
+    if (Status written = place_files({{wanted.frames, frames->take()}}); !written)
+      return fail(written.error());
   if (!wanted.out.empty())
-    if (const int code = export_session(session, false, wanted.out, output); code != kExitOk) return code;
+    if (const int code = export_simulation(session, wanted.out, output); code != kExitOk) return code;
   if (!output.as_json) {
     print_stages(report["stages"], stdout);
     print_simulation(report["simulation"]);

@@ -8,7 +8,7 @@
 namespace voxtet {
 
 struct SimulateOptions {
-  std::string out, report, traces;
+  std::string out, report, traces, frames;
   std::string save_state, from_state;
   std::string
       what;  ///< a stage: eikonal or monodomain; empty: monodomain where the case has it, else eikonal

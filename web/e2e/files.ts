@@ -46,3 +46,21 @@ export function dicomSegmentation(): { dicom: string; nrrd: string } | null {
   execFileSync('/usr/bin/python3', [script, folder]);
   return { dicom: join(folder, 'heart.dcm'), nrrd: join(folder, 'heart.nrrd') };
 }
+
+export function textFile(name: string, text: string): string {
+  return kept(name, Buffer.from(text));
+}
+
+/** Frames of openCARP in which all points have one value, `interval` ms apart; shorts of half a unit, big-endian. */
+export function igbFile(name: string, points: number, frames: readonly number[], interval: number): string {
+  const header =
+    `x:${points} y:1 z:1 t:${frames.length} type:short systeme:big_endian\r\n` +
+    `facteur:0.5 zero:0 inc_t:${interval} unites:mV unites_t:ms\r\n`;
+  const bytes = Buffer.alloc(1024 + 2 * points * frames.length, ' ');
+  bytes.write(header, 'latin1');
+  bytes.write('\f', 1023, 'latin1');
+  frames.forEach((value, k) => {
+    for (let i = 0; i < points; i++) bytes.writeInt16BE(2 * value, 1024 + 2 * (k * points + i));
+  });
+  return kept(name, bytes);
+}

@@ -28,7 +28,7 @@ Result<TetMesh> read_tet_mesh(const VolumeFile& file, MeshArrays* arrays) {
   if (contains_early(text, "MeshVersionFormatted")) return read_medit(file);
   if (const Result<MeshFormat> format = mesh_format_of(file.name);
       format.ok() && *format == MeshFormat::kCarp)
-    return read_carp(file);
+    return read_carp(file, arrays);
   return Error{ErrorCode::kBadInput,
                kMeshReader,
                file.name + ": neither VTU, Gmsh MSH, MEDIT .mesh nor openCARP .elem with .pts",

@@ -94,7 +94,9 @@ TEST_F(CliTest, WritesNoFibresForOpenCarpAndSaysSo) {
   write("c.lon", "1\n1 0 0\n");
   EXPECT_EQ(run({"convert", at("a.vtu"), at("c.carp")}), kExitUsage);
   EXPECT_EQ(run({"convert", at("a.vtu"), at("c.pts")}), kExitUsage);
-  EXPECT_EQ(run({"convert", at("c.lon"), at("d.vtu")}), kExitOk);
+  test::CaughtErrors errors;
+  EXPECT_EQ(run({"convert", at("c.lon"), at("d.vtu")}), kExitBadInput);
+  EXPECT_TRUE(errors.say("c.lon: line 3: found 1 rows, expected"));
 }
 
 /// Two cubes, one within the other, in 6 x 6 x 6 voxels; with their places in the list of segments.

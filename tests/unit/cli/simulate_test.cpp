@@ -1,14 +1,18 @@
 // `simulate`, and the fibres that `mesh` writes.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "cli/cli.h"
 #include "io/bytes/files.h"
+#include "io/mesh/read_values.h"
 #include "support/printed.h"
 #include "unit/cli/cli_fixture.h"
 
@@ -102,7 +106,107 @@ TEST_F(CliTest, SimulatesTheActivationMapAlone) {
   EXPECT_EQ(simulation["eikonal"]["activated"], 1);
   EXPECT_FALSE(simulation.contains("monodomain"));
   EXPECT_EQ(lines_at(at("a.eikonal_ms.dat")).size() + 1, lines_at(at("a.pts")).size());
-  EXPECT_TRUE(fs::exists(at("a.lon.txt")));
+}
+
+/// The values of a .par, or of a column of text, by their names.
+std::map<std::string, std::string> parameters_at(const std::string& path) {
+  std::map<std::string, std::string> found;
+  for (const std::string& line : lines_at(path))
+    if (const std::size_t equals = line.find(" = "); equals != std::string::npos && line[0] != '#')
+      found[line.substr(0, equals)] = line.substr(equals + 3);
+  return found;
+}
+
+TEST_F(CliTest, WritesACaseForOpenCarp) {
+  json body = ball();
+  body["physics"]["stimuli"][0].update(
+      {{"name", "low \"end\""}, {"count", 2}, {"interval_ms", 4}, {"s2_ms", 3}, {"s3_ms", 500}});
+  write("ball.json", body.dump());
+  ASSERT_EQ(run({"simulate", at("ball.json"), "-o", at("a.carp"), "--frames", at("vm.igb")}), kExitOk);
+  const auto par = parameters_at(at("a.par"));
+  const auto value = [&](const std::string& name) {
+    const auto found = par.find(name);
+    return found == par.end() ? "none" : found->second;
+  };
+  const auto real = [&](const std::string& name) { return std::stod(value(name)); };
+  EXPECT_EQ(value("meshname"), "\"a\"");
+  EXPECT_EQ(value("dt"), "100");
+  EXPECT_EQ(value("tend"), "10");
+  EXPECT_EQ(value("bidm_eqv_mono"), "0");
+  // The diffusivity of 0.5 mm/ms is 0.2118 mm^2/ms; sigma = D chi Cm, with 140 /mm and 0.01 uF/mm^2.
+  EXPECT_NEAR(real("gregion[0].g_il"), 0.2118 * 1.4, 1e-4);
+  EXPECT_EQ(value("gregion[0].g_it"), value("gregion[0].g_il"));
+  EXPECT_EQ(value("gregion[0].g_in"), value("gregion[0].g_il"));
+  EXPECT_EQ(value("imp_region[0].cellSurfVolRatio"), "0.14");
+  EXPECT_EQ(value("imp_region[0].im"), "\"MitchellSchaeffer\"");
+  EXPECT_EQ(value("imp_region[0].im_param"),
+            "\"V_gate=0.13,a_crit=0,tau_in=0.3,tau_out=6,tau_open=120,tau_close=150,V_min=-80,V_max=20\"");
+  EXPECT_EQ(value("phys_region[0].num_IDs"), "1");
+  EXPECT_EQ(value("phys_region[0].ID[0]"), "1");
+  EXPECT_EQ(value("lats[0].threshold"), "-30");
+  // S1 at 0 and 4 ms, S2 at 7; S3 comes after the end.
+  EXPECT_EQ(value("num_stim"), "2");
+  EXPECT_EQ(value("stim[0].name"), "\"low end\"");
+  EXPECT_EQ(value("stim[0].pulse.strength"), "50");
+  EXPECT_EQ(value("stim[0].ptcl.npls"), "2");
+  EXPECT_EQ(value("stim[0].ptcl.bcl"), "4");
+  EXPECT_EQ(value("stim[1].ptcl.start"), "7");
+  EXPECT_EQ(value("stim[1].ptcl.npls"), "1");
+  EXPECT_EQ(value("stim[1].elec.vtx_file"), "\"a.stim0.vtx\"");
+
+  // A direction for each element, which means nothing here and is not missed.
+  const std::size_t elements = lines_at(at("a.elem")).size() - 1, points = lines_at(at("a.pts")).size() - 1;
+  EXPECT_EQ(lines_at(at("a.lon")), [&] {
+    std::vector<std::string> lines(elements + 1, "1 0 0");
+    lines[0] = "1";
+    return lines;
+  }());
+  // Every point conducts.
+  EXPECT_EQ(lines_at(at("a.expected_ms.dat")), lines_at(at("a.activation_ms.dat")));
+  const std::vector<std::string> electrode = lines_at(at("a.stim0.vtx")), pts = lines_at(at("a.pts"));
+  ASSERT_EQ(electrode.size(), std::stoul(electrode[0]) + 2);
+  EXPECT_EQ(electrode[1], "intra");
+  for (std::size_t i = 2; i < electrode.size(); ++i) {
+    std::istringstream in(pts[std::stoul(electrode[i]) + 1]);
+    double x, y, z;  // um
+    in >> x >> y >> z;
+    EXPECT_LE(std::hypot(x, y, z + 8000), 4000);
+  }
+
+  const Result<Bytes> igb = read_file(at("vm.igb"));
+  ASSERT_TRUE(igb.ok());
+  const Result<PointValues> frames = PointValues::open("vm.igb", *igb);
+  ASSERT_TRUE(frames.ok()) << frames.error().message;
+  EXPECT_TRUE(frames->check_count(points).ok());
+  EXPECT_EQ(frames->times_ms(), (std::vector<double>{0, 5, 10}));
+  const Result<Field> first = frames->frame(0);
+  for (const float rest : first->values) EXPECT_EQ(rest, -80);
+}
+
+TEST_F(CliTest, NumbersRegionsForOpenCarpByTissue) {
+  // The label 1 is meshed; where the label 2 fills a tetrahedron, it is another tissue, and 3 is none.
+  write("boxes.json",
+        R"({"source": {"phantom": {"kind": "nested_boxes", "radius_mm": 8, "spacing_mm": [1, 1, 1]}},
+    "sizing": {"edge_mm": 3},
+    "merge": [[1, 2, 3]], "transfer": {"labels": [2, 3]},
+    "physics": {"tissue": {"by": "centroid", "kinds": [{"labels": [1]}, {"labels": [2], "along_mm_per_ms": 0.25}]},
+      "stimuli": [{"centre_mm": [0, 0, 0], "radius_mm": 1000}]}})");
+  ASSERT_EQ(run({"simulate", at("boxes.json"), "-o", at("a.carp")}), kExitOk);
+  const auto par = parameters_at(at("a.par"));
+  std::set<std::string> regions;
+  const std::vector<std::string> elements = lines_at(at("a.elem"));
+  for (std::size_t e = 1; e < elements.size(); ++e)
+    regions.insert(elements[e].substr(elements[e].find_last_of(' ') + 1));
+  EXPECT_EQ(regions, (std::set<std::string>{"1", "2", "3"}));
+  EXPECT_EQ(par.at("phys_region[0].num_IDs"), "2");
+  EXPECT_EQ(par.at("gregion[0].ID[0]"), "1");
+  EXPECT_EQ(par.at("gregion[1].ID[0]"), "2");
+  EXPECT_NEAR(std::stod(par.at("gregion[1].g_il")), std::stod(par.at("gregion[0].g_il")) / 4, 1e-9);
+  const std::string text = text_at(at("a.par"));
+  EXPECT_NE(text.find("# Region 2: label 1 as tissue 1\n"), std::string::npos);
+  EXPECT_NE(text.find("# Region 3: label 1, which does not conduct\n"), std::string::npos);
+  EXPECT_NE(text.find("# Ours is the activation by the eikonal equation.\n"), std::string::npos);
+  EXPECT_LT(lines_at(at("a.expected_ms.dat")).size(), lines_at(at("a.eikonal_ms.dat")).size());
 }
 
 TEST_F(CliTest, RefusesASimulationThatCannotBe) {
@@ -125,6 +229,10 @@ TEST_F(CliTest, RefusesASimulationThatCannotBe) {
             "--save-state, --from-state: the activation map alone has no state"},
            {{"simulate", at("ball.json"), "-o", at("a.inp")},
             "this format has no place for values at points, expected .vtu, .xdmf or .carp"},
+           {{"simulate", at("ball.json"), "--frames", at("a.vtu")},
+            "--frames " + at("a.vtu") + ": frames are written as .igb"},
+           {{"simulate", at("ball.json"), "--what", "eikonal", "--frames", at("a.igb")},
+            "--frames: found no physics.monodomain to run, expected one"},
            {{"simulate", at("ball.json"), "-o", at("a.xyz")}, "ending \".xyz\", expected one of"}}) {
     test::CaughtErrors errors;
     EXPECT_EQ(run(words), kExitUsage) << said;
@@ -166,7 +274,7 @@ TEST_F(CliTest, RefusesFibresOfAnotherMeshWhereNoneAreMade) {
   // The stage optimise comes before fibres; the ball has none.
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"mesh", at("heart.json"), "-o", at("a.carp")},
-        {"simulate", at("ball.json"), "-o", at("a.carp")}}) {
+        {"mesh", at("ball.json"), "-o", at("a.carp")}}) {
     test::CaughtErrors errors;
     EXPECT_EQ(run(words), kExitUsage);
     EXPECT_TRUE(errors.say("a.lon holds the fibres of another mesh"));

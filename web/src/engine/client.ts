@@ -17,7 +17,6 @@ import {
   type Simulated,
   type SimulationSummary,
   type Space,
-  type StageArrays,
   type StageName,
   type StageSummary,
   type VolumeFile,
@@ -32,24 +31,7 @@ import {
   type Generation,
   type Side,
 } from './generation';
-
-export interface RunHandlers {
-  onProgress?(stage: StageName, fraction: number): void;
-  /** Whether the arrays of a stage that is done are to be copied out of the engine; else they are. */
-  wants?(summary: StageSummary): boolean;
-  /** A stage is done; nothing is handed over that was not wanted. */
-  onStage?(summary: StageSummary, arrays: Partial<StageArrays[StageName]> | null): void;
-}
-
-export interface SimulationHandlers {
-  onProgress(stage: string, fraction: number): void;
-  onFrame(frame: Frame): void;
-}
-
-export interface RecipeReply {
-  recipe: Recipe;
-  minimal: Record<string, unknown>;
-}
+import type { RecipeReply, RunHandlers, SimulationHandlers } from './handlers';
 
 const sideKey = (kind: SideKind, name: string): string => `${kind} ${name}`;
 
@@ -252,12 +234,26 @@ export class EngineClient {
     });
   }
 
+  /** Frames of a file with values at the points of the mesh of this recipe. */
+  values(
+    recipeJson: string,
+    source: Recipe['source'],
+    file: VolumeFile,
+    onFrame: (frame: Frame) => void,
+  ): Promise<null> {
+    return this.job(async (generation) => {
+      await this.remesh(generation, recipeJson, source);
+      const frames = Comlink.proxy(async (frame: Frame) => onFrame(frame));
+      return this.answer(generation, 'values', generation.api.values(file, frames));
+    });
+  }
+
   /** Holds the simulation under way, or lets it go on. */
   pauseSimulation(paused: boolean): void {
     if (this.generation.simulation) void this.generation.api.pauseSimulation(paused);
   }
 
-  /** Files of the mesh of this recipe; stages that the worker no longer holds run again. */
+  /** Files of the mesh of this recipe. */
   exportMesh(
     recipeJson: string,
     source: Recipe['source'],
@@ -268,11 +264,7 @@ export class EngineClient {
     handlers: RunHandlers = {},
   ): Promise<ExportedFile[]> {
     return this.job(async (generation) => {
-      await this.prepare(generation, recipeJson, source);
-      const progress = Comlink.proxy((stage: StageName, fraction: number) =>
-        handlers.onProgress?.(stage, fraction),
-      );
-      await this.answer(generation, 'optimise', generation.api.run('quality', progress));
+      await this.remesh(generation, recipeJson, source, handlers);
       return this.answer(generation, 'export', generation.api.exportMesh(format, space, name, measures));
     });
   }
@@ -306,6 +298,18 @@ export class EngineClient {
     for (const mask of masks) await this.loadSide(generation, 'mask', mask);
     for (const image of images) await this.loadSide(generation, 'image', image);
     return accepted;
+  }
+
+  /** Sees to the mesh of this recipe: stages that the worker no longer holds run again. */
+  private async remesh(
+    generation: Generation,
+    recipeJson: string,
+    source: Recipe['source'],
+    { onProgress }: RunHandlers = {},
+  ): Promise<void> {
+    await this.prepare(generation, recipeJson, source);
+    const progress = Comlink.proxy((stage: StageName, fraction: number) => onProgress?.(stage, fraction));
+    await this.answer(generation, 'optimise', generation.api.run('quality', progress));
   }
 
   /** A file that is not there is the engine's to miss, once its stage comes. */

@@ -359,6 +359,11 @@ export interface EngineApi {
   pauseSimulation(paused: boolean): void;
   /** It answers `cancelled`; what was complete before it stays. */
   endSimulation(): void;
+  /**
+   * Hands over values that were found elsewhere at the points of this mesh: one frame of openCARP's .dat, those of
+   * its .igb.
+   */
+  values(file: VolumeFile, onFrame: (frame: Frame) => Promise<void>): Promise<Reply<null>>;
   /** After the stages up to sizing. With `elements` above 0 also the sizes that give so many tetrahedra. */
   forecast(elements: number): Reply<Forecast & { fitting?: FittingSizes }>;
   arrays(stage: StageName): Reply<Partial<StageArrays[StageName]>>;

@@ -29,20 +29,29 @@ function nextMessage(): Promise<void> {
   });
 }
 
+/** What the engine says of a frame. */
+export interface Snapshot {
+  time_ms: number;
+  fields: FieldInfo[];
+}
+
+/** The frame that the engine has just told of, with its values. */
+export function frameOf(session: Session, { time_ms, fields }: Snapshot): Frame {
+  const values: Frame['values'] = {};
+  for (const { name } of fields) {
+    const view = session.snapshotArray(name);
+    if (view) values[name] = withRoom(withNone(view as Float32Array, noValue));
+  }
+  return { timeMs: time_ms, fields, values };
+}
+
 /** The frames that have not been taken yet. */
 function takeFrames(session: Session): Frame[] {
   const frames: Frame[] = [];
   for (;;) {
-    const { value } = JSON.parse(session.takeSnapshot()) as {
-      value: { time_ms: number; fields: FieldInfo[] } | null;
-    };
+    const { value } = JSON.parse(session.takeSnapshot()) as { value: Snapshot | null };
     if (!value) return frames;
-    const values: Frame['values'] = {};
-    for (const { name } of value.fields) {
-      const view = session.snapshotArray(name);
-      if (view) values[name] = withRoom(withNone(view as Float32Array, noValue));
-    }
-    frames.push({ timeMs: value.time_ms, fields: value.fields, values });
+    frames.push(frameOf(session, value));
   }
 }
 

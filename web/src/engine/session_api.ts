@@ -6,15 +6,17 @@ import type {
   EngineApi,
   FieldInfo,
   ExportedFile,
+  Frame,
   Reply,
   StageArrays,
   StageName,
   SurfaceArrays,
   TetArrays,
+  VolumeFile,
 } from './contract';
 import { noValue, stageNames } from './contract';
 import { guarded } from './failures';
-import { PartedRuns } from './parts';
+import { frameOf, PartedRuns, type Snapshot } from './parts';
 
 type View = Float32Array | Uint32Array | Uint16Array;
 /** A view's copy, or what the worker made of some. */
@@ -35,6 +37,9 @@ export interface Session {
   array(stage: string, name: string): View | undefined;
   takeSnapshot(): string;
   snapshotArray(name: string): View | undefined;
+  openValues(name: string, bytes: Uint8Array): string;
+  valuesFrame(frame: number): string;
+  closeValues(): void;
   exportMesh(format: string, space: string, name: string, measures: boolean): string;
   exportBytes(index: number): Uint8Array;
   report(): string;
@@ -96,6 +101,26 @@ function fieldsOf(session: Session, stages: readonly string[], none: number): St
   return { fields, values };
 }
 
+/** Hands over the frames of a file of values one by one: there may be more than memory holds. */
+async function eachFrame(
+  session: Session,
+  { name, bytes }: VolumeFile,
+  onFrame: (frame: Frame) => Promise<void>,
+): Promise<Reply<null>> {
+  const opened = guarded(
+    'values',
+    () => JSON.parse(session.openValues(name, bytes)) as Reply<{ frames: number }>,
+  );
+  if (!opened.ok) return opened;
+  for (let k = 0; k < opened.value.frames; k++) {
+    const told = guarded('values', () => JSON.parse(session.valuesFrame(k)) as Reply<Snapshot>);
+    if (!told.ok) return told;
+    await onFrame(frameOf(session, told.value));
+  }
+  session.closeValues();
+  return { ok: true, value: null };
+}
+
 /** One session as plain values: texts parsed, views copied once, failures turned into typed errors. */
 export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
   const runs = new PartedRuns(session);
@@ -122,6 +147,8 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
       guarded(stage, () => ({ ok: true, value: fieldsOf(session, [...stagesBefore, stage], noValue) })),
     pauseSimulation: (paused) => runs.pause(paused),
     endSimulation: () => runs.end(),
+
+    values: (file, onFrame) => eachFrame(session, file, onFrame),
 
     forecast: (elements) => guarded('forecast', () => JSON.parse(session.forecast(elements))),
 

@@ -53,25 +53,29 @@ function releasing<T>(run: Promise<T>, ...callbacks: unknown[]): Promise<T> {
   });
 }
 
+/** Hands frames to a callback of the page, which gets their buffers. */
+function handing(onFrame: (frame: Frame) => Promise<void>): typeof onFrame {
+  return (frame) =>
+    onFrame(
+      Comlink.transfer(
+        frame,
+        Object.values(frame.values).map(({ buffer }) => buffer),
+      ),
+    );
+}
+
 const api: EngineApi = {
   start,
   loadVolume: (file) => current().loadVolume(file),
   loadSideVolume: (kind, file) => current().loadSideVolume(kind, file),
   setRecipe: (json) => current().setRecipe(json),
   run: (stage, onProgress) => releasing(current().run(stage, onProgress), onProgress),
-  simulate(stage, onProgress, onFrame) {
-    const hand = (frame: Frame) =>
-      onFrame(
-        Comlink.transfer(
-          frame,
-          Object.values(frame.values).map(({ buffer }) => buffer),
-        ),
-      );
-    return releasing(current().simulate(stage, onProgress, hand), onProgress, onFrame);
-  },
+  simulate: (stage, onProgress, onFrame) =>
+    releasing(current().simulate(stage, onProgress, handing(onFrame)), onProgress, onFrame),
   found: (stage) => handOver(current().found(stage)),
   pauseSimulation: (paused) => current().pauseSimulation(paused),
   endSimulation: () => current().endSimulation(),
+  values: (file, onFrame) => releasing(current().values(file, handing(onFrame)), onFrame),
   forecast: (elements) => current().forecast(elements),
   arrays: (stage) => handOver(current().arrays(stage)),
   exportMesh: (format, space, name, measures) =>

@@ -10,8 +10,8 @@ namespace voxtet {
 
 struct MeshArrays {
   std::vector<Field> cell_data;  ///< as many values as the mesh has tetrahedra
-  std::vector<std::string>
-      left_out;  ///< names of arrays whose values are not one finite number each, or that a piece lacks
+  /// Names of arrays of VTU whose values are not one finite number each, or that a piece lacks.
+  std::vector<std::string> left_out;
 };
 
 }  // namespace voxtet

@@ -42,7 +42,9 @@ int corners_of(MeshCursor& in, std::string_view name) {
   return 0;
 }
 
-Result<TetMesh> read_elements(const VolumeFile& file, std::vector<Eigen::Vector3d> points) {
+/// `is_tet` says of each element of the file whether it was kept.
+Result<TetMesh> read_elements(const VolumeFile& file, std::vector<Eigen::Vector3d> points,
+                              std::vector<bool>& is_tet) {
   MeshCursor in(file.bytes, file.name, kReader);
   TetMesh mesh;
   const std::int64_t count = in.integer("the number of elements", 0, kMostItems);
@@ -63,7 +65,8 @@ Result<TetMesh> read_elements(const VolumeFile& file, std::vector<Eigen::Vector3
                 std::to_string(last));
       corner[static_cast<std::size_t>(c)] = static_cast<std::uint32_t>(point);
     }
-    if (type != "Tt") {
+    is_tet.push_back(type == "Tt");
+    if (!is_tet.back()) {
       in.rest_of_line();
       continue;
     }
@@ -77,9 +80,32 @@ Result<TetMesh> read_elements(const VolumeFile& file, std::vector<Eigen::Vector3
   return finish_mesh(in, std::move(mesh), false);
 }
 
+/// One or two directions for each element of .elem; those of the tetrahedra are kept.
+Result<std::vector<Field>> read_directions(const VolumeFile& file, const std::vector<bool>& is_tet) {
+  MeshCursor in(file.bytes, file.name, kReader);
+  const std::int64_t count = in.integer("the number of directions of an element", 1, 2);
+  std::vector<Field> fields;
+  if (in.ok())
+    fields.push_back({std::string(kFibreField), "Fibre", "1", On::kTets, Scale::kSequential, 3, {}});
+  if (count == 2)
+    fields.push_back({std::string(kSheetField), "Sheet", "1", On::kTets, Scale::kSequential, 3, {}});
+  for (std::size_t e = 0; e < is_tet.size() && in.ok(); ++e)
+    for (Field& field : fields)
+      for (int d = 0; d < 3; ++d) {
+        if (in.ok() && in.at_end())
+          in.fail("found " + std::to_string(e) + " rows, expected " + std::to_string(is_tet.size()) +
+                  ", one for each element of .elem");
+        const double component = in.real("a direction");
+        if (is_tet[e]) field.values.push_back(static_cast<float>(component));
+      }
+  in.expect_end("the last element's direction");
+  if (!in.ok()) return in.error();
+  return fields;
+}
+
 }  // namespace
 
-Result<TetMesh> read_carp(const VolumeFile& file) {
+Result<TetMesh> read_carp(const VolumeFile& file, MeshArrays* arrays) {
   const std::string ending = lower_case(mesh_ending_of(file.name));
   const std::string base = file.name.substr(0, file.name.size() - ending.size());
   const std::string folderless = base.substr(base.find_last_of("/\\") + 1);
@@ -100,7 +126,15 @@ Result<TetMesh> read_carp(const VolumeFile& file) {
   if (!points.ok()) return points.error();
   const Result<VolumeFile> elements_file = part(".elem");
   if (!elements_file.ok()) return elements_file.error();
-  return read_elements(*elements_file, std::move(points).value());
+  std::vector<bool> is_tet;
+  Result<TetMesh> mesh = read_elements(*elements_file, std::move(points).value(), is_tet);
+  if (!mesh.ok() || arrays == nullptr) return mesh;
+  const Result<VolumeFile> directions_file = part(".lon");
+  if (!directions_file.ok()) return mesh;  // a mesh without fibres has none
+  Result<std::vector<Field>> directions = read_directions(*directions_file, is_tet);
+  if (!directions.ok()) return directions.error();
+  arrays->cell_data = std::move(directions).value();
+  return mesh;
 }
 
 }  // namespace voxtet

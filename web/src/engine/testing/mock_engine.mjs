@@ -213,7 +213,37 @@ class Session {
     this.taken = this.waiting.shift() ?? null;
     return JSON.stringify({ ok: true, value: this.taken });
   }
+  /** Values as they come: a byte is a point's value, as many frames as there are points in them. */
+  openValues(name, bytes) {
+    const points = this.mesh.points.length / 3;
+    if (bytes.length % points !== 0) {
+      const message = `${name}: found ${bytes.length} values, expected ${points}, one for each point of the mesh`;
+      return JSON.stringify({ ok: false, error: { code: 'bad_input', stage: 'values', message, where: {} } });
+    }
+    this.values = { name, bytes };
+    return JSON.stringify({ ok: true, value: { frames: bytes.length / points } });
+  }
+  valuesFrame(frame) {
+    const count = this.mesh.points.length / 3;
+    const name = this.values.name.replace(/\.[^.]*$/, '').replace(/.*\./, '');
+    const info = {
+      name,
+      title: this.values.name,
+      unit: '1',
+      on: 'points',
+      scale: 'sequential',
+      components: 1,
+    };
+    const part = Float32Array.from(this.values.bytes.subarray(frame * count, (frame + 1) * count));
+    this.part = part;
+    const range = [Math.min(...part), Math.max(...part)];
+    return JSON.stringify({ ok: true, value: { time_ms: 5 * frame, fields: [{ ...info, count, range }] } });
+  }
+  closeValues() {
+    this.values = null;
+  }
   snapshotArray() {
+    if (this.values) return this.part;
     return new Float32Array(this.mesh.points.length / 3).fill(this.taken.time_ms / 100);
   }
   advanceTo(stage, onProgress) {

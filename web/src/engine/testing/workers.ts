@@ -59,6 +59,7 @@ export class Workers {
       found: (stage) => session.found(stage),
       pauseSimulation: (paused) => session.pauseSimulation(paused),
       endSimulation: () => session.endSimulation(),
+      values: (file, onFrame) => session.values(file, onFrame),
       forecast: (elements) =>
         this.hang === 'forecast' ? (new Promise(() => undefined) as never) : session.forecast(elements),
       arrays: (stage) => {

@@ -13,6 +13,7 @@ import {
 import { filesOf } from '../../store/case/input';
 import { paintedEdges, paintedName } from '../../store/case/painting';
 import { recipe } from '../../store/case/recipe';
+import { simulated } from '../../store/run/frames';
 import { report, upToDate } from '../../store/run/report';
 import { activity } from '../../store/run/stages';
 import { Dialog } from '../controls/dialog';
@@ -29,7 +30,7 @@ const formatNotes: Record<ExportFormat, [string, string]> = {
   xdmf: ['XDMF', 'FEniCS, ParaView; two files: .xdmf, .h5, mm'],
   msh: ['Gmsh MSH', 'Gmsh, FEniCS; labels and interfaces named, mm'],
   medit: ['Medit', 'MMG, FreeFEM; mm'],
-  carp: ['openCARP', '.pts, .elem; no fibres, so no .lon; µm'],
+  carp: ['openCARP', '.pts, .elem, .lon; a whole case after a simulation; µm'],
   inp: ['Abaqus', 'Abaqus, CalculiX; labels and interfaces named, mm'],
   feb: ['FEBio', 'FEBio Studio; parts and interfaces named, mm'],
   stl: ['STL', 'Boundary surface, for printing and viewing, mm'],
@@ -73,8 +74,11 @@ function ExportDialog({ close }: { close(): void }) {
       </div>
       {format === 'carp' && (
         <p class="stale">
-          No fibres are known, so no .lon file is written. openCARP requires one: make the fibres, a direction
-          for each element, before simulating.
+          {Object.keys(simulated.value).length > 0
+            ? `The simulation goes along as a case that runs in openCARP: parameters (.par), stimulated points
+              (.vtx) and the activation to be expected.`
+            : `openCARP requires a .lon file with a direction for each element. It is written where the case has
+              fibres; simulate here first to get a whole case.`}
         </p>
       )}
       {!upToDate.value && (

@@ -1,4 +1,4 @@
-/** Files that the user opens or drops: volumes, cases, zips, and what sizes come from. */
+/** Files that the user opens or drops: volumes, cases, zips, what sizes come from, and values on the mesh. */
 import { signal } from '@preact/signals';
 import type { FileSource, SideKind, VolumeFile } from '../../engine/contract';
 import { parseCase } from '../../link/codec';
@@ -8,6 +8,7 @@ import { awaitedFile, volume } from './input';
 import { announcement, tell } from '../notices';
 import { activity, endStages } from '../run/stages';
 import { previewSoon } from '../run/run_stages';
+import { areValues, openValues } from '../run/values';
 import { awaitedSides, type SideFile } from './side_files';
 import { openSideFile } from './size_files';
 import { unpackZip } from './zip';
@@ -58,6 +59,7 @@ async function volumeFileOf([main, ...others]: readonly File[]): Promise<VolumeF
 export async function dropFiles(files: File[]): Promise<void> {
   if (files.length === 0) return;
   if (await openAwaited(files)) return;
+  if (areValues(files)) return openValues(files);
   const opens = volume.value === null || files.some((file) => /\.(json|zip)$/i.test(file.name));
   if (opens) return openFiles(files);
   droppedFiles.value = files;
@@ -132,6 +134,7 @@ async function openZip(file: File): Promise<void> {
 
 /** A file to be meshed, with the raw file that its header may name. A case file opens like a link. */
 export async function openFiles(files: File[]): Promise<void> {
+  if (areValues(files)) return openValues(files);
   const caseFile = files.find((file) => /\.json$/i.test(file.name));
   const zip = files.find((file) => /\.zip$/i.test(file.name));
   const whole = caseFile ?? zip;
