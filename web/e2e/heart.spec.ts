@@ -5,7 +5,7 @@ import { writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import { expect, idle, openAndRun, smallHeart, test } from './support';
+import { expect, idle, openAndRun, pixels, smallHeart, test } from './support';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 
@@ -124,4 +124,30 @@ test('a simulation is set up by hand: scar conducts nothing, a stimulus off the 
   await page.getByRole('button', { name: 'Undo' }).click();
   await page.getByTestId('activation-map').click();
   await idle(page);
+});
+
+test('fibres are drawn as glyphs and as lines, within an outline of the heart, and follow the cut', async ({
+  page,
+}) => {
+  await openAndRun(page, heart);
+  const fibres = page.getByRole('group', { name: 'Fibres' });
+  await fibres.getByRole('button', { name: 'Glyphs' }).click();
+  await expect(page.locator('.legend')).toContainText('Helix angle');
+  await idle(page);
+  const places = Array.from({ length: 400 }, (_, i) => ({
+    x: 500 + 15 * (i % 20),
+    y: 250 + 15 * Math.floor(i / 20),
+  }));
+  const coloured = async () =>
+    (await pixels(page, places)).filter(([r, g, b]) => Math.max(r, g, b) - Math.min(r, g, b) > 40).length;
+  await expect.poll(coloured).toBeGreaterThan(40);
+  const whole = await coloured();
+  await page.getByRole('button', { name: 'Cut', exact: true }).click();
+  await expect.poll(coloured).toBeLessThan(whole);
+  await fibres.getByRole('button', { name: 'Lines' }).click();
+  await page.getByRole('button', { name: 'Cut', exact: true }).click();
+  await expect.poll(coloured).toBeGreaterThan(40);
+  await page.getByRole('button', { name: 'See through' }).click();
+  await fibres.getByRole('button', { name: 'No fibres' }).click();
+  await expect(page.locator('.legend')).toHaveCount(0);
 });

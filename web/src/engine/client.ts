@@ -5,6 +5,7 @@ import {
   type EngineInfo,
   type ExportedFile,
   type ExportFormat,
+  type FibreArrays,
   type FileSource,
   type FoundFields,
   type Frame,
@@ -17,7 +18,7 @@ import {
   type Simulated,
   type SimulationSummary,
   type Space,
-  type StageArrays,
+  type Stimulus,
   type StageName,
   type StageSummary,
   type VolumeFile,
@@ -32,24 +33,7 @@ import {
   type Generation,
   type Side,
 } from './generation';
-
-export interface RunHandlers {
-  onProgress?(stage: StageName, fraction: number): void;
-  /** Whether the arrays of a stage that is done are to be copied out of the engine; else they are. */
-  wants?(summary: StageSummary): boolean;
-  /** A stage is done; nothing is handed over that was not wanted. */
-  onStage?(summary: StageSummary, arrays: Partial<StageArrays[StageName]> | null): void;
-}
-
-export interface SimulationHandlers {
-  onProgress(stage: string, fraction: number): void;
-  onFrame(frame: Frame): void;
-}
-
-export interface RecipeReply {
-  recipe: Recipe;
-  minimal: Record<string, unknown>;
-}
+import type { RecipeReply, RunHandlers, SimulationHandlers } from './handlers';
 
 const sideKey = (kind: SideKind, name: string): string => `${kind} ${name}`;
 
@@ -250,6 +234,26 @@ export class EngineClient {
         generation.simulation = null;
       }
     });
+  }
+
+  /** The fibres that this recipe asks for. A simulation under way has made them, and is asked between two parts. */
+  async fibres(recipeJson: string, source: Recipe['source']): Promise<FibreArrays | null> {
+    const now = this.generation;
+    if (now.simulation) return this.answer(now, 'fibres', now.api.fibres());
+    return this.job(async (generation) => {
+      await this.prepare(generation, recipeJson, source);
+      const silent = Comlink.proxy(() => undefined);
+      await this.answer(generation, 'fibres', generation.api.run('fibres', silent));
+      return this.answer(generation, 'fibres', generation.api.fibres());
+    });
+  }
+
+  /** Excites the tissue in the simulation under way, `start_ms` from where it is; what it then has among its stimuli. */
+  async stimulate(stimulus: Stimulus): Promise<Stimulus> {
+    const now = this.generation;
+    if (!now.simulation) throw failure('usage', 'No simulation is under way.', 'monodomain');
+    const reply = now.api.stimulate(JSON.stringify(stimulus));
+    return (await this.answer(now, 'monodomain', reply)).stimulus;
   }
 
   /** Holds the simulation under way, or lets it go on. */

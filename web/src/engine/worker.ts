@@ -70,6 +70,8 @@ const api: EngineApi = {
     return releasing(current().simulate(stage, onProgress, hand), onProgress, onFrame);
   },
   found: (stage) => handOver(current().found(stage)),
+  fibres: () => handOver(current().fibres()),
+  stimulate: (json) => current().stimulate(json),
   pauseSimulation: (paused) => current().pauseSimulation(paused),
   endSimulation: () => current().endSimulation(),
   forecast: (elements) => current().forecast(elements),

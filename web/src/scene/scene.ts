@@ -12,12 +12,15 @@ import {
   command,
   cut,
   dark,
+  fibreLegend,
+  fibreStyle,
   focusTet,
   layout,
   legend,
   marked,
   picked,
   sceneMounted,
+  seeThrough,
   showEdges,
   sliceLegend,
   slicePlaces,
@@ -67,21 +70,21 @@ function tetsShown(): TetSource | null {
   return mesh ? { mesh, measures: shownResult('quality') } : null;
 }
 
-/** Bodies of the sizing regions; their code is fetched with the first of them. */
-function regionsWhenNeeded(viewer: Viewer): () => void {
+/** A part of the view whose code is fetched when it is first needed; `load` gives what adds it. */
+function whenNeeded(isNeeded: () => boolean, load: () => Promise<() => () => void>): () => void {
   let stopped = false;
-  let stopBodies: (() => void) | undefined;
-  const needed = computed(() => (recipe.value?.sizing.regions.length ?? 0) > 0);
+  let stopPart: (() => void) | undefined;
+  const needed = computed(isNeeded);
   const stopWaiting = effect(() => {
-    if (!needed.value || stopBodies) return;
-    import('./regions').then(({ addRegions }) => {
-      if (!stopped) stopBodies ??= addRegions(viewer);
+    if (!needed.value || stopPart) return;
+    load().then((add) => {
+      if (!stopped) stopPart ??= add();
     }, tellError);
   });
   return () => {
     stopped = true;
     stopWaiting();
-    stopBodies?.();
+    stopPart?.();
   };
 }
 
@@ -96,7 +99,6 @@ export function mountScene(container: HTMLElement): () => void {
   const viewer = new Viewer(canvas, main);
   addTriad(viewer, main);
   addScaleBar(viewer, main);
-  const stopRegions = regionsWhenNeeded(viewer);
   const slices = addSlices(canvas, viewer, panes);
   const warmUp = new WarmUp(canvas.renderer, slices.material);
   canvas.holdUntil(warmUp.ready);
@@ -127,6 +129,24 @@ export function mountScene(container: HTMLElement): () => void {
   };
 
   const stops = [
+    whenNeeded(
+      () => (recipe.value?.sizing.regions.length ?? 0) > 0,
+      async () => {
+        const { addRegions } = await import('./regions');
+        return () => addRegions(viewer);
+      },
+    ),
+    whenNeeded(
+      () => fibreStyle.value !== 'none',
+      async () => {
+        const { addFibres } = await import('./mesh/fibres_view');
+        return () => addFibres(canvas, body.group, planeNow, onTets);
+      },
+    ),
+    effect(() => {
+      body.setSeeThrough(fibreLegend.value !== null && seeThrough.value);
+      canvas.invalidate();
+    }),
     effect(() => {
       panes.dataset.layout = layout.value;
       canvas.invalidate();
@@ -274,7 +294,6 @@ export function mountScene(container: HTMLElement): () => void {
   return () => {
     sceneMounted.value = false;
     for (const stop of stops) stop();
-    stopRegions();
     slices.dispose();
     body.dispose();
     other.dispose();

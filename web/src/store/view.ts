@@ -65,6 +65,11 @@ export type SceneCommand =
 
 export const stageShown = signal<StageName>('smooth');
 export const colourBy = signal<ColourBy>('label');
+/** How fibres are drawn, and whether the body is an outline around them. */
+export type FibreStyle = 'none' | 'glyphs' | 'lines';
+export const fibreStyle = signal<FibreStyle>('none');
+export const seeThrough = signal(true);
+export const fibreLegend = signal<Legend | null>(null);
 export const showEdges = signal(true);
 export const cut = signal<Cut>({ on: false, flat: false, normal: [0, 1, 0], place: 0.5 });
 export const brush = signal<Brush | null>(null);

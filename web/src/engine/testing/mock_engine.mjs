@@ -209,6 +209,16 @@ class Session {
       : undefined;
     return JSON.stringify({ ok: true, value: { done, stage, fraction, summary } });
   }
+  stimulate(text) {
+    const now = 5 * this.frame;
+    const given = JSON.parse(text);
+    const stimulus = { ...given, start_ms: given.start_ms + now };
+    this.recipe.physics = {
+      ...this.recipe.physics,
+      stimuli: [...(this.recipe.physics?.stimuli ?? []), stimulus],
+    };
+    return JSON.stringify({ ok: true, value: { stimulus } });
+  }
   takeSnapshot() {
     this.taken = this.waiting.shift() ?? null;
     return JSON.stringify({ ok: true, value: this.taken });
@@ -308,6 +318,15 @@ class Session {
       );
     }
     if (stage === 'optimise') return this.mesh[array];
+    // Fibres along x, and a wall whose depth is z and whose base is at high y.
+    if (stage === 'fibres')
+      return this.recipe.physics?.fibres
+        ? new Float32Array(3 * this.mesh.labels.length).map((_, i) => (i % 3 === 0 ? 1 : 0))
+        : undefined;
+    if (stage === 'anatomy') {
+      const axis = array === 'transmural' ? 2 : 1;
+      return this.mesh.points.filter((_, i) => i % 3 === axis);
+    }
     return array === 'points' ? this.mesh.points : boundary(this.mesh)[array];
   }
   exportMesh(format, space, name) {

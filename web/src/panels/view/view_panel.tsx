@@ -2,13 +2,20 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { volume } from '../../store/case/input';
 import { simulation } from '../../store/run/frames';
 import { activity } from '../../store/run/stages';
-import { layout, legend, sliceLegend } from '../../store/view';
+import { fibreLegend, layout, legend, seeThrough, sliceLegend } from '../../store/view';
 import { EmptyState } from '../case/empty_state';
 import { fetched } from '../controls/fetched';
 import { LegendCard, PickedCard } from './view_cards';
 import { ShowAll, SliceChoice, ViewToolbar } from './view_tools';
 
 const PlayerBar = fetched(() => import('./player_bar').then((part) => part.PlayerBar));
+
+/** Of the fibres where the body is their outline only, else of the body. */
+function legendShown() {
+  const fibres = fibreLegend.value;
+  if (fibres && seeThrough.value) return fibres;
+  return legend.value ?? fibres ?? (layout.value === 'model' ? sliceLegend.value : null);
+}
 
 export function ViewPanel() {
   const host = useRef<HTMLDivElement>(null);
@@ -49,7 +56,7 @@ export function ViewPanel() {
         {opened && trouble && <p class="view-trouble">{trouble}</p>}
         {opened && (
           <>
-            <LegendCard shown={legend.value ?? (layout.value === 'model' ? sliceLegend.value : null)} />
+            <LegendCard shown={legendShown()} />
             <SliceChoice />
             <PickedCard />
             <ShowAll />

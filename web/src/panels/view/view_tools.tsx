@@ -26,6 +26,7 @@ import {
 } from '../../store/view';
 import { Segments } from '../controls/fields';
 import { Icon } from '../controls/icons';
+import { fetched } from '../controls/fetched';
 import { ScaleStrip } from './view_cards';
 
 const cutAxes: [string, string, Vec3][] = [
@@ -224,6 +225,8 @@ export function ShowAll() {
   );
 }
 
+const FibreTool = fetched(() => import('./fibre_tool').then((part) => part.FibreTool));
+
 export function ViewToolbar() {
   const stage = stageShown.value;
   const planes = stage === 'volume' || stage === 'sizing';
@@ -252,6 +255,7 @@ export function ViewToolbar() {
         Edges
       </button>
       {!planes && <CutTools onTets={onTets} />}
+      {onTets && recipe.value?.physics?.fibres && report.value && <FibreTool />}
       {onTets && <ExplodeTool />}
       {planes && !sliced && <PlaneTools />}
       <button

@@ -55,6 +55,7 @@ export class TetModel {
   private readonly ghost: TetDrawing;
   private plane: Plane | null = null;
   private partly = false;
+  private seeThrough = false;
   private hides = false;
   private disposed = false;
 
@@ -155,6 +156,12 @@ export class TetModel {
     this.update();
   }
 
+  /** Only an outline is drawn; what a click hits stays. */
+  setSeeThrough(on: boolean): void {
+    this.seeThrough = on;
+    this.update();
+  }
+
   single(tet: number | null): void {
     this.shared.singled.value = tet ?? -1;
   }
@@ -222,6 +229,7 @@ export class TetModel {
     this.solid.material.uniforms.clipPlane.value.copy(plane?.flat ? at : noClip);
     this.cap.visible = plane?.flat ?? false;
     this.cap.material.uniforms.cutPlane.value.copy(at);
-    this.ghost.visible = this.partly;
+    this.ghost.visible = this.partly || this.seeThrough;
+    for (const one of [this.solid, this.cap]) one.material.visible = !this.seeThrough;
   }
 }

@@ -1,0 +1,20 @@
+/** What the client's callers hand over, and get. */
+import type { Frame, Recipe, StageArrays, StageName, StageSummary } from './contract';
+
+export interface RunHandlers {
+  onProgress?(stage: StageName, fraction: number): void;
+  /** Whether the arrays of a stage that is done are to be copied out of the engine; else they are. */
+  wants?(summary: StageSummary): boolean;
+  /** A stage is done; nothing is handed over that was not wanted. */
+  onStage?(summary: StageSummary, arrays: Partial<StageArrays[StageName]> | null): void;
+}
+
+export interface SimulationHandlers {
+  onProgress(stage: string, fraction: number): void;
+  onFrame(frame: Frame): void;
+}
+
+export interface RecipeReply {
+  recipe: Recipe;
+  minimal: Record<string, unknown>;
+}
