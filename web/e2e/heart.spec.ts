@@ -151,3 +151,23 @@ test('fibres are drawn as glyphs and as lines, within an outline of the heart, a
   await fibres.getByRole('button', { name: 'No fibres' }).click();
   await expect(page.locator('.legend')).toHaveCount(0);
 });
+
+test('a stimulus is dragged on a slice like a region, and its card follows', async ({ page }) => {
+  await openAndRun(page, heart);
+  await page.getByRole('button', { name: 'Slices', exact: true }).click();
+  const section = page.locator('.section', { has: page.getByRole('heading', { name: 'Physics' }) });
+  await section.locator('.region-name', { hasText: 'apex' }).click();
+  await section.getByRole('button', { name: 'To the crosshair' }).first().click();
+  const right = section.getByLabel('Centre R');
+  const before = Number(await right.inputValue());
+  const body = (await page.locator('.pane.axial path.stimulus.chosen').boundingBox())!;
+  const [x, y] = [body.x + body.width / 2, body.y + body.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y, { steps: 4 });
+  await page.mouse.up();
+  await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute('title', 'Undo: Move stimulus');
+  expect(Math.abs(Number(await right.inputValue()) - before)).toBeGreaterThan(3);
+  await section.getByLabel('Shape').selectOption('box');
+  await expect(section.getByRole('group', { name: 'Handle in the view' })).toContainText('Turn');
+});

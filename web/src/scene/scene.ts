@@ -4,6 +4,7 @@ import { Vector3 } from 'three';
 import type { StageName, Vec3 } from '../engine/contract';
 import { toIndex } from '../geometry/orientation';
 import { pinned, pinnedArrays } from '../store/run/compare';
+import { bodiesOf } from '../store/case/bodies';
 import { volume } from '../store/case/input';
 import { recipe } from '../store/case/recipe';
 import { tellError } from '../store/run/engine';
@@ -130,7 +131,7 @@ export function mountScene(container: HTMLElement): () => void {
 
   const stops = [
     whenNeeded(
-      () => (recipe.value?.sizing.regions.length ?? 0) > 0,
+      () => bodiesOf(recipe.value).length > 0,
       async () => {
         const { addRegions } = await import('./regions');
         return () => addRegions(viewer);

@@ -79,7 +79,14 @@ export const legend = signal<Legend | null>(null);
 /** Of what the slices show, where that is not the labels. */
 export const sliceLegend = signal<Legend | null>(null);
 export const picked = signal<Picked | null>(null);
-export const regionShown = signal<number | null>(null);
+/** Bodies that a case places in the patient: for sizes, or for a simulation. */
+export type BodyKind = 'region' | 'stimulus' | 'electrode';
+export interface BodyName {
+  kind: BodyKind;
+  index: number;
+}
+/** The one whose fields are open and that has handles in the views. */
+export const bodyShown = signal<BodyName | null>(null);
 export const gizmoMode = signal<'translate' | 'rotate' | 'scale'>('translate');
 export type Layout = 'model' | 'slices' | 'compare';
 /** One view of the mesh; three slices of the image beside it; or the pinned run beside it. */
@@ -121,7 +128,7 @@ export function resetView(): void {
   brush.value = null;
   focusTet.value = null;
   picked.value = null;
-  regionShown.value = null;
+  bodyShown.value = null;
   marked.value = null;
   hiddenLabels.value = new Set();
   colourBy.value = 'label';

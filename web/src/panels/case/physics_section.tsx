@@ -7,6 +7,7 @@ import type {
   Stimulus,
   TissueKind,
 } from '../../engine/contract';
+import { movedRegion } from '../../geometry/regions';
 import { nameOf } from '../../store/case/input';
 import { meshedLabels, newStimulus, newTissue } from '../../store/case/physics';
 import { editRecipe } from '../../store/case/recipe';
@@ -20,6 +21,7 @@ import { short } from '../controls/format';
 import { Icon } from '../controls/icons';
 import { LabelChips } from '../controls/label_chips';
 import { SizeList } from '../controls/size_list';
+import { BodyFields, BodyHandles, BodyShape } from './body_fields';
 import { Findings } from './findings';
 
 /** Changes what is there already. */
@@ -149,6 +151,7 @@ function TissueFields(props: {
 }
 
 function StimulusFields({ stimulus, index, name }: { stimulus: Stimulus; index: number; name: string }) {
+  const body = { kind: 'stimulus', index } as const;
   const set = (label: string, change: Partial<Stimulus>) =>
     editPhysics(
       label,
@@ -158,21 +161,23 @@ function StimulusFields({ stimulus, index, name }: { stimulus: Stimulus; index: 
   const number = numbersOf('physics.stimuli', name, stimulus, set);
   return (
     <>
-      <VectorField
-        label="Centre"
-        unit="mm"
-        value={stimulus.centre_mm}
-        onChange={(centre_mm) => set('Move stimulus', { centre_mm })}
-      />
+      <BodyHandles shape={stimulus.shape} />
+      <BodyShape body={body} region={stimulus} />
+      <BodyFields body={body} region={stimulus} path="physics.stimuli" owner={name} />
       <button
         type="button"
         class="button small"
         title="Moves the stimulus to the crosshair of the slices"
-        onClick={() => set('Move stimulus', { centre_mm: crosshairMm() })}
+        onClick={() => {
+          const change = movedRegion(
+            stimulus,
+            crosshairMm().map((x, axis) => x - stimulus.centre_mm[axis]),
+          );
+          set('Move stimulus', change);
+        }}
       >
         <Icon name="target" size={13} /> To the crosshair
       </button>
-      {number('Radius', 'radius_mm', 'mm', 1)}
       {number('Start', 'start_ms', 'ms', 10)}
       {number('Beats (S1)', 'count', '', 1)}
       {stimulus.count > 1 && number('Every', 'interval_ms', 'ms', 10)}
@@ -316,9 +321,10 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
       />
       {fibres && <FibreFields params={fibres} />}
       <SizeList<Stimulus>
+        body="stimulus"
         title="Stimuli"
         kind="Stimulus"
-        hint="Where and when the wave starts."
+        hint="Where and when the wave starts. Drag them in the 3-D view or on the slices."
         of={(recipe) => recipe.physics?.stimuli ?? []}
         current={current}
         fresh={() => newStimulus(physics.stimuli.length)}
@@ -328,6 +334,7 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
       />
       {monodomain && <WaveFields params={monodomain} />}
       <SizeList<Electrode>
+        body="electrode"
         title="Electrodes"
         kind="Electrode"
         hint="Places where the potential is recorded: on the heart, or away from it as a lead of an ECG."
