@@ -171,3 +171,29 @@ test('a stimulus is dragged on a slice like a region, and its card follows', asy
   await section.getByLabel('Shape').selectOption('box');
   await expect(section.getByRole('group', { name: 'Handle in the view' })).toContainText('Turn');
 });
+
+test('a click on the heart excites it while its wave is computed, and the case keeps the stimulus', async ({
+  page,
+}) => {
+  const { monodomain } = heart.physics;
+  const slow = { ...monodomain, step_ms: 0.02, frame_ms: 5, end_ms: 3000 };
+  await openAndRun(page, { ...heart, physics: { ...heart.physics, monodomain: slow } });
+  await page.getByTestId('simulate-wave').click();
+  await expect(player(page)).toHaveAttribute('data-state', 'running');
+  const tool = player(page).getByRole('button', { name: 'Stimulate' });
+  await tool.click();
+  await expect(tool).toHaveAttribute('aria-pressed', 'true');
+  await player(page).getByRole('button', { name: 'Hold' }).click();
+  const view = (await page.locator('.pane.model').boundingBox())!;
+  await page.mouse.click(view.x + view.width / 2, view.y + 0.6 * view.height);
+  await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute('title', 'Undo: Stimulate here');
+  const section = page.locator('.section', { has: page.getByRole('heading', { name: 'Physics' }) });
+  await expect(section.locator('.region-name', { hasText: 'Stimulus 2' })).toBeVisible();
+  await player(page).getByRole('button', { name: 'Go on' }).click();
+  await expect(player(page)).toHaveAttribute('data-state', 'running');
+  await page.keyboard.press('s');
+  await expect(tool).toHaveAttribute('aria-pressed', 'false');
+  await page.keyboard.press('Escape');
+  await idle(page);
+  await expect(page.getByTestId('tets')).toBeVisible();
+});

@@ -8,6 +8,7 @@ import { bodiesOf } from '../store/case/bodies';
 import { volume } from '../store/case/input';
 import { recipe } from '../store/case/recipe';
 import { tellError } from '../store/run/engine';
+import { mayStimulate } from '../store/run/frames';
 import { pointsOf, shownResult } from '../store/run/results';
 import {
   command,
@@ -26,6 +27,7 @@ import {
   sliceLegend,
   slicePlaces,
   stageShown,
+  stimulating,
 } from '../store/view';
 import { BodyView } from './mesh/body_view';
 import { Canvas } from './frame/canvas';
@@ -149,6 +151,9 @@ export function mountScene(container: HTMLElement): () => void {
       canvas.invalidate();
     }),
     effect(() => {
+      main.dataset.tool = stimulating.value && mayStimulate.value ? 'stimulate' : '';
+    }),
+    effect(() => {
       panes.dataset.layout = layout.value;
       canvas.invalidate();
     }),
@@ -264,11 +269,19 @@ export function mountScene(container: HTMLElement): () => void {
     }
   }
 
+  function excite(place: Vec3): void {
+    import('../store/case/physics').then(({ stimulateAt }) => stimulateAt(place), tellError);
+  }
+
   /** Shows the numbers of what is seen at a place of the 3-D view, and puts the crosshair there. */
   function pick(x: number, y: number): void {
     const { clientWidth: width, clientHeight: height } = viewer.element;
     const hit = pickAt(canvas.renderer, viewer.camera, body.pickable, { width, height }, { x, y });
     canvas.invalidate();
+    if (stimulating.value && mayStimulate.value) {
+      if (hit) excite(hit.point.toArray());
+      return;
+    }
     batch(() => {
       const element = hit && (body.owners ? body.owners[hit.element] : hit.element);
       picked.value =

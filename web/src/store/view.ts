@@ -100,6 +100,8 @@ export const sliceOverlay = signal<SliceOverlay>('labels');
 export const explode = signal(0);
 export const hiddenLabels = signal<ReadonlySet<number>>(new Set());
 export const ownColours = signal<Readonly<Record<number, string>>>({});
+/** A click on the mesh excites it there, where a simulation is under way. */
+export const stimulating = signal(false);
 /** The time cursor of what is played, ms. */
 export const time = signal(0);
 export const theme = signal<ThemeChoice>('system');

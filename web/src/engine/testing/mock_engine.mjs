@@ -4,6 +4,10 @@ import { oppositeFace, tetNeighbours } from '../../geometry/tet_neighbours';
 
 /** A simulation gives so many frames, one in each part. */
 const frameCount = 20;
+const playedFields = {
+  diffusion: { name: 'temperature', title: 'Temperature', unit: '1' },
+  monodomain: { name: 'voltage_mV', title: 'Membrane voltage', unit: 'mV' },
+};
 const cubeTets = [
   [0, 1, 3, 5],
   [0, 3, 2, 6],
@@ -196,10 +200,10 @@ class Session {
     this.last = null;
   }
   advance(_budgetMs, onProgress) {
-    if (this.last !== 'diffusion') return this.advanceTo(this.last, onProgress);
+    if (!(this.last in playedFields)) return this.advanceTo(this.last, onProgress);
     if (!this.done.has('quality')) this.advanceTo('quality', onProgress);
-    const [stage, fraction] = ['diffusion', ++this.frame / frameCount];
-    const info = { name: 'temperature', title: 'Temperature', unit: '1', on: 'points', scale: 'sequential' };
+    const [stage, fraction] = [this.last, ++this.frame / frameCount];
+    const info = { ...playedFields[stage], on: 'points', scale: 'sequential' };
     const field = { ...info, components: 1, count: this.mesh.points.length / 3, range: [0, fraction] };
     this.waiting.push({ time_ms: 5 * this.frame, fields: [field] });
     onProgress(stage, fraction);

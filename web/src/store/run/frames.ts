@@ -1,6 +1,13 @@
 /** The frames of the simulation on the mesh that is shown. They stand outside the signals, which hold their times only. */
 import { computed, signal } from '@preact/signals';
-import { noValue, type FieldInfo, type FoundFields, type Frame, type Simulated } from '../../engine/contract';
+import {
+  noValue,
+  type FieldInfo,
+  type FoundFields,
+  type Frame,
+  type Simulated,
+  type SimulationName,
+} from '../../engine/contract';
 import { time } from '../view';
 import { FrameRing } from './frame_ring';
 
@@ -11,6 +18,13 @@ export type SimulationState = 'none' | 'running' | 'paused' | 'done' | 'cancelle
 /** How the simulation stands that the frames are of, and the time that it is to reach, ms. */
 export const simulation = signal<SimulationState>('none');
 export const simulationEndMs = signal(0);
+export const simulationOf = signal<SimulationName | null>(null);
+
+/** A wave is being computed, or is held: it can be given another stimulus. */
+export const mayStimulate = computed(
+  () =>
+    simulationOf.value === 'monodomain' && (simulation.value === 'running' || simulation.value === 'paused'),
+);
 
 let ring = new FrameRing(maxBytes);
 

@@ -14,6 +14,7 @@ import {
   simulated,
   simulation,
   simulationEndMs,
+  simulationOf,
   type SimulationState,
 } from './frames';
 import { play } from './player';
@@ -42,6 +43,7 @@ export async function simulate(name: SimulationName): Promise<void> {
   if (lives(name)) {
     forgetFrames();
     simulationEndMs.value = (name === 'diffusion' ? physics.diffusion : physics.monodomain)?.end_ms ?? 0;
+    simulationOf.value = name;
     simulation.value = 'running';
     play();
   }
