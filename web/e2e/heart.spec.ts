@@ -197,3 +197,27 @@ test('a click on the heart excites it while its wave is computed, and the case k
   await idle(page);
   await expect(page.getByTestId('tets')).toBeVisible();
 });
+
+test('the phase of a wave is played, and a second wave is compared with the pinned one', async ({ page }) => {
+  await openAndRun(page, heart);
+  await page.getByTestId('simulate-wave').click();
+  await expect(player(page)).toHaveAttribute('data-state', 'done');
+  await idle(page);
+  await colourBy(page).selectOption({ label: 'Phase' });
+  await expect(page.locator('.legend')).toContainText('front');
+  await page.getByRole('button', { name: 'Pin this run' }).click();
+  await expect(page.getByTestId('simulated-differences')).toHaveCount(0);
+
+  const section = page.locator('.section', { has: page.getByRole('heading', { name: 'Physics' }) });
+  await section.locator('.region-name', { hasText: 'myocardium' }).click();
+  await section.getByLabel('Speed across').fill('0.5');
+  await page.getByTestId('simulate-wave').click();
+  await expect(page.getByTestId('simulated-differences')).toContainText('Activation time');
+  await idle(page);
+  await page.getByTestId('simulated-differences').getByRole('button', { name: 'Activation time' }).click();
+  await expect(page.locator('.legend')).toContainText('Difference of activation time');
+  await expect(page.locator('.changes')).toContainText('physics.tissue.kinds');
+  await colourBy(page).selectOption({ label: 'Difference of membrane voltage' });
+  await page.keyboard.press(',');
+  await expect(page.locator('.legend')).toContainText('Difference of membrane voltage');
+});

@@ -166,7 +166,8 @@ export interface FieldInfo {
   title: string;
   unit: string;
   on: 'voxels' | 'triangles' | 'points' | 'tets' | 'faces';
-  scale: 'sequential' | 'diverging' | 'whole' | 'label';
+  /** 'cyclic' is the page's own: its ends are the same. */
+  scale: 'sequential' | 'diverging' | 'whole' | 'label' | 'cyclic';
   components: number;
   count: number;
   /** Least and largest finite value. */

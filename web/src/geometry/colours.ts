@@ -37,6 +37,29 @@ const stops = {
     '#8b2706',
     '#590008',
   ],
+  /**
+   * Cyclic: dark, orange, light, blue, and dark again, even steps along an ellipse of lightness and chroma in OKLab
+   * (Ottosson 2020), so that each of the four is told from the others without red and green. Dark stands at an eighth.
+   */
+  cycle: [
+    '#314e85',
+    '#273a5d',
+    '#2e2e2e',
+    '#543113',
+    '#773f07',
+    '#975413',
+    '#b56c2d',
+    '#cf874d',
+    '#e4a574',
+    '#f0c4a4',
+    '#dedede',
+    '#b7cffa',
+    '#92b5f4',
+    '#739ae1',
+    '#587fc8',
+    '#4165a9',
+    '#314e85',
+  ],
 } as const;
 export type ColourMapName = keyof typeof stops;
 

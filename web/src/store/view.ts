@@ -41,6 +41,8 @@ export interface Legend {
   map: ColourMapName;
   /** Of few whole numbers. */
   whole?: boolean;
+  /** Words beside the scale in place of numbers, from its top in even steps. */
+  words?: string[];
   /** Colours change at multiples of this, with a line: isochrones. */
   bands?: number;
 }

@@ -1,8 +1,12 @@
 import type { Report } from '../../engine/contract';
 import { changedFields, differencesOf, type Difference } from '../../report/differences';
 import { pinned, pinRun, unpin, type PinnedRun } from '../../store/run/compare';
+import { simulatedPhysics } from '../../store/run/frames';
 import { meshedRecipe } from '../../store/run/report';
+import { shownKeys } from '../../store/run/results';
+import { comparedFields } from '../../store/run/simulated_fields';
 import { layout } from '../../store/view';
+import { fetched } from '../controls/fetched';
 import { short, whole } from '../controls/format';
 import { Icon } from '../controls/icons';
 
@@ -20,7 +24,6 @@ function change({ pinned: before, now, unit, better }: Difference): { words: str
 }
 
 function Differences({ run, found }: { run: PinnedRun; found: Report }) {
-  const fields = meshedRecipe.value ? changedFields(run.recipe, meshedRecipe.value) : [];
   return (
     <>
       <div class="table-scroll" tabIndex={0} role="region" aria-label="Differences of the two runs">
@@ -52,31 +55,57 @@ function Differences({ run, found }: { run: PinnedRun; found: Report }) {
           </tbody>
         </table>
       </div>
-      {fields.length > 0 && (
-        <dl class="changes">
-          {fields.map(({ path, pinned: before, now }) => (
-            <div key={path}>
-              <dt>{path}</dt>
-              <dd>
-                {before} → {now}
-              </dd>
-            </div>
-          ))}
-        </dl>
-      )}
     </>
+  );
+}
+
+/** What was asked of the two runs, where that differs. */
+function Changes({ run }: { run: PinnedRun }) {
+  const now = meshedRecipe.value;
+  if (!now) return null;
+  const [before, after] = [run.physics, simulatedPhysics.value].map((physics) => physics ?? undefined);
+  const fields = changedFields({ ...run.recipe, physics: before }, { ...now, physics: after });
+  if (fields.length === 0) return null;
+  return (
+    <dl class="changes">
+      {fields.map(({ path, pinned: then, now: next }) => (
+        <div key={path}>
+          <dt>{path}</dt>
+          <dd>
+            {then} → {next}
+          </dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+const SimulatedDifferences = fetched(() =>
+  import('./simulated_differences').then((part) => part.SimulatedDifferences),
+);
+
+/** Two meshes have no points in common at which their simulations could be compared. */
+function OtherMesh({ run }: { run: PinnedRun }) {
+  if (!run.physics || !simulatedPhysics.value || run.mesh === shownKeys.value.optimise) return null;
+  return (
+    <p class="hint">
+      The pinned simulation is on another mesh: activation is compared on the same mesh only.
+    </p>
   );
 }
 
 /** A run is pinned; the next ones stand beside it. */
 export function CompareSection({ found }: { found: Report }) {
   const run = pinned.value;
-  const same = run?.report === found;
+  const simulated = comparedFields.value.length > 0;
+  const same = run?.report === found && !simulated;
   return (
     <section class="section compare">
       <h2>Compare</h2>
-      {!run && <p class="hint">Pin this run, change something, run again: both stand side by side.</p>}
-      {same && <p class="hint">This run is pinned. Change something and run again to compare.</p>}
+      {!run && (
+        <p class="hint">Pin this run, change something, run or simulate again: both stand side by side.</p>
+      )}
+      {same && <p class="hint">This run is pinned. Change something and run or simulate again to compare.</p>}
       <div class="compare-actions">
         {!same && (
           <button type="button" class="button small" onClick={pinRun}>
@@ -94,7 +123,10 @@ export function CompareSection({ found }: { found: Report }) {
           </button>
         )}
       </div>
-      {run && !same && <Differences run={run} found={found} />}
+      {run && simulated && <SimulatedDifferences />}
+      {run && run.report !== found && <Differences run={run} found={found} />}
+      {run && !same && <Changes run={run} />}
+      {run && <OtherMesh run={run} />}
     </section>
   );
 }

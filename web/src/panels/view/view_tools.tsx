@@ -3,7 +3,7 @@ import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
 import { nameOf } from '../../store/case/input';
 import { recipe } from '../../store/case/recipe';
-import { foundFields, playedFields } from '../../store/run/frames';
+import { simulatedFields } from '../../store/run/simulated_fields';
 import { shownResult } from '../../store/run/results';
 import { report } from '../../store/run/report';
 import {
@@ -38,8 +38,7 @@ const cutAxes: [string, string, Vec3][] = [
 /** Every field that the evidence has, and those that are played, in the engine's words. */
 function fieldOptions(): [ColourBy, string][] {
   const fields = shownResult('quality')?.fields ?? [];
-  const simulated = [...playedFields.value, ...foundFields.value];
-  const played = simulated.map(({ info: { name, title } }): [ColourBy, string] => [name, title]);
+  const played = simulatedFields.value.map(({ info: { name, title } }): [ColourBy, string] => [name, title]);
   const measured = fields.map(({ name, title, unit, on }): [ColourBy, string] => {
     const label = fractionLabel(name);
     if (label !== null) return [name, `Share of ${nameOf(label)}`];

@@ -80,6 +80,7 @@ export class TetModel {
       reach: { value: extents[2] },
       range: { value: new Vector2(0, 1) },
       bands: { value: 0 },
+      period: { value: 0 },
       explode: { value: 0 },
       apart: { value: false },
       singled: { value: -1 },
@@ -136,6 +137,7 @@ export class TetModel {
       this.replace('scale', scaleTexture(paint.legend.map));
       this.shared.range.value.set(paint.legend.lo, paint.legend.hi);
       this.shared.bands.value = paint.legend.bands ?? 0;
+      this.shared.period.value = paint.legend.map === 'cycle' ? paint.legend.hi - paint.legend.lo : 0;
     }
     for (const one of [this.solid, this.cap]) one.material.uniforms.paint.value = paintCodes[paint.kind];
   }

@@ -5,6 +5,7 @@ import {
   type FieldInfo,
   type FoundFields,
   type Frame,
+  type Physics,
   type Simulated,
   type SimulationName,
 } from '../../engine/contract';
@@ -56,17 +57,27 @@ export function keepFound({ fields, values }: FoundFields): void {
 /** The figures of the simulations of this mesh. */
 export const simulated = signal<Simulated>({});
 
+/** What the last of them was asked. */
+export const simulatedPhysics = signal<Physics | null>(null);
+
 /** Of another mesh, or of none. */
 export function forgetFound(): void {
+  simulatedPhysics.value = null;
   simulated.value = {};
   found.clear();
   foundFields.value = [];
 }
 
-/** The values that the mesh is coloured by, of the frame at the time cursor or as they were found. */
-export function simulatedValues(name: string): Float32Array | undefined {
-  void foundFields.value;
-  return frameShown.value?.values[name] ?? found.get(name);
+export const foundValues = (name: string): Float32Array | undefined => found.get(name);
+
+/** The frames and what was found, as they stand, for whoever goes on when this page has forgotten them. */
+export interface KeptSimulation {
+  frames: Pick<FrameRing, 'at'>;
+  found: ReadonlyMap<string, Float32Array>;
+}
+
+export function keptSimulation(): KeptSimulation {
+  return { frames: ring, found: new Map(found) };
 }
 
 /** Whether a point has a value. */
@@ -102,5 +113,10 @@ function grownBy(before: PlayedField | undefined, info: FieldInfo): PlayedField 
   return { info, range: [Math.min(lo, before.range[0]), Math.max(hi, before.range[1])] };
 }
 
+/** The last frame that is not after a time, or the first. Reading subscribes to which frames there are. */
+export function frameAt(timeMs: number): Frame | null {
+  return frameTimes.value.length > 0 ? ring.at(timeMs) : null;
+}
+
 /** The frame at the time cursor. */
-export const frameShown = computed(() => (frameTimes.value.length > 0 ? ring.at(time.value) : null));
+export const frameShown = computed(() => frameAt(time.value));

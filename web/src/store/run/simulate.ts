@@ -12,6 +12,7 @@ import {
   keepFrame,
   playedFields,
   simulated,
+  simulatedPhysics,
   simulation,
   simulationEndMs,
   simulationOf,
@@ -63,6 +64,7 @@ export async function simulate(name: SimulationName): Promise<void> {
     if (!newest()) return;
     keepFound(found);
     simulated.value = told;
+    simulatedPhysics.value = physics;
     if (!lives(name)) colourBy.value = found.fields.at(-1)?.name ?? 'label';
     if (newest()) announcement.value = 'Simulation ready';
   } catch (error) {
