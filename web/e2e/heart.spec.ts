@@ -221,3 +221,23 @@ test('the phase of a wave is played, and a second wave is compared with the pinn
   await page.keyboard.press(',');
   await expect(page.locator('.legend')).toContainText('Difference of membrane voltage');
 });
+
+test('tissue has names: a border zone is slow, and scar is no kind at all', async ({ page }) => {
+  await openAndRun(page, smallHeart);
+  await page.getByRole('button', { name: 'Simulate', exact: true }).click();
+  const section = page.locator('.section', { has: page.getByRole('heading', { name: 'Physics' }) });
+  await section.locator('.region-name', { hasText: 'border zone' }).click();
+  const tissue = section.getByLabel('Tissue');
+  await expect(tissue).toHaveValue('border');
+  const speed = section.getByLabel('border zone: Speed');
+  await tissue.selectOption({ label: 'Healthy muscle' });
+  await expect(speed).toHaveValue('0.5');
+  await tissue.selectOption({ label: 'Border zone, slow and brief' });
+  await expect(speed).toHaveValue('0.16');
+  await speed.fill('0.2');
+  await expect(tissue).toHaveValue('own');
+  await tissue.selectOption({ label: 'Scar: conducts nothing' });
+  await expect(section.getByText('Conduct nothing: scar core, border zone.')).toBeVisible();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(section.getByText('Conduct nothing: scar core.')).toBeVisible();
+});

@@ -1,4 +1,4 @@
-/** What the client's callers hand over, and get. */
+/** What the engine's jobs tell while they run, and answer. */
 import type { Frame, Recipe, StageArrays, StageName, StageSummary } from './contract';
 
 export interface RunHandlers {

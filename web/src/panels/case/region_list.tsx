@@ -7,7 +7,7 @@ import { crosshairMm } from '../../store/view_place';
 import { NumberField } from '../controls/fields';
 import { FoldedItem } from '../controls/folded_item';
 import { Icon } from '../controls/icons';
-import { BodyFields, BodyHandles, BodyShape } from './body_fields';
+import { BodyFields, BodyHandles, BodyShape } from '../controls/body_fields';
 
 /** How long the image is, mm. */
 function imageExtent(): number {

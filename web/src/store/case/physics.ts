@@ -6,6 +6,7 @@ import { shownResult } from '../run/results';
 import { groupDefaults, itemDefaults } from '../run/schema_defaults';
 import { nameOf, volume } from './input';
 import { caseId, editRecipe, recipe } from './recipe';
+import { tissuePresets } from './tissue_presets';
 
 /** Names of labels that do not conduct, and of those that conduct slowly. */
 const noTissue = /pool|blood|scar|core|cavity|lumen|fat|fibrosis|valve/i;
@@ -78,9 +79,8 @@ export function startingPhysics(current: Recipe): Physics {
   const border = conducting.filter((label) => slow.test(nameOf(label)));
   const physics = groupDefaults<Physics>('physics');
   physics.tissue.kinds = [newTissue(healthy.length > 0 ? healthy : labels)];
-  // A tenth of the diffusivity.
   if (healthy.length > 0 && border.length > 0)
-    physics.tissue.kinds.push({ ...newTissue(border), along_mm_per_ms: 0.16, across_mm_per_ms: 0.16 });
+    physics.tissue.kinds.push({ labels: border, ...tissuePresets.border.fields });
   physics.stimuli = [newStimulus(0)];
   physics.monodomain = { ...groupDefaults<MonodomainParams>('physics.monodomain'), step_ms: 0.1 };
   return physics;

@@ -2,7 +2,7 @@ import type { RegionShape } from '../../engine/contract';
 import type { Region } from '../../geometry/regions';
 import { editBody } from '../../store/case/bodies';
 import { gizmoMode, type BodyName } from '../../store/view';
-import { NumberField, Segments, SelectField, VectorField } from '../controls/fields';
+import { NumberField, Segments, SelectField, VectorField } from './fields';
 
 const shapes: readonly (readonly [RegionShape, string])[] = [
   ['sphere', 'Sphere'],
