@@ -22,56 +22,73 @@ const hasFibre = (fibre: Float32Array, tet: number) =>
 
 /** Cubes of one size over a mesh, numbered. */
 class Cells {
-  private readonly low: number[];
-  private readonly counts: number[];
-  readonly size: number;
+  private readonly low = new Float64Array(3).fill(Infinity);
+  private readonly counts = [1, 1, 1];
+  private readonly size: number;
 
   constructor(points: Float32Array, size: number) {
-    const high = [-Infinity, -Infinity, -Infinity];
-    this.low = [Infinity, Infinity, Infinity];
-    points.forEach((x, i) => {
-      this.low[i % 3] = Math.min(this.low[i % 3], x);
-      high[i % 3] = Math.max(high[i % 3], x);
-    });
+    const high = new Float64Array(3).fill(-Infinity);
+    for (let i = 0, d = 0; i < points.length; i++, d = (d + 1) % 3) {
+      this.low[d] = Math.min(this.low[d], points[i]);
+      high[d] = Math.max(high[d], points[i]);
+    }
     this.size = size;
-    this.counts = high.map((x, d) => Math.max(1, Math.ceil((x - this.low[d]) / size) + 1));
+    for (let d = 0; d < 3; d++) this.counts[d] = Math.floor((high[d] - this.low[d]) / size) + 1;
   }
 
   at(x: number, y: number, z: number): number {
-    const [i, j, k] = [x, y, z].map((one, d) => Math.floor((one - this.low[d]) / this.size));
+    const i = Math.floor((x - this.low[0]) / this.size);
+    const j = Math.floor((y - this.low[1]) / this.size);
+    const k = Math.floor((z - this.low[2]) / this.size);
     return i + this.counts[0] * (j + this.counts[1] * k);
   }
 
-  /** From the middle of its cell, squared. */
+  /** From the middle of its cube in each direction, squared and added up. */
   away(x: number, y: number, z: number): number {
-    return [x, y, z].reduce((sum, one, d) => {
-      const place = (one - this.low[d]) / this.size;
-      return sum + (place - Math.floor(place) - 0.5) ** 2;
-    }, 0);
+    return this.off(x, 0) + this.off(y, 1) + this.off(z, 2);
+  }
+
+  private off(x: number, d: number): number {
+    const place = (x - this.low[d]) / this.size;
+    return (place - Math.floor(place) - 0.5) ** 2;
   }
 }
 
 function volumeOf({ points, tets }: Mesh, tet: number): number {
-  const [a, b, c, d] = [0, 1, 2, 3].map((k) => 3 * tets[4 * tet + k]);
-  const edge = (from: number, to: number) => [0, 1, 2].map((x) => points[to + x] - points[from + x]);
-  const [u, v, w] = [edge(a, b), edge(a, c), edge(a, d)];
-  const [x, y, z] = [v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]];
-  return Math.abs(u[0] * x + u[1] * y + u[2] * z) / 6;
+  const a = 3 * tets[4 * tet];
+  const b = 3 * tets[4 * tet + 1];
+  const c = 3 * tets[4 * tet + 2];
+  const d = 3 * tets[4 * tet + 3];
+  const [ax, ay, az] = [points[a], points[a + 1], points[a + 2]];
+  const [ux, uy, uz] = [points[b] - ax, points[b + 1] - ay, points[b + 2] - az];
+  const [vx, vy, vz] = [points[c] - ax, points[c + 1] - ay, points[c + 2] - az];
+  const [wx, wy, wz] = [points[d] - ax, points[d + 1] - ay, points[d + 2] - az];
+  return Math.abs(ux * (vy * wz - vz * wy) + uy * (vz * wx - vx * wz) + uz * (vx * wy - vy * wx)) / 6;
 }
 
-/** The edge of cubes of which the tetrahedra with fibres fill about so many, mm. */
-export function cellSize({ mesh, fibre, shows }: FibreField, count: number): number {
+/** After so many tetrahedra whoever draws may let the page answer. */
+const sliceTets = 8_000;
+
+/** The edge of cubes of which the tetrahedra with fibres fill about so many, mm. Yields on its way. */
+export function* cellSize({ mesh, fibre, shows }: FibreField, count: number): Generator<void, number, void> {
   let volume = 0;
-  for (let t = 0; t < fibre.length / 3; t++) if (shows(t) && hasFibre(fibre, t)) volume += volumeOf(mesh, t);
+  for (let t = 0; t < fibre.length / 3; t++) {
+    if (shows(t) && hasFibre(fibre, t)) volume += volumeOf(mesh, t);
+    if (t % sliceTets === 0) yield;
+  }
   return Math.cbrt(volume / count);
 }
 
-/** In each cube of this size the tetrahedron that is nearest to its middle, of those with a fibre. */
-export function evenlySpread({ mesh, fibre, shows }: FibreField, size: number): Uint32Array {
+/** In each cube of this size the tetrahedron nearest to its middle, of those with a fibre. Yields on its way. */
+export function* evenlySpread(
+  { mesh, fibre, shows }: FibreField,
+  size: number,
+): Generator<void, Uint32Array, void> {
   const { centres, points } = mesh;
   const cells = new Cells(points, size);
   const nearest = new Map<number, { tet: number; away: number }>();
   for (let tet = 0; tet < fibre.length / 3; tet++) {
+    if (tet % sliceTets === 0) yield;
     if (!shows(tet) || !hasFibre(fibre, tet)) continue;
     const [x, y, z] = [centres[4 * tet], centres[4 * tet + 1], centres[4 * tet + 2]];
     const cell = cells.at(x, y, z);
@@ -100,27 +117,41 @@ type Point = [number, number, number];
 /** How often the way from one place to the next may cross a face, before it is given up. */
 const mostCrossings = 40;
 
+/** Six times the volume of a place and three points, with a sign. */
+function sixfold(points: Float32Array, [x, y, z]: Point, a: number, b: number, c: number): number {
+  const ax = points[3 * a] - x;
+  const ay = points[3 * a + 1] - y;
+  const az = points[3 * a + 2] - z;
+  const bx = points[3 * b] - x;
+  const by = points[3 * b + 1] - y;
+  const bz = points[3 * b + 2] - z;
+  const cx = points[3 * c] - x;
+  const cy = points[3 * c + 1] - y;
+  const cz = points[3 * c + 2] - z;
+  return ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+}
+
 /** The tetrahedron at a place, on the way from one nearby; below 0 where the way leaves the mesh. */
-export function walkTo({ points, tets, neighbours }: Mesh, from: number, [x, y, z]: Point): number {
+export function walkTo({ points, tets, neighbours }: Mesh, from: number, place: Point): number {
   let tet = from;
   for (let crossing = 0; crossing < mostCrossings; crossing++) {
-    const corners = [0, 1, 2, 3].map((k) => {
-      const p = 3 * tets[4 * tet + k];
-      return [points[p] - x, points[p + 1] - y, points[p + 2] - z];
-    });
-    const part = (a: number, b: number, c: number) => {
-      const [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = [corners[a], corners[b], corners[c]];
-      return ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
-    };
-    // Volumes with the place in place of a corner, all of the sign of the whole where it is inside.
-    const parts = [part(1, 3, 2), part(0, 2, 3), part(0, 3, 1), part(0, 1, 2)];
+    const a = tets[4 * tet];
+    const b = tets[4 * tet + 1];
+    const c = tets[4 * tet + 2];
+    const d = tets[4 * tet + 3];
+    // Volumes with the place instead of each corner: all of the whole's sign where it is inside.
+    const parts = [
+      sixfold(points, place, b, d, c),
+      sixfold(points, place, a, c, d),
+      sixfold(points, place, a, d, b),
+      sixfold(points, place, a, b, c),
+    ];
     const whole = parts[0] + parts[1] + parts[2] + parts[3];
-    const shares = parts.map((one) => one / whole);
-    const least = Math.min(...shares);
-    if (least >= -1e-9) return tet;
-    const next = neighbours[4 * tet + shares.indexOf(least)];
-    if (next < 0) return -1;
-    tet = next;
+    let least = 0;
+    for (let k = 1; k < 4; k++) if (parts[k] / whole < parts[least] / whole) least = k;
+    if (parts[least] / whole >= -1e-9) return tet;
+    tet = neighbours[4 * tet + least];
+    if (tet < 0) return -1;
   }
   return -1;
 }
@@ -158,7 +189,7 @@ export interface LineParams {
  * at the boundary, where there is no fibre, after `longest`, or where it comes into a cube of half that size with another
  * line. Near to Jobard and Lefer, "Creating evenly-spaced streamlines of arbitrary density" (1997), with cubes for
  * their distances.
- * Yields after each line, so that whoever draws can let the page answer.
+ * Yields on its way, and after each line.
  */
 export function* tracedLines(
   field: FibreField,
@@ -194,7 +225,7 @@ export function* tracedLines(
     }
     return places;
   };
-  for (const seed of evenlySpread(field, spacing)) {
+  for (const seed of yield* evenlySpread(field, spacing)) {
     const start = [...mesh.centres.subarray(4 * seed, 4 * seed + 3)] as Point;
     if (begun.has(cells.at(...start))) continue;
     begun.add(cells.at(...start));
@@ -213,5 +244,5 @@ export function* tracedLines(
       }
     yield;
   }
-  return { ends: Float32Array.from(ends), tets: Uint32Array.from(tets) };
+  return { ends: new Float32Array(ends), tets: new Uint32Array(tets) };
 }

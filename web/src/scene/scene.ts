@@ -143,7 +143,7 @@ export function mountScene(container: HTMLElement): () => void {
       () => fibreStyle.value !== 'none',
       async () => {
         const { addFibres } = await import('./mesh/fibres_view');
-        return () => addFibres(canvas, body.group, planeNow, onTets);
+        return () => addFibres(viewer, body.group, planeNow, onTets);
       },
     ),
     effect(() => {

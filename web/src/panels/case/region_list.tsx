@@ -4,10 +4,9 @@ import { isChosen } from '../../store/case/bodies';
 import { editRecipe } from '../../store/case/recipe';
 import { bodyShown, gizmoMode } from '../../store/view';
 import { crosshairMm } from '../../store/view_place';
-import { NumberField } from '../controls/fields';
+import { fetched } from '../controls/fetched';
 import { FoldedItem } from '../controls/folded_item';
 import { Icon } from '../controls/icons';
-import { BodyFields, BodyHandles, BodyShape } from '../controls/body_fields';
 
 /** How long the image is, mm. */
 function imageExtent(): number {
@@ -32,47 +31,8 @@ function newRegion(shape: RegionShape, current: Recipe): SizeRegion {
   };
 }
 
-function RegionFields({ region, index }: { region: SizeRegion; index: number }) {
-  const body = { kind: 'region', index } as const;
-  const set = (label: string, change: Partial<SizeRegion>) =>
-    editRecipe(
-      label,
-      (draft) => void Object.assign(draft.sizing.regions[index], change),
-      `region ${index} ${label}`,
-    );
-  const number = (label: string, key: 'edge_mm' | 'band_mm', step: number) => (
-    <NumberField
-      label={label}
-      owner={region.name}
-      unit="mm"
-      path={`sizing.regions.${key}`}
-      step={step}
-      value={region[key]}
-      onChange={(value) => set(label, { [key]: value })}
-    />
-  );
-  return (
-    <>
-      <BodyHandles shape={region.shape} />
-      <div class="field">
-        <span class="field-label">Name</span>
-        <span class="field-input wide">
-          <input
-            type="text"
-            aria-label="Region name"
-            maxLength={60}
-            value={region.name}
-            onInput={(event) => set('Name of region', { name: event.currentTarget.value })}
-          />
-        </span>
-      </div>
-      <BodyShape body={body} region={region} />
-      {number('Edge inside', 'edge_mm', 0.1)}
-      {number('Transition', 'band_mm', 1)}
-      <BodyFields body={body} region={region} path="sizing.regions" owner={region.name} />
-    </>
-  );
-}
+/** Fields of the region that is open; few cases have one. */
+const RegionFields = fetched(() => import('./region_fields').then((part) => part.RegionFields));
 
 export function RegionList({ current }: { current: Recipe }) {
   const add = (shape: RegionShape) => {

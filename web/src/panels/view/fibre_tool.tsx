@@ -1,12 +1,11 @@
 import { useEffect } from 'preact/hooks';
 import { keepFibres } from '../../store/run/fibres';
 import { fibreStyle, seeThrough, type FibreStyle } from '../../store/view';
-import { Segments } from '../controls/fields';
 
-const styles: [FibreStyle, string, string][] = [
-  ['none', 'No fibres', 'Fibres are not drawn'],
-  ['glyphs', 'Glyphs', 'Short pieces along the fibres, some 3,000 evenly spread'],
-  ['lines', 'Lines', 'Lines that follow the fibres from end to end'],
+const styles: [FibreStyle, string][] = [
+  ['none', 'No fibres'],
+  ['glyphs', 'Fibre glyphs'],
+  ['lines', 'Fibre lines'],
 ];
 
 /** How muscle fibres are drawn, where the case has some. */
@@ -14,12 +13,22 @@ export function FibreTool() {
   useEffect(keepFibres, []);
   return (
     <>
-      <Segments
-        label="Fibres"
-        value={fibreStyle.value}
-        options={styles}
-        onChange={(next) => (fibreStyle.value = next)}
-      />
+      <label
+        class="tool-field"
+        title="Glyphs: some 3,000 short pieces, evenly spread. Lines follow the fibres from end to end."
+      >
+        <select
+          aria-label="Fibres"
+          value={fibreStyle.value}
+          onChange={(event) => (fibreStyle.value = event.currentTarget.value as FibreStyle)}
+        >
+          {styles.map(([style, text]) => (
+            <option key={style} value={style} selected={style === fibreStyle.value}>
+              {text}
+            </option>
+          ))}
+        </select>
+      </label>
       {fibreStyle.value !== 'none' && (
         <button
           type="button"

@@ -1,5 +1,5 @@
-import { effect, untracked } from '@preact/signals';
-import { Group } from 'three';
+import { effect, signal, untracked } from '@preact/signals';
+import { Group, Sphere, Vector3 } from 'three';
 import { noValue, type FibreArrays, type TetArrays } from '../../engine/contract';
 import { colourTable } from '../../geometry/colours';
 import {
@@ -13,7 +13,7 @@ import {
 import { fibresShown } from '../../store/run/fibres';
 import { shownResult } from '../../store/run/results';
 import { explode, fibreLegend, fibreStyle, hiddenLabels, seeThrough, type Legend } from '../../store/view';
-import type { Canvas } from '../frame/canvas';
+import type { Viewer } from '../frame/viewer';
 import { nextTask } from '../frame/tasks';
 import { fibreDrawing, type FibreDrawing } from './fibre_drawing';
 import { noClip } from './element_material';
@@ -25,7 +25,7 @@ const lineCells = 5000;
 
 const legend: Legend = { title: 'Helix angle', unit: '°', lo: -90, hi: 90, map: 'vik' };
 
-/** How long the page may wait for lines to be traced, in one task. */
+/** How long the page may wait for pieces to be found, in one task. */
 const patienceMs = 8;
 
 /** Three bytes for each piece. */
@@ -49,12 +49,11 @@ function waysOf(mesh: TetArrays, tets: Uint32Array): Float32Array {
   return all;
 }
 
-/** Lines, traced a few a task; null where they are no longer wanted. */
-async function linesOf(field: FibreField, spacing: number, wanted: () => boolean): Promise<Pieces | null> {
-  const lines = tracedLines(field, { spacing, longest: 40 * spacing });
+/** Works in tasks that leave the page free to answer; null where the result is no longer wanted. */
+async function inSlices<T>(work: Generator<void, T, void>, wanted: () => boolean): Promise<T | null> {
   let begin = performance.now();
   for (;;) {
-    const { done, value } = lines.next();
+    const { done, value } = work.next();
     if (done) return value;
     if (performance.now() - begin < patienceMs) continue;
     await nextTask();
@@ -63,13 +62,47 @@ async function linesOf(field: FibreField, spacing: number, wanted: () => boolean
   }
 }
 
-/** Draws the fibres of the mesh that is shown, in the group of its body. */
+function* pieced(field: FibreField, lines: boolean): Generator<void, { size: number; pieces: Pieces }, void> {
+  const size = yield* cellSize(field, lines ? lineCells : glyphCount);
+  const pieces = lines
+    ? yield* tracedLines(field, { spacing: size, longest: 40 * size })
+    : glyphPieces(field, yield* evenlySpread(field, size), 0.85 * size);
+  return { size, pieces };
+}
+
+/** Where the camera looks and how far around that it sees; null where it sees most of the body. */
+function sightOf({ camera, controls, bounds }: Viewer): Sphere | null {
+  const half = (camera.fov * Math.PI) / 360;
+  const radius =
+    1.3 * Math.tan(half) * Math.max(1, camera.aspect) * camera.position.distanceTo(controls.target);
+  if (radius > 0.75 * bounds.getBoundingSphere(new Sphere()).radius) return null;
+  return new Sphere(controls.target.clone(), radius);
+}
+
+/** Whether what was chosen for one sight does for another. */
+function doesFor(chosen: Sphere | null, now: Sphere | null): boolean {
+  if (!chosen || !now) return chosen === now;
+  const scale = now.radius / chosen.radius;
+  return scale > 0.7 && scale < 1.1 && chosen.center.distanceTo(now.center) < 0.3 * chosen.radius;
+}
+
+/** From the last turn of the camera until fibres are chosen anew. */
+const restMs = 250;
+
+/** Draws the fibres of the mesh that is shown, in the group of its body: as many as ever of what is in sight. */
 export function addFibres(
-  canvas: Canvas,
+  viewer: Viewer,
   body: Group,
   plane: () => Plane | null,
   shows: () => boolean,
 ): () => void {
+  const sight = signal<Sphere | null>(null);
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const stopWatching = viewer.onDraw(() => {
+    if (!drawing || doesFor(sight.peek(), sightOf(viewer))) return;
+    clearTimeout(timer);
+    timer = setTimeout(() => (sight.value = sightOf(viewer)), restMs);
+  });
   const group = new Group();
   body.add(group);
   let drawing: FibreDrawing | null = null;
@@ -81,7 +114,7 @@ export function addFibres(
     drawing = null;
     group.clear();
     fibreLegend.value = null;
-    canvas.invalidate();
+    viewer.invalidate();
   };
   const look = () => {
     const at = plane();
@@ -92,18 +125,17 @@ export function addFibres(
     else uniforms.cutPlane.value.copy(noClip);
     uniforms.explode.value = apart;
     uniforms.nearer.value = behind ? 0 : cell;
-    canvas.invalidate();
+    viewer.invalidate();
   };
   const show = async (mesh: TetArrays, { fibre, helix }: FibreArrays, lines: boolean) => {
     const mine = ++count;
-    const hidden = hiddenLabels.value;
-    const field: FibreField = { mesh, fibre, shows: (tet) => !hidden.has(mesh.labels[tet]) };
-    const size = cellSize(field, lines ? lineCells : glyphCount);
-    await nextTask();
-    const pieces = lines
-      ? await linesOf(field, size, () => mine === count)
-      : glyphPieces(field, evenlySpread(field, size), 0.85 * size);
-    if (!pieces || mine !== count) return;
+    const [hidden, seen] = [hiddenLabels.value, sight.value];
+    const place = new Vector3();
+    const isSeen = (tet: number) => !seen || seen.containsPoint(place.fromArray(mesh.centres, 4 * tet));
+    const field = { mesh, fibre, shows: (tet: number) => !hidden.has(mesh.labels[tet]) && isSeen(tet) };
+    const found = await inSlices(pieced(field, lines), () => mine === count);
+    if (!found || mine !== count) return;
+    const { size, pieces } = found;
     clear();
     cell = size;
     const radius = (lines ? 0.12 : 0.09) * size;
@@ -118,6 +150,7 @@ export function addFibres(
       const fibres = fibresShown.value;
       const lines = fibreStyle.value === 'lines';
       void hiddenLabels.value;
+      void sight.value;
       if (mesh && fibres && 3 * mesh.labels.length === fibres.fibre.length)
         untracked(() => void show(mesh, fibres, lines));
       else {
@@ -129,6 +162,8 @@ export function addFibres(
   ];
   return () => {
     for (const stop of stops) stop();
+    clearTimeout(timer);
+    stopWatching();
     count++;
     clear();
     body.remove(group);

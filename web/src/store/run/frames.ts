@@ -21,12 +21,6 @@ export const simulation = signal<SimulationState>('none');
 export const simulationEndMs = signal(0);
 export const simulationOf = signal<SimulationName | null>(null);
 
-/** A wave is being computed, or is held: it can be given another stimulus. */
-export const mayStimulate = computed(
-  () =>
-    simulationOf.value === 'monodomain' && (simulation.value === 'running' || simulation.value === 'paused'),
-);
-
 let ring = new FrameRing(maxBytes);
 
 /** Times of the frames at hand, ms, ascending. */
@@ -37,6 +31,14 @@ export interface PlayedField {
   info: FieldInfo;
   range: [number, number];
 }
+
+/** A wave is being computed, or is held, and has begun: it can be given another stimulus. */
+export const mayStimulate = computed(
+  () =>
+    simulationOf.value === 'monodomain' &&
+    (simulation.value === 'running' || simulation.value === 'paused') &&
+    frameTimes.value.length > 0,
+);
 
 export const playedFields = signal<readonly PlayedField[]>([]);
 

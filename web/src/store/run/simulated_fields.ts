@@ -25,11 +25,12 @@ const phaseField = computed((): PlayedField[] => {
   return [{ info, range: [-180, 180] }];
 });
 
-/** Fields of points that both this run and the pinned one have, on the same mesh, unless they are the very same. */
+/** Times and voltages at points that both this run and the pinned one have, on the same mesh, unless they are the same. */
 export const comparedFields = computed((): { info: FieldInfo; played: boolean }[] => {
   const then = pinnedSimulation();
   if (!then) return [];
-  const isNumber = ({ info: { on, scale } }: PlayedField) => on === 'points' && scale !== 'whole';
+  const isExcitation = ({ info: { on, unit } }: PlayedField) =>
+    on === 'points' && (unit === 'ms' || unit === 'mV');
   const now = keptSimulation();
   const played = playedFields.value.filter(
     ({ info }) => then.frames !== now.frames && then.frames.at(0)?.values[info.name],
@@ -39,8 +40,8 @@ export const comparedFields = computed((): { info: FieldInfo; played: boolean }[
     return before && before !== foundValues(name);
   });
   return [
-    ...played.filter(isNumber).map(({ info }) => ({ info, played: true })),
-    ...found.filter(isNumber).map(({ info }) => ({ info, played: false })),
+    ...played.filter(isExcitation).map(({ info }) => ({ info, played: true })),
+    ...found.filter(isExcitation).map(({ info }) => ({ info, played: false })),
   ];
 });
 
