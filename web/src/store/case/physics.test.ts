@@ -4,7 +4,7 @@ import { EngineClient } from '../../engine/client';
 import type { Recipe, Schema } from '../../engine/contract';
 import engineSchema from '../../engine/schema.json';
 import { Workers } from '../../engine/testing/workers';
-import { frameTimes, mayStimulate, simulation } from '../run/frames';
+import { frameTimes, mayStimulate, simulatedPhysics, simulation } from '../run/frames';
 import { cancelRun, runAll } from '../run/run_stages';
 import { pauseSimulation, resumeSimulation, simulate } from '../run/simulate';
 import { activity, schema } from '../run/stages';
@@ -89,6 +89,7 @@ describe('a stimulus given while a wave is computed', () => {
     expect(given).toMatchObject({ name: 'Stimulus 2', centre_mm: [1.3, 2, 3], radius_mm: 5, count: 1 });
     expect(given?.start_ms).toBeGreaterThanOrEqual(15);
     await run;
+    expect(simulatedPhysics.value?.stimuli).toHaveLength(before + 1);
     expect(simulation.value).toBe('done');
     expect(frameTimes.value).toHaveLength(20);
     expect(mayStimulate.value).toBe(false);

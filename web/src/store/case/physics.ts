@@ -2,6 +2,7 @@
 import type { MonodomainParams, Physics, Recipe, Stimulus, TissueKind, Vec3 } from '../../engine/contract';
 import { announcement } from '../notices';
 import { engine, tellError } from '../run/engine';
+import { simulatedPhysics } from '../run/frames';
 import { shownResult } from '../run/results';
 import { groupDefaults, itemDefaults } from '../run/schema_defaults';
 import { nameOf, volume } from './input';
@@ -65,6 +66,8 @@ export async function stimulateAt(centre_mm: Vec3): Promise<void> {
   try {
     const given = await engine.stimulate(stimulus);
     if (caseId.value !== id) return;
+    const asked = simulatedPhysics.value;
+    if (asked) simulatedPhysics.value = { ...asked, stimuli: [...asked.stimuli, given] };
     editRecipe('Stimulate here', ({ physics }) => void physics?.stimuli.push(given));
     announcement.value = `${given.name} is given at ${given.start_ms.toFixed(1)} ms`;
   } catch (error) {

@@ -59,7 +59,7 @@ export function keepFound({ fields, values }: FoundFields): void {
 /** The figures of the simulations of this mesh. */
 export const simulated = signal<Simulated>({});
 
-/** What the last of them was asked. */
+/** What the last of them was asked, with what it was given on its way. */
 export const simulatedPhysics = signal<Physics | null>(null);
 
 /** Of another mesh, or of none. */

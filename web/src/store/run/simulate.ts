@@ -45,6 +45,7 @@ export async function simulate(name: SimulationName): Promise<void> {
     forgetFrames();
     simulationEndMs.value = (name === 'diffusion' ? physics.diffusion : physics.monodomain)?.end_ms ?? 0;
     simulationOf.value = name;
+    simulatedPhysics.value = physics;
     simulation.value = 'running';
     play();
   }
@@ -64,8 +65,10 @@ export async function simulate(name: SimulationName): Promise<void> {
     if (!newest()) return;
     keepFound(found);
     simulated.value = told;
-    simulatedPhysics.value = physics;
-    if (!lives(name)) colourBy.value = found.fields.at(-1)?.name ?? 'label';
+    if (!lives(name)) {
+      simulatedPhysics.value = physics;
+      colourBy.value = found.fields.at(-1)?.name ?? 'label';
+    }
     if (newest()) announcement.value = 'Simulation ready';
   } catch (error) {
     const cancelled = error instanceof EngineError && error.code === 'cancelled';
