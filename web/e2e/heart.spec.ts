@@ -180,7 +180,8 @@ test('a click on the heart excites it while its wave is computed, and the case g
 }, testInfo) => {
   await listen(page);
   const { monodomain } = heart.physics;
-  const fine = { ...monodomain, step_ms: 0.02, end_ms: 400 };
+  // Long enough that every point has recovered, and has a value.
+  const fine = { ...monodomain, step_ms: 0.02, end_ms: 1000 };
   await openAndRun(page, { ...heart, physics: { ...heart.physics, monodomain: fine } });
   await page.getByTestId('simulate-wave').click();
   const tool = player(page).getByRole('button', { name: 'Stimulate' });

@@ -11,6 +11,7 @@ import { tellError } from '../store/run/engine';
 import { mayStimulate } from '../store/run/frames';
 import { pointsOf, shownResult } from '../store/run/results';
 import {
+  bodyLegend,
   command,
   cut,
   dark,
@@ -259,7 +260,7 @@ export function mountScene(container: HTMLElement): () => void {
         }
         break;
       case 'picture':
-        order.take(takePicture(canvas, container, legend.value ?? sliceLegend.value));
+        order.take(takePicture(canvas, container, bodyLegend.value ?? sliceLegend.value));
         break;
       case 'cut_facing_me': {
         const towards = viewer.camera.position.clone().sub(viewer.controls.target).normalize();

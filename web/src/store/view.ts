@@ -78,6 +78,10 @@ export const brush = signal<Brush | null>(null);
 /** One element singled out: its id, or nothing. */
 export const focusTet = signal<number | null>(null);
 export const legend = signal<Legend | null>(null);
+/** Of the fibres where the body is an outline around them, else of the body. */
+export const bodyLegend = computed(() =>
+  seeThrough.value ? (fibreLegend.value ?? legend.value) : (legend.value ?? fibreLegend.value),
+);
 /** Of what the slices show, where that is not the labels. */
 export const sliceLegend = signal<Legend | null>(null);
 export const picked = signal<Picked | null>(null);

@@ -2,20 +2,13 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { volume } from '../../store/case/input';
 import { simulation } from '../../store/run/frames';
 import { activity } from '../../store/run/stages';
-import { fibreLegend, layout, legend, seeThrough, sliceLegend } from '../../store/view';
+import { bodyLegend, layout, sliceLegend } from '../../store/view';
 import { EmptyState } from '../case/empty_state';
 import { fetched } from '../controls/fetched';
 import { LegendCard, PickedCard } from './view_cards';
 import { ShowAll, SliceChoice, ViewToolbar } from './view_tools';
 
 const PlayerBar = fetched(() => import('./player_bar').then((part) => part.PlayerBar));
-
-/** Of the fibres where the body is their outline only, else of the body. */
-function legendShown() {
-  const fibres = fibreLegend.value;
-  if (fibres && seeThrough.value) return fibres;
-  return legend.value ?? fibres ?? (layout.value === 'model' ? sliceLegend.value : null);
-}
 
 export function ViewPanel() {
   const host = useRef<HTMLDivElement>(null);
@@ -56,7 +49,7 @@ export function ViewPanel() {
         {opened && trouble && <p class="view-trouble">{trouble}</p>}
         {opened && (
           <>
-            <LegendCard shown={legendShown()} />
+            <LegendCard shown={bodyLegend.value ?? (layout.value === 'model' ? sliceLegend.value : null)} />
             <SliceChoice />
             <PickedCard />
             <ShowAll />
