@@ -163,7 +163,7 @@ test('a stimulus is dragged on a slice like a region, and its card follows', asy
   await section.getByRole('button', { name: 'To the crosshair' }).first().click();
   const right = section.getByLabel('Centre R');
   const before = Number(await right.inputValue());
-  const body = (await page.locator('.pane.axial path.stimulus.chosen').boundingBox())!;
+  const body = (await page.locator('.pane.axial path.is-stimulus.chosen').boundingBox())!;
   const [x, y] = [body.x + body.width / 2, body.y + body.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();

@@ -74,7 +74,7 @@ function StimulateTool() {
       title="A click on the mesh excites it there (S)"
       onClick={toggleStimulating}
     >
-      <Icon name="target" size={13} /> Stimulate
+      Stimulate
     </button>
   );
 }

@@ -54,7 +54,7 @@ export class SliceRegions {
     this.svg.replaceChildren(
       ...bodies().flatMap((body) => {
         const { kind, region, band_mm } = body;
-        const look = `${kind} ${untracked(() => isChosen(body)) ? 'chosen' : ''}`;
+        const look = `is-${kind} ${untracked(() => isChosen(body)) ? 'chosen' : ''}`;
         return [
           ...(band_mm > 0 ? [this.outline(region, band_mm, `band ${look}`)] : []),
           this.outline(region, 0, look),
