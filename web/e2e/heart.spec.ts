@@ -5,7 +5,8 @@ import { writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
-import { expect, idle, openAndRun, smallHeart, test } from './support';
+import { decodeFragment } from '../src/link/codec';
+import { expect, idle, openAndRun, pixels, smallHeart, test } from './support';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 
@@ -124,4 +125,127 @@ test('a simulation is set up by hand: scar conducts nothing, a stimulus off the 
   await page.getByRole('button', { name: 'Undo' }).click();
   await page.getByTestId('activation-map').click();
   await idle(page);
+});
+
+test('fibres are drawn as glyphs and as lines, within an outline of the heart, and follow the cut', async ({
+  page,
+}) => {
+  await openAndRun(page, heart);
+  const fibres = page.getByLabel('Fibres', { exact: true });
+  await fibres.selectOption('glyphs');
+  await expect(page.locator('.legend')).toContainText('Helix angle');
+  await idle(page);
+  const places = Array.from({ length: 400 }, (_, i) => ({
+    x: 500 + 15 * (i % 20),
+    y: 250 + 15 * Math.floor(i / 20),
+  }));
+  const coloured = async () =>
+    (await pixels(page, places)).filter(([r, g, b]) => Math.max(r, g, b) - Math.min(r, g, b) > 40).length;
+  await expect.poll(coloured).toBeGreaterThan(40);
+  const whole = await coloured();
+  await page.getByRole('button', { name: 'Cut', exact: true }).click();
+  await expect.poll(coloured).toBeLessThan(whole);
+  await fibres.selectOption('lines');
+  await page.getByRole('button', { name: 'Cut', exact: true }).click();
+  await expect.poll(coloured).toBeGreaterThan(40);
+  await page.getByRole('button', { name: 'See through' }).click();
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
+  await fibres.selectOption('none');
+  await expect(page.locator('.legend')).toHaveCount(0);
+});
+
+test('a stimulus is dragged on a slice like a region, and its card follows', async ({ page }) => {
+  await openAndRun(page, heart);
+  await page.getByRole('button', { name: 'Slices', exact: true }).click();
+  const section = page.locator('.section', { has: page.getByRole('heading', { name: 'Physics' }) });
+  await section.locator('.region-name', { hasText: 'apex' }).click();
+  await section.getByRole('button', { name: 'To the crosshair' }).first().click();
+  const right = section.getByLabel('Centre R');
+  const before = Number(await right.inputValue());
+  const body = (await page.locator('.pane.axial path.is-stimulus.chosen').boundingBox())!;
+  const [x, y] = [body.x + body.width / 2, body.y + body.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 20, y, { steps: 4 });
+  await page.mouse.up();
+  await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute('title', 'Undo: Move stimulus');
+  expect(Math.abs(Number(await right.inputValue()) - before)).toBeGreaterThan(3);
+  await section.getByLabel('Shape').selectOption('box');
+  await expect(section.getByRole('group', { name: 'Handle in the view' })).toContainText('Turn');
+});
+
+test('a click on the heart excites it while its wave is computed, and the case gives the same from its start', async ({
+  page,
+}, testInfo) => {
+  await listen(page);
+  const { monodomain } = heart.physics;
+  // Long enough that every point has recovered, and has a value.
+  const fine = { ...monodomain, step_ms: 0.02, end_ms: 1000 };
+  await openAndRun(page, { ...heart, physics: { ...heart.physics, monodomain: fine } });
+  await page.getByTestId('simulate-wave').click();
+  const tool = player(page).getByRole('button', { name: 'Stimulate' });
+  await tool.click();
+  await player(page).getByRole('button', { name: 'Hold' }).click();
+  await expect(tool).toHaveAttribute('aria-pressed', 'true');
+  const view = (await page.locator('.pane.model').boundingBox())!;
+  await page.mouse.click(view.x + view.width / 2, view.y + 0.6 * view.height);
+  await expect(page.getByRole('button', { name: 'Undo' })).toHaveAttribute('title', 'Undo: Stimulate here');
+  const section = page.locator('.section', { has: page.getByRole('heading', { name: 'Physics' }) });
+  await expect(section.locator('.region-name', { hasText: 'Stimulus 2' })).toBeVisible();
+  await page.keyboard.press('s');
+  await expect(tool).toHaveAttribute('aria-pressed', 'false');
+  await player(page).getByRole('button', { name: 'Go on' }).click();
+  await expect(player(page)).toHaveAttribute('data-state', 'done');
+  await idle(page);
+
+  const path = testInfo.outputPath('case.json');
+  writeFileSync(path, JSON.stringify(await decodeFragment(await page.evaluate(() => location.hash))));
+  expect(await digestInPage(page, wave)).toBe(digestUnderNode(path, 'monodomain'));
+});
+
+test('the phase of a wave is played, and a second wave is compared with the pinned one', async ({ page }) => {
+  await openAndRun(page, heart);
+  await page.getByTestId('simulate-wave').click();
+  await expect(player(page)).toHaveAttribute('data-state', 'done');
+  await idle(page);
+  await colourBy(page).selectOption({ label: 'Phase' });
+  await expect(page.locator('.legend')).toContainText('front');
+  await page.getByRole('button', { name: 'Pin this run' }).click();
+  await expect(page.getByTestId('simulated-differences')).toHaveCount(0);
+
+  const section = page.locator('.section', { has: page.getByRole('heading', { name: 'Physics' }) });
+  await section.locator('.region-name', { hasText: 'myocardium' }).click();
+  await section.getByLabel('Speed across').fill('0.5');
+  await page.getByTestId('simulate-wave').click();
+  await expect(page.getByTestId('simulated-differences')).toContainText('Activation time');
+  await idle(page);
+  await page.getByTestId('simulated-differences').getByRole('button', { name: 'Activation time' }).click();
+  await expect(page.locator('.legend')).toContainText('Difference of activation time');
+  await expect(page.locator('.changes')).toContainText('physics.tissue.kinds.1.across_mm_per_ms');
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
+  await colourBy(page).selectOption({ label: 'Difference of membrane voltage' });
+  await page.keyboard.press(',');
+  await expect(page.locator('.legend')).toContainText('Difference of membrane voltage');
+});
+
+test('tissue has names: a border zone is slow, and scar is no kind at all', async ({ page }) => {
+  await openAndRun(page, smallHeart);
+  await page.getByRole('button', { name: 'Simulate', exact: true }).click();
+  const section = page.locator('.section', { has: page.getByRole('heading', { name: 'Physics' }) });
+  await section.locator('.region-name', { hasText: 'border zone' }).click();
+  const tissue = section.getByLabel('Tissue');
+  await expect(tissue).toHaveValue('border');
+  const speed = section.getByLabel('border zone: Speed');
+  await tissue.selectOption({ label: 'Healthy muscle' });
+  await expect(speed).toHaveValue('0.5');
+  await tissue.selectOption({ label: 'Border zone, slow and brief' });
+  await expect(speed).toHaveValue('0.16');
+  await speed.fill('0.2');
+  await expect(tissue).toHaveValue('own');
+  await tissue.selectOption({ label: 'Scar: conducts nothing' });
+  await expect(section.getByText('Conduct nothing: scar core, border zone.')).toBeVisible();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await expect(section.getByText('Conduct nothing: scar core.')).toBeVisible();
 });

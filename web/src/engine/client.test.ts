@@ -1,6 +1,13 @@
 import { afterEach, describe, expect, it } from 'vitest';
 import { EngineClient } from './client';
-import { EngineError, stageNames, type Frame, type Recipe, type StageArrays } from './contract';
+import {
+  EngineError,
+  stageNames,
+  type Frame,
+  type Recipe,
+  type StageArrays,
+  type Stimulus,
+} from './contract';
 import { mockFile, Workers } from './testing/workers';
 
 const phantom = { source: { phantom: {} } } as unknown as Recipe;
@@ -103,7 +110,7 @@ describe('EngineClient', () => {
     await client.run(recipe, phantom.source, 'sizing');
     await client.run(recipe, phantom.source, 'sizing');
     expect(workers.sideLoads).toBe(2);
-    client.keepSideVolume('mask', mockFile('paint.nrrd', 64), '');
+    client.files.keepSide('mask', mockFile('paint.nrrd', 64), '');
     await client.run(recipe, phantom.source, 'sizing');
     expect(workers.sideLoads).toBe(3);
   });
@@ -233,7 +240,7 @@ describe('EngineClient', () => {
     const recipe = JSON.stringify({ ...phantom, sizing: { masks } });
     await client.run(recipe, phantom.source, 'quality');
     const other = mockFile('paint.nrrd', 64);
-    client.keepSideVolume('mask', other, 'e'.repeat(64));
+    client.files.keepSide('mask', other, 'e'.repeat(64));
     const later = recipe.replace(digest, 'e'.repeat(64));
     await client.run(later, phantom.source, 'smooth');
     expect(workers.sides.get('paint.nrrd')).toEqual(other.bytes);
@@ -245,9 +252,9 @@ describe('EngineClient', () => {
     const client = start();
     const first = await client.openVolume(mockFile('a.nii'));
     const second = await client.openVolume(mockFile('b.nii', 64));
-    client.forgetVolumes(second.digest);
-    expect(client.volumeFile(first.digest)).toBeUndefined();
-    expect(client.volumeFile(second.digest)?.name).toBe('b.nii');
+    client.files.forgetVolumes(second.digest);
+    expect(client.files.volume(first.digest)).toBeUndefined();
+    expect(client.files.volume(second.digest)?.name).toBe('b.nii');
   });
 
   describe('simulates on a mesh', () => {
@@ -302,6 +309,18 @@ describe('EngineClient', () => {
       expect(run.frames.length).toBe(20);
     });
 
+    it('and hears of a stimulus on its way, which it then has among its own, at its time', async () => {
+      const given = { name: 'here', start_ms: 0 } as Stimulus;
+      let answered: Promise<Stimulus> | undefined;
+      const run = await meshed(3, (client) => (answered = client.stimulate(given)));
+      await run.simulation;
+      const { start_ms, name } = await answered!;
+      expect(name).toBe('here');
+      expect(start_ms).toBeGreaterThanOrEqual(15);
+      expect(run.frames.length).toBe(20);
+      expect((await failureOf(run.client.stimulate(given))).code).toBe('usage');
+    });
+
     it('and is cancelled while it is held', async () => {
       const run = await meshed(3, (client) => client.pauseSimulation(true));
       await new Promise((later) => setTimeout(later, 60));
@@ -309,6 +328,17 @@ describe('EngineClient', () => {
       expect((await failureOf(run.simulation)).code).toBe('cancelled');
       expect(workers.spawned).toBe(2);
     });
+  });
+
+  it('hands over fibres and how steep they are, and nothing where none are asked for', async () => {
+    const client = start();
+    const ask = (physics: object) => client.fibres(JSON.stringify({ ...phantom, physics }), phantom.source);
+    const found = await ask({ anatomy: {}, fibres: {} });
+    expect(found?.fibre.length).toBe(3 * (found?.helix.length ?? 0));
+    expect([...found!.fibre.subarray(0, 3)]).toEqual([1, 0, 0]);
+    // The mock's wall has its base at high y and its outside at high z: the way around it is x.
+    expect(found?.helix[0]).toBeCloseTo(0, 4);
+    expect(await ask({})).toBeNull();
   });
 
   it('exports the files of a format', async () => {

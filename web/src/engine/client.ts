@@ -5,7 +5,7 @@ import {
   type EngineInfo,
   type ExportedFile,
   type ExportFormat,
-  type FileSource,
+  type FibreArrays,
   type FoundFields,
   type Frame,
   type Recipe,
@@ -17,6 +17,7 @@ import {
   type Simulated,
   type SimulationSummary,
   type Space,
+  type Stimulus,
   type StageName,
   type StageSummary,
   type VolumeFile,
@@ -29,11 +30,9 @@ import {
   unlessEnded,
   type EngineSetup,
   type Generation,
-  type Side,
 } from './generation';
+import { OpenedFiles, sideKey } from './opened_files';
 import type { RecipeReply, RunHandlers, SimulationHandlers } from './handlers';
-
-const sideKey = (kind: SideKind, name: string): string => `${kind} ${name}`;
 
 const cancelled = () => failure('cancelled', 'The run was cancelled.');
 
@@ -44,15 +43,12 @@ const cancelled = () => failure('cancelled', 'The run was cancelled.');
  * nothing that the user did is lost.
  */
 export class EngineClient {
+  readonly files = new OpenedFiles();
   private readonly setup: EngineSetup;
   private module: Promise<WebAssembly.Module> | undefined;
   private generation: Generation;
   /** Started with the first job, so that whoever cancels one finds the next engine ready. */
   private spare: Generation | null = null;
-  private readonly volumes = new Map<string, VolumeFile>();
-  private readonly sides = new Map<string, Side>();
-  /** Those that the last mesh was made from, where later ones of the same names have come. */
-  private meshedSides: ReadonlyMap<string, Side> = new Map();
   private tail: Promise<unknown> = Promise.resolve();
   private runningJobs = 0;
   private generationCount = 0;
@@ -77,24 +73,9 @@ export class EngineClient {
       generation.volume = null;
       const summary = await this.answer(generation, 'volume', generation.api.loadVolume(file));
       generation.volume = summary.digest;
-      this.volumes.set(summary.digest, file);
+      this.files.keepVolume(summary.digest, file);
       return summary;
     });
-  }
-
-  /** The bytes of a volume that has been opened. */
-  volumeFile(digest: string): VolumeFile | undefined {
-    return this.volumes.get(digest);
-  }
-
-  /** Takes bytes that an earlier session opened; they are read when a case needs them. */
-  keepVolume(digest: string, file: VolumeFile): void {
-    this.volumes.set(digest, file);
-  }
-
-  /** Forgets every volume but this one. */
-  forgetVolumes(except = ''): void {
-    for (const digest of this.volumes.keys()) if (digest !== except) this.volumes.delete(digest);
   }
 
   /** Reads a mask or an image of sizes, which must have a digest if one is given. One of the same name is replaced. */
@@ -108,26 +89,9 @@ export class EngineClient {
         const message = `${file.name} has the digest ${heads[0]}, the case was made with ${heads[1]}`;
         throw failure('differs', message, 'sizing');
       }
-      const side = { file, digest: found.digest };
-      generation.sides.set(key, side);
-      this.sides.set(key, side);
+      generation.sides.set(key, this.files.keepSide(kind, file, found.digest));
       return found;
     });
-  }
-
-  /** The file of a mask or an image of sizes. */
-  sideFile(kind: SideKind, name: string): VolumeFile | undefined {
-    return this.sides.get(sideKey(kind, name))?.file;
-  }
-
-  /** Takes such a file unread: one of an earlier session, or one that the page itself has made. */
-  keepSideVolume(kind: SideKind, file: VolumeFile, digest: string): void {
-    this.sides.set(sideKey(kind, file.name), { file, digest });
-  }
-
-  forgetSideVolumes(): void {
-    this.sides.clear();
-    this.meshedSides = new Map();
   }
 
   /**
@@ -187,7 +151,7 @@ export class EngineClient {
       }
       const report =
         last === 'quality' ? await this.answer(generation, 'quality', generation.api.report()) : undefined;
-      if (report) this.meshedSides = new Map(generation.sides);
+      if (report) this.files.meshedFrom(generation.sides);
       return { ...accepted, summaries, report } as RecipeReply & {
         summaries: StageSummary[];
         report?: Report;
@@ -248,6 +212,26 @@ export class EngineClient {
     });
   }
 
+  /** The fibres that this recipe asks for. A simulation under way has made them, and is asked between two parts. */
+  async fibres(recipeJson: string, source: Recipe['source']): Promise<FibreArrays | null> {
+    const now = this.generation;
+    if (now.simulation) return this.answer(now, 'fibres', now.api.fibres());
+    return this.job(async (generation) => {
+      await this.prepare(generation, recipeJson, source);
+      const silent = Comlink.proxy(() => undefined);
+      await this.answer(generation, 'fibres', generation.api.run('fibres', silent));
+      return this.answer(generation, 'fibres', generation.api.fibres());
+    });
+  }
+
+  /** Excites the tissue in the simulation under way, `start_ms` from where it is; what it then has among its stimuli. */
+  async stimulate(stimulus: Stimulus): Promise<Stimulus> {
+    const now = this.generation;
+    if (!now.simulation) throw failure('usage', 'No simulation is under way.', 'monodomain');
+    const reply = now.api.stimulate(JSON.stringify(stimulus));
+    return (await this.answer(now, 'monodomain', reply)).stimulus;
+  }
+
   /** Holds the simulation under way, or lets it go on. */
   pauseSimulation(paused: boolean): void {
     if (this.generation.simulation) void this.generation.api.pauseSimulation(paused);
@@ -282,7 +266,7 @@ export class EngineClient {
   private async prepare(generation: Generation, recipeJson: string, source: Recipe['source']) {
     const digest = source.file?.sha256;
     if (digest && generation.volume !== digest) {
-      const file = this.volumes.get(digest);
+      const file = this.files.volume(digest);
       if (!file) {
         throw failure(
           'usage',
@@ -295,8 +279,15 @@ export class EngineClient {
     }
     const accepted = await this.answer(generation, 'recipe', generation.api.setRecipe(recipeJson));
     const { masks, images } = accepted.recipe.sizing;
-    for (const mask of masks) await this.loadSide(generation, 'mask', mask);
-    for (const image of images) await this.loadSide(generation, 'image', image);
+    for (const [kind, sides] of [['mask', masks] as const, ['image', images] as const])
+      for (const { name, sha256 } of sides) {
+        const side = this.files.sideFor(kind, name, sha256);
+        const key = sideKey(kind, name);
+        // A file that is not there is the engine's to miss, once its stage comes.
+        if (!side || generation.sides.get(key) === side) continue;
+        await this.answer(generation, 'sizing', generation.api.loadSideVolume(kind, side.file));
+        generation.sides.set(key, side);
+      }
     return accepted;
   }
 
@@ -310,20 +301,6 @@ export class EngineClient {
     await this.prepare(generation, recipeJson, source);
     const progress = Comlink.proxy((stage: StageName, fraction: number) => onProgress?.(stage, fraction));
     await this.answer(generation, 'optimise', generation.api.run('quality', progress));
-  }
-
-  /** A file that is not there is the engine's to miss, once its stage comes. */
-  private async loadSide(
-    generation: Generation,
-    kind: SideKind,
-    { name, sha256 }: FileSource,
-  ): Promise<void> {
-    const key = sideKey(kind, name);
-    const [latest, meshed] = [this.sides.get(key), this.meshedSides.get(key)];
-    const side = meshed?.digest === sha256 ? meshed : latest;
-    if (!side || generation.sides.get(key) === side) return;
-    await this.answer(generation, 'sizing', generation.api.loadSideVolume(kind, side.file));
-    generation.sides.set(key, side);
   }
 
   private job<T>(body: (generation: Generation) => Promise<T>): Promise<T> {

@@ -1,8 +1,10 @@
 /** What the engine says and takes: the JSON of the wasm surface, typed. Lengths mm, patient space RAS. */
 import { stageNames } from './generated';
-import type { Recipe, Vec3 } from './recipe_types';
+import type { Recipe, Stimulus, Vec3 } from './recipe_types';
+import type { Report } from './report_types';
 
 export * from './recipe_types';
+export * from './report_types';
 
 export { stageNames };
 export type StageName = (typeof stageNames)[number];
@@ -71,147 +73,6 @@ export interface StageSummary {
 }
 
 export type SimulationSummary = Omit<StageSummary, 'name'> & { name: SimulationName };
-
-export interface Histogram {
-  lo: number;
-  hi: number;
-  counts: number[];
-}
-
-export interface Metric {
-  name: string;
-  /** For people; empty where the app has its own words. */
-  title: string;
-  unit: string;
-  elements: string;
-  count: number;
-  min: number;
-  p01: number;
-  p1: number;
-  p5: number;
-  median: number;
-  p95: number;
-  p99: number;
-  max: number;
-  mean: number;
-  sd: number;
-  histogram: Histogram;
-  worst: number[];
-}
-
-export interface ChecklistItem {
-  name: string;
-  passed: boolean;
-  hard: boolean;
-  found: string;
-  expected: string;
-}
-
-export interface LabelFidelity {
-  label: number;
-  voxels: number;
-  tets: number;
-  voxel_mm3: number;
-  mesh_mm3: number;
-  volume_error_percent: number;
-  dice: number;
-  median_edge_mm: number;
-  target_edge_mm: number;
-}
-
-/** Pairs are of the label surface and of the mesh. */
-export interface LabelTopology {
-  label: number;
-  components: [number, number];
-  cavities: [number, number];
-  handles: [number, number];
-  euler: [number, number];
-  pinched_edges: number;
-  pinched_points: number;
-}
-
-export interface TopologyComparison {
-  labels: LabelTopology[];
-  /** Pairs of labels that touch, 0 being background. */
-  contacts: { before: [number, number][]; after: [number, number][] };
-  differences: string[];
-}
-
-export interface DistanceSummary {
-  samples: number;
-  spacing_mm: number;
-  mean_mm: number;
-  rms_mm: number;
-  p95_mm: number;
-  max_mm: number;
-  uncertainty_mm: number;
-}
-
-/** Parts of a wall's outer area: with the target number of layers beneath, and with no fewer. */
-export interface LayerShares {
-  /** Index: number of layers. */
-  area_mm2: number[];
-  exact: number;
-  at_least: number;
-}
-
-export interface LayerCount {
-  wall: number[];
-  target_layers: number;
-  by_edges: LayerShares;
-  by_lines: LayerShares;
-}
-
-/** A label given to tetrahedra three ways, against its voxels. */
-export interface TransferredLabel {
-  label: number;
-  voxel_mm3: number;
-  by_fraction: { mm3: number; error_percent: number };
-  by_centroid: { mm3: number; error_percent: number; dice: number };
-  by_majority: { mm3: number; error_percent: number; dice: number };
-}
-
-/** What simulations of a mesh have found; times in ms, parts of all conducting points. */
-export interface Simulated {
-  eikonal?: { last_ms: number; activated: number };
-  monodomain?: {
-    end_ms: number;
-    activated: number;
-    total_activation_ms: number;
-    mean_apd_ms?: number;
-    most_activations: number;
-    last_stimulus_ms: number;
-    last_activation_ms: number;
-    /** How long after the last stimulus a point was still activated. */
-    lasted_ms: number;
-    /** Absent without electrodes. */
-    traces?: { times_ms: number[]; electrodes: { title: string; unit: string; values: number[] }[] };
-  };
-}
-
-export interface Report {
-  engine: string;
-  digest: string;
-  tets: number;
-  points: number;
-  source: VolumeSummary;
-  stages: (Omit<StageSummary, 'key'> & { digest: string })[];
-  /** Absent where nothing was simulated. */
-  simulation?: Simulated;
-  /** Absent where no label was to be transferred. */
-  transfer?: TransferredLabel[];
-  /** Absent where no number of layers is a target. */
-  layers?: LayerCount[];
-  quality: { metrics: Metric[]; checklist: ChecklistItem[]; passed: boolean };
-  fidelity: {
-    labels: LabelFidelity[];
-    mesh_to_surface: DistanceSummary;
-    surface_to_mesh: DistanceSummary;
-    topology: TopologyComparison;
-  };
-  recipe: Recipe;
-  warnings: string[];
-}
 
 export interface SchemaField {
   path: string;
@@ -305,7 +166,8 @@ export interface FieldInfo {
   title: string;
   unit: string;
   on: 'voxels' | 'triangles' | 'points' | 'tets' | 'faces';
-  scale: 'sequential' | 'diverging' | 'whole' | 'label';
+  /** 'cyclic' is the page's own: its ends are the same. */
+  scale: 'sequential' | 'diverging' | 'whole' | 'label' | 'cyclic';
   components: number;
   count: number;
   /** Least and largest finite value. */
@@ -334,6 +196,14 @@ export interface StageArrays {
 /** In place of a value at a point that has none: for shaders, which cannot tell what is not a number. */
 export const noValue = -1e30;
 
+/** Fibres of the mesh: directions, and how steep they are. */
+export interface FibreArrays {
+  /** Three numbers a tet: a unit vector whose sign means nothing; 0 where there is no muscle. */
+  fibre: Float32Array;
+  /** One a tet, degrees; `noValue` where there is none. */
+  helix: Float32Array;
+}
+
 /** Fields that a simulation has found, at its end, and those that it was made from. */
 export type FoundFields = StageArrays['quality'];
 
@@ -345,7 +215,7 @@ export interface EngineApi {
   loadSideVolume(kind: SideKind, file: VolumeFile): Reply<SideSummary>;
   setRecipe(json: string): Reply<{ recipe: Recipe; minimal: Record<string, unknown> }>;
   run(
-    stage: StageName,
+    stage: StageName | 'fibres',
     onProgress: (stage: StageName, fraction: number) => void,
   ): Promise<Reply<StageSummary>>;
   /** The same for a simulation, which hands over its frames, and between two parts hears the two that follow. */
@@ -356,6 +226,13 @@ export interface EngineApi {
   ): Promise<Reply<SimulationSummary>>;
   /** The fields of a simulation that is done, `noValue` where points have none. */
   found(stage: SimulationName): Reply<FoundFields>;
+  /** Those that the last run has made or needed; null where the recipe asks for none. Heard between two parts. */
+  fibres(): Reply<FibreArrays | null>;
+  /**
+   * Gives the simulation under way a stimulus of the recipe, as JSON, whose `start_ms` counts from now. It is among the
+   * engine's own stimuli from then on; the reply has it with the time at which it starts.
+   */
+  stimulate(json: string): Reply<{ stimulus: Stimulus }>;
   pauseSimulation(paused: boolean): void;
   /** It answers `cancelled`; what was complete before it stays. */
   endSimulation(): void;

@@ -1,9 +1,11 @@
+import { helixAngles } from '../geometry/helix_angles';
 import { withNone, withRoom } from '../geometry/rows';
 import { smoothNormals } from '../geometry/smooth_normals';
 import { tetFaces } from '../geometry/tet_faces';
 import { tetNeighbours } from '../geometry/tet_neighbours';
 import type {
   EngineApi,
+  FibreArrays,
   FieldInfo,
   ExportedFile,
   Frame,
@@ -35,6 +37,7 @@ export interface Session {
   forecast(elements: number): string;
   describe(stage: string): string;
   array(stage: string, name: string): View | undefined;
+  stimulate(json: string): string;
   takeSnapshot(): string;
   snapshotArray(name: string): View | undefined;
   openValues(name: string, bytes: Uint8Array): string;
@@ -121,6 +124,21 @@ async function eachFrame(
   return { ok: true, value: null };
 }
 
+function fibresOf(session: Session): FibreArrays | null {
+  const views = [
+    ['fibres', 'fibre'],
+    ['anatomy', 'transmural'],
+    ['anatomy', 'apicobasal'],
+    ['optimise', 'tets'],
+    ['optimise', 'points'],
+  ].map(([stage, name]) => session.array(stage, name));
+  if (views.some((view) => !view?.length)) return null;
+  const [fibre, depth, height, tets, points] = views as Float32Array[];
+  const mesh = { points, tets: tets as unknown as Uint32Array };
+  const helix = withNone(helixAngles(mesh, fibre, depth, height), noValue);
+  return { fibre: copied(fibre) as Float32Array, helix };
+}
+
 /** One session as plain values: texts parsed, views copied once, failures turned into typed errors. */
 export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
   const runs = new PartedRuns(session);
@@ -145,6 +163,8 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
     simulate: (stage, onProgress, onFrame) => runs.run(stage, onProgress, onFrame),
     found: (stage) =>
       guarded(stage, () => ({ ok: true, value: fieldsOf(session, [...stagesBefore, stage], noValue) })),
+    fibres: () => guarded('fibres', () => ({ ok: true, value: fibresOf(session) })),
+    stimulate: (json) => guarded('monodomain', () => JSON.parse(session.stimulate(json))),
     pauseSimulation: (paused) => runs.pause(paused),
     endSimulation: () => runs.end(),
 

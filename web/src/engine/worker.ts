@@ -73,6 +73,8 @@ const api: EngineApi = {
   simulate: (stage, onProgress, onFrame) =>
     releasing(current().simulate(stage, onProgress, handing(onFrame)), onProgress, onFrame),
   found: (stage) => handOver(current().found(stage)),
+  fibres: () => handOver(current().fibres()),
+  stimulate: (json) => current().stimulate(json),
   pauseSimulation: (paused) => current().pauseSimulation(paused),
   endSimulation: () => current().endSimulation(),
   values: (file, onFrame) => releasing(current().values(file, handing(onFrame)), onFrame),

@@ -37,6 +37,29 @@ const stops = {
     '#8b2706',
     '#590008',
   ],
+  /**
+   * Cyclic: dark, orange, light, blue, and dark again, even steps along an ellipse of lightness and chroma in OKLab
+   * (Ottosson 2020), so that each of the four is told from the others without red and green. Dark stands at an eighth.
+   */
+  cycle: [
+    '#43629d',
+    '#3e5175',
+    '#484848',
+    '#6c482c',
+    '#8e5321',
+    '#ac6525',
+    '#c77a38',
+    '#de9256',
+    '#eead7c',
+    '#f4c9aa',
+    '#dedede',
+    '#bcd3fe',
+    '#9abeff',
+    '#7da6f1',
+    '#648edb',
+    '#5177bf',
+    '#43629d',
+  ],
 } as const;
 export type ColourMapName = keyof typeof stops;
 

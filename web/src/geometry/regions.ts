@@ -1,5 +1,11 @@
-/** Sizing regions as distances: what the sizing field uses, and what slices draw and drag. */
+/** Regions as distances: what the engine uses, and what slices draw and drag. */
 import type { SizeRegion, Vec3 } from '../engine/contract';
+
+/** A sphere, box or capsule in the patient, whatever it is for. */
+export type Region = Pick<
+  SizeRegion,
+  'shape' | 'centre_mm' | 'end_mm' | 'half_size_mm' | 'axes_deg' | 'radius_mm'
+>;
 
 const sub = (a: readonly number[], b: readonly number[]): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const add = (a: readonly number[], b: readonly number[]): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
@@ -18,13 +24,13 @@ function boxAxes(degrees: Vec3): [Vec3, Vec3, Vec3] {
   return [turned([1, 0, 0]), turned([0, 1, 0]), turned([0, 0, 1])];
 }
 
-function boxCoordinates(region: SizeRegion, point: readonly number[]): Vec3 {
+function boxCoordinates(region: Region, point: readonly number[]): Vec3 {
   const away = sub(point, region.centre_mm);
   return boxAxes(region.axes_deg).map((axis) => dot(axis, away)) as Vec3;
 }
 
 /** Millimetres from a region's surface, negative inside. */
-export function regionDistance(region: SizeRegion, point: readonly number[]): number {
+export function regionDistance(region: Region, point: readonly number[]): number {
   switch (region.shape) {
     case 'sphere':
       return Math.hypot(...sub(point, region.centre_mm)) - region.radius_mm;
@@ -45,17 +51,17 @@ export function regionDistance(region: SizeRegion, point: readonly number[]): nu
 const rounded = (v: Vec3): Vec3 => v.map((x) => Math.round(100 * x) / 100) as Vec3;
 const positive = (x: number) => Math.max(0.1, Math.round(100 * x) / 100);
 
-export function movedRegion(region: SizeRegion, by: readonly number[]): Partial<SizeRegion> {
+export function movedRegion(region: Region, by: readonly number[]): Partial<Region> {
   const centre_mm = rounded(add(region.centre_mm, by));
   return region.shape === 'capsule' ? { centre_mm, end_mm: rounded(add(region.end_mm, by)) } : { centre_mm };
 }
 
 /** The region with its surface pulled from one place to another: a radius, or that side of a box. */
 export function pulledRegion(
-  region: SizeRegion,
+  region: Region,
   from: readonly number[],
   to: readonly number[],
-): Partial<SizeRegion> {
+): Partial<Region> {
   if (region.shape !== 'box') {
     const change = regionDistance(region, to) - regionDistance(region, from);
     return { radius_mm: positive(region.radius_mm + change) };

@@ -78,12 +78,17 @@ export interface FieldChange {
 const plain = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** Fields in which two recipes differ, lists as a whole. */
+const things = (value: unknown): value is Record<string, unknown>[] =>
+  Array.isArray(value) && value.every(plain);
+
+/** Fields in which two recipes differ; lists as a whole, unless as many things of several fields stand in both. */
 export function changedFields(pinned: Recipe, now: Recipe): FieldChange[] {
   const found: FieldChange[] = [];
   const text = (value: unknown) => (value === undefined ? 'none' : JSON.stringify(value).replaceAll('"', ''));
   const compare = (before: unknown, after: unknown, path: string) => {
-    if (plain(before) && plain(after)) {
+    if (things(before) && things(after) && before.length === after.length) {
+      before.forEach((one, i) => compare(one, after[i], `${path}.${i + 1}`));
+    } else if (plain(before) && plain(after)) {
       for (const name of new Set([...Object.keys(before), ...Object.keys(after)]))
         compare(before[name], after[name], path ? `${path}.${name}` : name);
     } else if (JSON.stringify(before) !== JSON.stringify(after)) {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Report } from '../engine/contract';
+import type { Recipe, Report } from '../engine/contract';
 import createVoxtet from '../engine/testing/mock_engine.mjs';
 import { seriesOf } from './charts';
 import { changedFields, differencesOf } from './differences';
@@ -67,6 +67,12 @@ describe('two runs', () => {
       { path: 'sizing.edge_mm', pinned: '2', now: '3' },
     ]);
     expect(changedFields(found.recipe, found.recipe)).toEqual([]);
+    const kinds = (...speeds: number[]) =>
+      ({ kinds: speeds.map((speed) => ({ labels: [1], speed })) }) as unknown as Recipe;
+    expect(changedFields(kinds(1, 2), kinds(1, 3))).toEqual([
+      { path: 'kinds.2.speed', pinned: '2', now: '3' },
+    ]);
+    expect(changedFields(kinds(1), kinds(1, 3))).toMatchObject([{ path: 'kinds' }]);
   });
 
   it('have one chart, the pinned run first', () => {

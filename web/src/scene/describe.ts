@@ -2,7 +2,8 @@
 import { noValue, type StageArrays, type StageName, type TetArrays } from '../engine/contract';
 import { coordinate } from '../geometry/orientation';
 import { nameOf, voxelMm } from '../store/case/input';
-import { foundFields, hasValue, playedFields, simulatedValues } from '../store/run/frames';
+import { hasValue } from '../store/run/frames';
+import { simulatedFields, simulatedValues } from '../store/run/simulated_fields';
 import { shownResult } from '../store/run/results';
 import { fractionLabel, type Picked } from '../store/view';
 
@@ -68,7 +69,9 @@ export function speedErrorText(percent: number): string {
 
 /** What simulations say of one tet: of points, the mean of its corners. */
 function simulatedLines({ tets }: TetArrays, tet: number): [string, string][] {
-  return [...playedFields.value, ...foundFields.value].flatMap(({ info }): [string, string][] => {
+  return simulatedFields.value.flatMap(({ info }): [string, string][] => {
+    // There is no mean around a circle.
+    if (info.scale === 'cyclic') return [];
     const values = simulatedValues(info.name);
     const places = info.on === 'points' ? [0, 1, 2, 3].map((corner) => tets[4 * tet + corner]) : [tet];
     const known = places.map((place) => values?.[place] ?? noValue);

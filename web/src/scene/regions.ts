@@ -15,9 +15,11 @@ import {
 } from 'three';
 import { TransformControls } from 'three/examples/jsm/controls/TransformControls.js';
 import { effect } from '@preact/signals';
-import type { SizeRegion, Vec3 } from '../engine/contract';
-import { editRecipe, recipe } from '../store/case/recipe';
-import { gizmoMode, regionShown } from '../store/view';
+import type { Vec3 } from '../engine/contract';
+import type { Region } from '../geometry/regions';
+import { bodiesInView, editBody, isChosen, isPoint, type Body } from '../store/case/bodies';
+import { recipe } from '../store/case/recipe';
+import { bodyShown, gizmoMode } from '../store/view';
 import type { Viewer } from './frame/viewer';
 
 const degrees = 180 / Math.PI;
@@ -25,12 +27,12 @@ const rounded = (value: number) => Math.round(value * 100) / 100;
 const vec3 = (v: Vector3): Vec3 => [rounded(v.x), rounded(v.y), rounded(v.z)];
 
 /** Rotation about x, then y, then z, all fixed: Rz·Ry·Rx, which three calls ZYX. */
-function boxTurn(region: SizeRegion): Euler {
+function boxTurn(region: Region): Euler {
   const [x, y, z] = region.axes_deg;
   return new Euler(x / degrees, y / degrees, z / degrees, 'ZYX');
 }
 
-function bodyOf(region: SizeRegion): BufferGeometry {
+function bodyOf(region: Region): BufferGeometry {
   switch (region.shape) {
     case 'sphere':
       return new SphereGeometry(1, 32, 20);
@@ -43,7 +45,7 @@ function bodyOf(region: SizeRegion): BufferGeometry {
   }
 }
 
-function wireOf(region: SizeRegion, body: BufferGeometry): BufferGeometry {
+function wireOf(region: Region, body: BufferGeometry): BufferGeometry {
   if (region.shape === 'box') return new EdgesGeometry(body);
   const points: Vector3[] = [];
   const circle = (radius: number, place: (a: number, b: number) => Vector3) => {
@@ -66,7 +68,7 @@ function wireOf(region: SizeRegion, body: BufferGeometry): BufferGeometry {
   return new BufferGeometry().setFromPoints(points);
 }
 
-function place(object: Group, region: SizeRegion): void {
+function place(object: Group, region: Region): void {
   const centre = new Vector3(...region.centre_mm);
   object.scale.set(1, 1, 1);
   object.quaternion.identity();
@@ -85,29 +87,36 @@ function place(object: Group, region: SizeRegion): void {
   object.position.copy(centre);
 }
 
-/** Writes the place of a dragged region back to the recipe. */
-function readBack(object: Group, region: SizeRegion, startRadius: number): void {
+/** The place of a body that was dragged. */
+function placeOf(object: Group, region: Region, startRadius: number): Partial<Region> {
   if (region.shape === 'capsule') {
     const middle = new Vector3(...region.centre_mm).add(new Vector3(...region.end_mm)).multiplyScalar(0.5);
     const shift = object.position.clone().sub(middle);
-    region.end_mm = vec3(new Vector3(...region.end_mm).add(shift));
-    region.centre_mm = vec3(new Vector3(...region.centre_mm).add(shift));
-    return;
+    return {
+      end_mm: vec3(new Vector3(...region.end_mm).add(shift)),
+      centre_mm: vec3(new Vector3(...region.centre_mm).add(shift)),
+    };
   }
-  region.centre_mm = vec3(object.position);
+  const centre_mm = vec3(object.position);
   if (region.shape === 'sphere') {
     // A sphere scales by whichever handle was pulled furthest.
     const { x, y, z } = object.scale;
     const pulled = [x, y, z].sort((a, b) => Math.abs(b - startRadius) - Math.abs(a - startRadius))[0];
-    region.radius_mm = Math.max(0.1, rounded(Math.abs(pulled)));
-  } else {
-    region.half_size_mm = vec3(object.scale).map((half) => Math.max(0.1, Math.abs(half))) as Vec3;
-    const turn = new Euler().setFromQuaternion(object.quaternion, 'ZYX');
-    region.axes_deg = [rounded(turn.x * degrees), rounded(turn.y * degrees), rounded(turn.z * degrees)];
+    return { centre_mm, radius_mm: Math.max(0.1, rounded(Math.abs(pulled))) };
   }
+  const turn = new Euler().setFromQuaternion(object.quaternion, 'ZYX');
+  return {
+    centre_mm,
+    half_size_mm: vec3(object.scale).map((half) => Math.max(0.1, Math.abs(half))) as Vec3,
+    axes_deg: [rounded(turn.x * degrees), rounded(turn.y * degrees), rounded(turn.z * degrees)],
+  };
 }
 
-/** Regions as glassy bodies; the chosen one carries a gizmo whose drags are edits of the recipe. */
+/** What is chosen is brighter, in the colour of its kind. */
+const colours = { region: 0x0d8f97, stimulus: 0xc2188f, electrode: 0x2f7d32 };
+const quiet = { region: 0x7a8794, stimulus: 0xb0679c, electrode: 0x6d9470 };
+
+/** Regions, stimuli and electrodes as glassy bodies; the chosen one carries a gizmo whose drags are edits of the recipe. */
 export function addRegions(viewer: Viewer): () => void {
   const root = new Group();
   viewer.add(root);
@@ -118,29 +127,26 @@ export function addRegions(viewer: Viewer): () => void {
   let dragCount = 0;
   let dragging = false;
   let startRadius = 1;
+  const chosenBody = () => bodiesInView(recipe.value).find(isChosen);
   gizmo.addEventListener('dragging-changed', (event) => {
     dragging = event.value as boolean;
     viewer.controls.enabled = !dragging;
     if (dragging) {
       dragCount++;
-      startRadius = recipe.value?.sizing.regions[regionShown.value ?? -1]?.radius_mm ?? 1;
+      startRadius = chosenBody()?.region.radius_mm ?? 1;
     }
   });
   gizmo.addEventListener('change', () => viewer.invalidate());
   gizmo.addEventListener('objectChange', () => {
-    const index = regionShown.value;
+    const body = chosenBody();
     const object = gizmo.object as Group | undefined;
-    if (index === null || !object) return;
-    const name = { translate: 'Move region', rotate: 'Turn region', scale: 'Resize region' }[gizmo.mode];
-    editRecipe(
-      name,
-      (draft) => readBack(object, draft.sizing.regions[index], startRadius),
-      `drag ${dragCount}`,
-      Infinity,
-    );
+    if (!body || !object) return;
+    const verb = { translate: 'Move', rotate: 'Turn', scale: 'Resize' }[gizmo.mode];
+    const change = placeOf(object, body.region, startRadius);
+    editBody(`${verb} ${body.kind}`, body, change, `drag ${dragCount}`, Infinity);
   });
 
-  const rebuild = (regions: readonly SizeRegion[], chosen: number | null) => {
+  const rebuild = (bodies: readonly Body[]) => {
     for (const child of root.children) {
       child.traverse((part) => {
         if (part instanceof Mesh || part instanceof LineSegments) {
@@ -150,14 +156,15 @@ export function addRegions(viewer: Viewer): () => void {
       });
     }
     root.clear();
-    regions.forEach((region, index) => {
+    for (const { kind, index, region } of bodies) {
       const object = new Group();
       const body = bodyOf(region);
-      const colour = index === chosen ? 0x0d8f97 : 0x7a8794;
+      const chosen = isChosen({ kind, index });
+      const colour = (chosen ? colours : quiet)[kind];
       const glass = new MeshBasicMaterial({
         color: colour,
         transparent: true,
-        opacity: index === chosen ? 0.16 : 0.08,
+        opacity: chosen ? 0.16 : 0.08,
         depthWrite: false,
       });
       object.add(new Mesh(body, glass));
@@ -169,7 +176,7 @@ export function addRegions(viewer: Viewer): () => void {
       const hidden = new LineBasicMaterial({
         color: colour,
         transparent: true,
-        opacity: index === chosen ? 0.5 : 0.25,
+        opacity: chosen ? 0.5 : 0.25,
         depthTest: false,
       });
       const behind = new LineSegments(wire, hidden);
@@ -177,28 +184,28 @@ export function addRegions(viewer: Viewer): () => void {
       object.add(behind);
       place(object, region);
       root.add(object);
-    });
+    }
   };
 
   const stop = effect(() => {
-    const regions = recipe.value?.sizing.regions ?? [];
-    const chosen = regionShown.value;
+    const bodies = bodiesInView(recipe.value);
+    void bodyShown.value;
     const mode = gizmoMode.value;
+    const chosen = bodies.find(isChosen);
     if (dragging) {
       const object = gizmo.object as Group | undefined;
-      if (object && chosen !== null && regions[chosen]?.shape === 'sphere')
-        object.scale.setScalar(regions[chosen].radius_mm);
+      if (object && chosen?.region.shape === 'sphere') object.scale.setScalar(chosen.region.radius_mm);
       viewer.invalidate();
       return;
     }
     gizmo.detach();
-    rebuild(regions, chosen);
-    if (chosen !== null && regions[chosen]) {
-      const { shape } = regions[chosen];
-      const allowed = shape === 'box' || mode === 'translate' || (shape === 'sphere' && mode === 'scale');
-      gizmo.setMode(allowed ? mode : 'translate');
+    rebuild(bodies);
+    if (chosen) {
+      const { shape } = chosen.region;
+      const may = shape === 'box' || (shape === 'sphere' && mode === 'scale' && !isPoint(chosen.kind));
+      gizmo.setMode(may ? mode : 'translate');
       gizmo.setSpace(shape === 'box' && mode !== 'translate' ? 'local' : 'world');
-      gizmo.attach(root.children[chosen]);
+      gizmo.attach(root.children[bodies.indexOf(chosen)]);
     }
     viewer.invalidate();
   });

@@ -4,24 +4,31 @@ import { Vector3 } from 'three';
 import type { StageName, Vec3 } from '../engine/contract';
 import { toIndex } from '../geometry/orientation';
 import { pinned, pinnedArrays } from '../store/run/compare';
+import { bodiesOf } from '../store/case/bodies';
 import { volume } from '../store/case/input';
 import { recipe } from '../store/case/recipe';
 import { tellError } from '../store/run/engine';
+import { mayStimulate } from '../store/run/frames';
 import { pointsOf, shownResult } from '../store/run/results';
 import {
+  bodyLegend,
   command,
   cut,
   dark,
+  fibreLegend,
+  fibreStyle,
   focusTet,
   layout,
   legend,
   marked,
   picked,
   sceneMounted,
+  seeThrough,
   showEdges,
   sliceLegend,
   slicePlaces,
   stageShown,
+  stimulating,
 } from '../store/view';
 import { BodyView } from './mesh/body_view';
 import { Canvas } from './frame/canvas';
@@ -67,21 +74,21 @@ function tetsShown(): TetSource | null {
   return mesh ? { mesh, measures: shownResult('quality') } : null;
 }
 
-/** Bodies of the sizing regions; their code is fetched with the first of them. */
-function regionsWhenNeeded(viewer: Viewer): () => void {
+/** A part of the view whose code is fetched when it is first needed; `load` gives what adds it. */
+function whenNeeded(isNeeded: () => boolean, load: () => Promise<() => () => void>): () => void {
   let stopped = false;
-  let stopBodies: (() => void) | undefined;
-  const needed = computed(() => (recipe.value?.sizing.regions.length ?? 0) > 0);
+  let stopPart: (() => void) | undefined;
+  const needed = computed(isNeeded);
   const stopWaiting = effect(() => {
-    if (!needed.value || stopBodies) return;
-    import('./regions').then(({ addRegions }) => {
-      if (!stopped) stopBodies ??= addRegions(viewer);
+    if (!needed.value || stopPart) return;
+    load().then((add) => {
+      if (!stopped) stopPart ??= add();
     }, tellError);
   });
   return () => {
     stopped = true;
     stopWaiting();
-    stopBodies?.();
+    stopPart?.();
   };
 }
 
@@ -96,7 +103,6 @@ export function mountScene(container: HTMLElement): () => void {
   const viewer = new Viewer(canvas, main);
   addTriad(viewer, main);
   addScaleBar(viewer, main);
-  const stopRegions = regionsWhenNeeded(viewer);
   const slices = addSlices(canvas, viewer, panes);
   const warmUp = new WarmUp(canvas.renderer, slices.material);
   canvas.holdUntil(warmUp.ready);
@@ -127,6 +133,27 @@ export function mountScene(container: HTMLElement): () => void {
   };
 
   const stops = [
+    whenNeeded(
+      () => bodiesOf(recipe.value).length > 0,
+      async () => {
+        const { addRegions } = await import('./regions');
+        return () => addRegions(viewer);
+      },
+    ),
+    whenNeeded(
+      () => fibreStyle.value !== 'none',
+      async () => {
+        const { addFibres } = await import('./mesh/fibres_view');
+        return () => addFibres(viewer, body.group, planeNow, onTets);
+      },
+    ),
+    effect(() => {
+      body.setSeeThrough(fibreLegend.value !== null && seeThrough.value);
+      canvas.invalidate();
+    }),
+    effect(() => {
+      main.dataset.tool = stimulating.value && mayStimulate.value ? 'stimulate' : '';
+    }),
     effect(() => {
       panes.dataset.layout = layout.value;
       canvas.invalidate();
@@ -233,7 +260,7 @@ export function mountScene(container: HTMLElement): () => void {
         }
         break;
       case 'picture':
-        order.take(takePicture(canvas, container, legend.value ?? sliceLegend.value));
+        order.take(takePicture(canvas, container, bodyLegend.value ?? sliceLegend.value));
         break;
       case 'cut_facing_me': {
         const towards = viewer.camera.position.clone().sub(viewer.controls.target).normalize();
@@ -243,11 +270,19 @@ export function mountScene(container: HTMLElement): () => void {
     }
   }
 
+  function excite(place: Vec3): void {
+    import('../store/case/physics').then(({ stimulateAt }) => stimulateAt(place), tellError);
+  }
+
   /** Shows the numbers of what is seen at a place of the 3-D view, and puts the crosshair there. */
   function pick(x: number, y: number): void {
     const { clientWidth: width, clientHeight: height } = viewer.element;
     const hit = pickAt(canvas.renderer, viewer.camera, body.pickable, { width, height }, { x, y });
     canvas.invalidate();
+    if (stimulating.value && mayStimulate.value) {
+      if (hit) excite(hit.point.toArray());
+      return;
+    }
     batch(() => {
       const element = hit && (body.owners ? body.owners[hit.element] : hit.element);
       picked.value =
@@ -274,7 +309,6 @@ export function mountScene(container: HTMLElement): () => void {
   return () => {
     sceneMounted.value = false;
     for (const stop of stops) stop();
-    stopRegions();
     slices.dispose();
     body.dispose();
     other.dispose();

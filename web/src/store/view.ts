@@ -41,6 +41,8 @@ export interface Legend {
   map: ColourMapName;
   /** Of few whole numbers. */
   whole?: boolean;
+  /** Words beside the scale in place of numbers, from its top in even steps. */
+  words?: string[];
   /** Colours change at multiples of this, with a line: isochrones. */
   bands?: number;
 }
@@ -65,16 +67,32 @@ export type SceneCommand =
 
 export const stageShown = signal<StageName>('smooth');
 export const colourBy = signal<ColourBy>('label');
+/** How fibres are drawn, and whether the body is an outline around them. */
+export type FibreStyle = 'none' | 'glyphs' | 'lines';
+export const fibreStyle = signal<FibreStyle>('none');
+export const seeThrough = signal(true);
+export const fibreLegend = signal<Legend | null>(null);
 export const showEdges = signal(true);
 export const cut = signal<Cut>({ on: false, flat: false, normal: [0, 1, 0], place: 0.5 });
 export const brush = signal<Brush | null>(null);
 /** One element singled out: its id, or nothing. */
 export const focusTet = signal<number | null>(null);
 export const legend = signal<Legend | null>(null);
+/** Of the fibres where the body is an outline around them, else of the body. */
+export const bodyLegend = computed(() =>
+  seeThrough.value ? (fibreLegend.value ?? legend.value) : (legend.value ?? fibreLegend.value),
+);
 /** Of what the slices show, where that is not the labels. */
 export const sliceLegend = signal<Legend | null>(null);
 export const picked = signal<Picked | null>(null);
-export const regionShown = signal<number | null>(null);
+/** Bodies that a case places in the patient: for sizes, or for a simulation. */
+export type BodyKind = 'region' | 'stimulus' | 'electrode';
+export interface BodyName {
+  kind: BodyKind;
+  index: number;
+}
+/** The one whose fields are open and that has handles in the views. */
+export const bodyShown = signal<BodyName | null>(null);
 export const gizmoMode = signal<'translate' | 'rotate' | 'scale'>('translate');
 export type Layout = 'model' | 'slices' | 'compare';
 /** One view of the mesh; three slices of the image beside it; or the pinned run beside it. */
@@ -88,6 +106,8 @@ export const sliceOverlay = signal<SliceOverlay>('labels');
 export const explode = signal(0);
 export const hiddenLabels = signal<ReadonlySet<number>>(new Set());
 export const ownColours = signal<Readonly<Record<number, string>>>({});
+/** A click on the mesh excites it there, where a simulation is under way. */
+export const stimulating = signal(false);
 /** The time cursor of what is played, ms. */
 export const time = signal(0);
 export const theme = signal<ThemeChoice>('system');
@@ -116,7 +136,7 @@ export function resetView(): void {
   brush.value = null;
   focusTet.value = null;
   picked.value = null;
-  regionShown.value = null;
+  bodyShown.value = null;
   marked.value = null;
   hiddenLabels.value = new Set();
   colourBy.value = 'label';

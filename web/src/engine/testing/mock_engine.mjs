@@ -4,6 +4,10 @@ import { oppositeFace, tetNeighbours } from '../../geometry/tet_neighbours';
 
 /** A simulation gives so many frames, one in each part. */
 const frameCount = 20;
+const playedFields = {
+  diffusion: { name: 'temperature', title: 'Temperature', unit: '1' },
+  monodomain: { name: 'voltage_mV', title: 'Membrane voltage', unit: 'mV' },
+};
 const cubeTets = [
   [0, 1, 3, 5],
   [0, 3, 2, 6],
@@ -196,10 +200,10 @@ class Session {
     this.last = null;
   }
   advance(_budgetMs, onProgress) {
-    if (this.last !== 'diffusion') return this.advanceTo(this.last, onProgress);
+    if (!(this.last in playedFields)) return this.advanceTo(this.last, onProgress);
     if (!this.done.has('quality')) this.advanceTo('quality', onProgress);
-    const [stage, fraction] = ['diffusion', ++this.frame / frameCount];
-    const info = { name: 'temperature', title: 'Temperature', unit: '1', on: 'points', scale: 'sequential' };
+    const [stage, fraction] = [this.last, ++this.frame / frameCount];
+    const info = { ...playedFields[stage], on: 'points', scale: 'sequential' };
     const field = { ...info, components: 1, count: this.mesh.points.length / 3, range: [0, fraction] };
     this.waiting.push({ time_ms: 5 * this.frame, fields: [field] });
     onProgress(stage, fraction);
@@ -208,6 +212,16 @@ class Session {
       ? { name: stage, key: hash(stage), cached: false, notes: [], counts: {} }
       : undefined;
     return JSON.stringify({ ok: true, value: { done, stage, fraction, summary } });
+  }
+  stimulate(text) {
+    const now = 5 * this.frame;
+    const given = JSON.parse(text);
+    const stimulus = { ...given, start_ms: given.start_ms + now };
+    this.recipe.physics = {
+      ...this.recipe.physics,
+      stimuli: [...(this.recipe.physics?.stimuli ?? []), stimulus],
+    };
+    return JSON.stringify({ ok: true, value: { stimulus } });
   }
   takeSnapshot() {
     this.taken = this.waiting.shift() ?? null;
@@ -338,6 +352,15 @@ class Session {
       );
     }
     if (stage === 'optimise') return this.mesh[array];
+    // Fibres along x, and a wall whose depth is z and whose base is at high y.
+    if (stage === 'fibres')
+      return this.recipe.physics?.fibres
+        ? new Float32Array(3 * this.mesh.labels.length).map((_, i) => (i % 3 === 0 ? 1 : 0))
+        : undefined;
+    if (stage === 'anatomy') {
+      const axis = array === 'transmural' ? 2 : 1;
+      return this.mesh.points.filter((_, i) => i % 3 === axis);
+    }
     return array === 'points' ? this.mesh.points : boundary(this.mesh)[array];
   }
   exportMesh(format, space, name) {

@@ -52,11 +52,13 @@ export class Workers {
       },
       setRecipe: (json) => session.setRecipe(json),
       run: (stage, onProgress) => {
-        if (this.late) setTimeout(() => onProgress(stage, 1), 10);
+        if (this.late && stage !== 'fibres') setTimeout(() => onProgress(stage, 1), 10);
         return stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress);
       },
       simulate: (stage, onProgress, onFrame) => session.simulate(stage, onProgress, onFrame),
       found: (stage) => session.found(stage),
+      fibres: () => session.fibres(),
+      stimulate: (json) => session.stimulate(json),
       pauseSimulation: (paused) => session.pauseSimulation(paused),
       endSimulation: () => session.endSimulation(),
       values: (file, onFrame) => session.values(file, onFrame),

@@ -97,7 +97,9 @@ function AddSimulation() {
   );
 }
 
-const PhysicsSection = fetched(() => import('./physics_section').then((part) => part.PhysicsSection));
+const PhysicsSection = fetched(() =>
+  import('../physics/physics_section').then((part) => part.PhysicsSection),
+);
 
 const SimulationSection = fetched(() =>
   import('./simulation_section').then((part) => part.SimulationSection),

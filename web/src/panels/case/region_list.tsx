@@ -1,9 +1,10 @@
 import type { Recipe, RegionShape, SizeRegion } from '../../engine/contract';
 import { volume } from '../../store/case/input';
+import { isChosen } from '../../store/case/bodies';
 import { editRecipe } from '../../store/case/recipe';
-import { gizmoMode, regionShown } from '../../store/view';
+import { bodyShown, gizmoMode } from '../../store/view';
 import { crosshairMm } from '../../store/view_place';
-import { NumberField, Segments, SelectField, VectorField } from '../controls/fields';
+import { fetched } from '../controls/fetched';
 import { FoldedItem } from '../controls/folded_item';
 import { Icon } from '../controls/icons';
 
@@ -30,119 +31,17 @@ function newRegion(shape: RegionShape, current: Recipe): SizeRegion {
   };
 }
 
-const shapes: readonly (readonly [RegionShape, string])[] = [
-  ['sphere', 'Sphere'],
-  ['box', 'Box'],
-  ['capsule', 'Capsule'],
-];
-
-function RegionFields({ region, index }: { region: SizeRegion; index: number }) {
-  const set = (label: string, change: Partial<SizeRegion>) =>
-    editRecipe(
-      label,
-      (draft) => void Object.assign(draft.sizing.regions[index], change),
-      `region ${index} ${label}`,
-    );
-  const number = (label: string, key: 'edge_mm' | 'band_mm' | 'radius_mm', step: number) => (
-    <NumberField
-      label={label}
-      owner={region.name}
-      unit="mm"
-      path={`sizing.regions.${key}`}
-      step={step}
-      value={region[key]}
-      onChange={(value) => set(label, { [key]: value })}
-    />
-  );
-  const modes = (
-    region.shape === 'box'
-      ? [
-          ['translate', 'Move'],
-          ['rotate', 'Turn'],
-          ['scale', 'Resize'],
-        ]
-      : region.shape === 'sphere'
-        ? [
-            ['translate', 'Move'],
-            ['scale', 'Resize'],
-          ]
-        : [['translate', 'Move']]
-  ) as ['translate' | 'rotate' | 'scale', string][];
-  return (
-    <>
-      <Segments
-        label="Handle in the view"
-        value={gizmoMode.value}
-        options={modes}
-        onChange={(mode) => (gizmoMode.value = mode)}
-      />
-      <div class="field">
-        <span class="field-label">Name</span>
-        <span class="field-input wide">
-          <input
-            type="text"
-            aria-label="Region name"
-            maxLength={60}
-            value={region.name}
-            onInput={(event) => set('Name of region', { name: event.currentTarget.value })}
-          />
-        </span>
-      </div>
-      <SelectField
-        label="Shape"
-        value={region.shape}
-        options={shapes}
-        onChange={(shape) => set('Shape of region', { shape })}
-      />
-      {number('Edge inside', 'edge_mm', 0.1)}
-      {number('Transition', 'band_mm', 1)}
-      {region.shape !== 'box' && number('Radius', 'radius_mm', 1)}
-      <VectorField
-        label={region.shape === 'capsule' ? 'From' : 'Centre'}
-        unit="mm"
-        value={region.centre_mm}
-        onChange={(centre_mm) => set('Move region', { centre_mm })}
-      />
-      {region.shape === 'capsule' && (
-        <VectorField
-          label="To"
-          unit="mm"
-          value={region.end_mm}
-          onChange={(end_mm) => set('Move region end', { end_mm })}
-        />
-      )}
-      {region.shape === 'box' && (
-        <>
-          <VectorField
-            label="Half size"
-            unit="mm"
-            names={['1', '2', '3']}
-            path="sizing.regions.half_size_mm"
-            value={region.half_size_mm}
-            onChange={(half_size_mm) => set('Resize region', { half_size_mm })}
-          />
-          <VectorField
-            label="Rotation"
-            unit="°"
-            names={['R', 'A', 'S']}
-            path="sizing.regions.axes_deg"
-            value={region.axes_deg}
-            onChange={(axes_deg) => set('Turn region', { axes_deg })}
-          />
-        </>
-      )}
-    </>
-  );
-}
+/** Fields of the region that is open; few cases have one. */
+const RegionFields = fetched(() => import('./region_fields').then((part) => part.RegionFields));
 
 export function RegionList({ current }: { current: Recipe }) {
   const add = (shape: RegionShape) => {
     editRecipe(`Add ${shape}`, (draft) => void draft.sizing.regions.push(newRegion(shape, current)));
-    regionShown.value = current.sizing.regions.length;
+    bodyShown.value = { kind: 'region', index: current.sizing.regions.length };
     gizmoMode.value = 'translate';
   };
   const remove = (index: number) => {
-    regionShown.value = null;
+    bodyShown.value = null;
     editRecipe('Remove region', (draft) => void draft.sizing.regions.splice(index, 1));
   };
   return (
@@ -167,14 +66,14 @@ export function RegionList({ current }: { current: Recipe }) {
         </p>
       )}
       {current.sizing.regions.map((region, index) => {
-        const open = regionShown.value === index;
+        const open = isChosen({ kind: 'region', index });
         return (
           <FoldedItem
             key={index}
             name={region.name || `Region ${index + 1}`}
             note={`${region.edge_mm} mm`}
             open={open}
-            onToggle={() => (regionShown.value = open ? null : index)}
+            onToggle={() => (bodyShown.value = open ? null : { kind: 'region', index })}
             onRemove={() => remove(index)}
           >
             <RegionFields region={region} index={index} />

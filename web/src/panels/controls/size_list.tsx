@@ -1,6 +1,7 @@
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import type { Recipe } from '../../engine/contract';
+import { bodyShown, type BodyKind } from '../../store/view';
 import { editRecipe } from '../../store/case/recipe';
 import { FoldedItem } from './folded_item';
 import { Icon } from './icons';
@@ -17,10 +18,18 @@ export function SizeList<T>(props: {
   fresh(current: Recipe): T;
   nameOf(size: T): string;
   noteOf(size: T): string;
+  /** They have a place in the patient: the one that is open has handles in the views. */
+  body?: BodyKind;
   fields(size: T, index: number, name: string): ComponentChildren;
 }) {
-  const { kind, current } = props;
-  const [shown, setShown] = useState<number | null>(null);
+  const { kind, current, body } = props;
+  const [ownShown, setOwnShown] = useState<number | null>(null);
+  const placed = bodyShown.value?.kind === body ? (bodyShown.value?.index ?? null) : null;
+  const shown = body ? placed : ownShown;
+  const setShown = (index: number | null) => {
+    if (body) bodyShown.value = index === null ? null : { kind: body, index };
+    else setOwnShown(index);
+  };
   const sizes = props.of(current);
   const add = () => {
     editRecipe(`Add ${kind.toLowerCase()}`, (draft) => void props.of(draft).push(props.fresh(current)));

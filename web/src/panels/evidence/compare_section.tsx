@@ -1,82 +1,24 @@
 import type { Report } from '../../engine/contract';
-import { changedFields, differencesOf, type Difference } from '../../report/differences';
-import { pinned, pinRun, unpin, type PinnedRun } from '../../store/run/compare';
-import { meshedRecipe } from '../../store/run/report';
+import { pinned, pinRun, unpin } from '../../store/run/compare';
+import { comparedFields } from '../../store/run/simulated_fields';
 import { layout } from '../../store/view';
-import { short, whole } from '../controls/format';
+import { fetched } from '../controls/fetched';
 import { Icon } from '../controls/icons';
 
-/** Three decimals are enough for what is smaller than one. */
-const brief = (value: number) => short(Math.abs(value) < 1 ? Number(value.toFixed(3)) : value);
-const text = (value: number) => (Number.isInteger(value) ? whole(value) : brief(value));
-
-function change({ pinned: before, now, unit, better }: Difference): { words: string; tone: string } {
-  const step = now - before;
-  if (Math.abs(step) < 1e-9 * Math.max(1, Math.abs(before))) return { words: '=', tone: '' };
-  const share = unit === '' && Math.abs(before) > 1 ? (100 * step) / before : null;
-  const size = share === null ? brief(Math.abs(step)) : `${Math.abs(share).toFixed(1)} %`;
-  const good = better && (better === 'more') === step > 0;
-  return { words: `${step > 0 ? '+' : '−'}${size}`, tone: better ? (good ? 'better' : 'worse') : '' };
-}
-
-function Differences({ run, found }: { run: PinnedRun; found: Report }) {
-  const fields = meshedRecipe.value ? changedFields(run.recipe, meshedRecipe.value) : [];
-  return (
-    <>
-      <div class="table-scroll" tabIndex={0} role="region" aria-label="Differences of the two runs">
-        <table class="measures tight" data-testid="differences">
-          <thead>
-            <tr>
-              <th scope="col">Measure</th>
-              {['Pinned', 'Now', 'Change'].map((name) => (
-                <th key={name} scope="col" class="num">
-                  {name}
-                </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {differencesOf(run.report, found).map((row) => {
-              const { words, tone } = change(row);
-              return (
-                <tr key={row.name}>
-                  <th scope="row" title={row.name}>
-                    {row.name} <span class="unit">{row.unit}</span>
-                  </th>
-                  <td class="num">{text(row.pinned)}</td>
-                  <td class="num">{text(row.now)}</td>
-                  <td class={`num ${tone}`}>{words}</td>
-                </tr>
-              );
-            })}
-          </tbody>
-        </table>
-      </div>
-      {fields.length > 0 && (
-        <dl class="changes">
-          {fields.map(({ path, pinned: before, now }) => (
-            <div key={path}>
-              <dt>{path}</dt>
-              <dd>
-                {before} → {now}
-              </dd>
-            </div>
-          ))}
-        </dl>
-      )}
-    </>
-  );
-}
+const Differences = fetched(() => import('./differences').then((part) => part.Differences));
 
 /** A run is pinned; the next ones stand beside it. */
 export function CompareSection({ found }: { found: Report }) {
   const run = pinned.value;
-  const same = run?.report === found;
+  const simulated = comparedFields.value.length > 0;
+  const same = run?.report === found && !simulated;
   return (
     <section class="section compare">
       <h2>Compare</h2>
-      {!run && <p class="hint">Pin this run, change something, run again: both stand side by side.</p>}
-      {same && <p class="hint">This run is pinned. Change something and run again to compare.</p>}
+      {!run && (
+        <p class="hint">Pin this run, change something, run or simulate again: both stand side by side.</p>
+      )}
+      {same && <p class="hint">This run is pinned. Change something and run or simulate again to compare.</p>}
       <div class="compare-actions">
         {!same && (
           <button type="button" class="button small" onClick={pinRun}>

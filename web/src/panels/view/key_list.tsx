@@ -1,5 +1,3 @@
-import { developer } from '../../store/developer';
-
 const keys: [string, string][] = [
   ['Ctrl Enter', 'Run'],
   ['Esc', 'Cancel a run; else show all elements again'],
@@ -14,6 +12,7 @@ const keys: [string, string][] = [
 ];
 
 const inTime: [string, string][] = [
+  ['S', 'While a wave is computed: clicks on the mesh excite it'],
   ['K', 'Play, pause'],
   [', and .', 'The frame before, the next frame'],
 ];
@@ -46,7 +45,7 @@ export function KeyList() {
   return (
     <>
       <List title="Everywhere" rows={keys} />
-      {developer && <List title="While something is played" rows={inTime} />}
+      <List title="While something is played" rows={inTime} />
       <List title="In a view that has the focus" rows={inViews} />
     </>
   );

@@ -1,8 +1,8 @@
 import { useEffect } from 'preact/hooks';
-import { frameShown, frameTimes, simulation, simulationEndMs } from '../../store/run/frames';
+import { frameShown, frameTimes, mayStimulate, simulation, simulationEndMs } from '../../store/run/frames';
 import { keepPlaying, playing, seek, stepFrame, togglePlaying } from '../../store/run/player';
 import { pauseSimulation, resumeSimulation } from '../../store/run/simulate';
-import { time } from '../../store/view';
+import { stimulating, time } from '../../store/view';
 import { extraKeys } from '../controls/extra_keys';
 import { short } from '../controls/format';
 import { Icon, type IconName } from '../controls/icons';
@@ -59,7 +59,32 @@ function Progress() {
   );
 }
 
-const playerKeys = { k: togglePlaying, ',': () => stepFrame(-1), '.': () => stepFrame(1) };
+/** Clicks on the mesh excite it, or tell its numbers again. */
+const toggleStimulating = () => {
+  if (mayStimulate.value) stimulating.value = !stimulating.value;
+};
+
+function StimulateTool() {
+  if (!mayStimulate.value) return null;
+  return (
+    <button
+      type="button"
+      class="tool"
+      aria-pressed={stimulating.value}
+      title="A click on the mesh excites it there (S)"
+      onClick={toggleStimulating}
+    >
+      Stimulate
+    </button>
+  );
+}
+
+const playerKeys = {
+  s: toggleStimulating,
+  k: togglePlaying,
+  ',': () => stepFrame(-1),
+  '.': () => stepFrame(1),
+};
 
 /** Plays what lives in time; there is none without frames. */
 export function PlayerBar() {
@@ -121,6 +146,7 @@ export function PlayerBar() {
         {text} <span class="unit">/ {short(end)} ms</span>
       </output>
       <Progress />
+      <StimulateTool />
     </div>
   );
 }

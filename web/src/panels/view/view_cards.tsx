@@ -94,10 +94,11 @@ export function LegendCard({ shown }: { shown: Legend | null }) {
             <rect width="14" height={scaleHeight} rx="2" fill="url(#legend-scale)" />
           )}
         </svg>
-        <div class="legend-ticks">
-          {ticks.map((t) => (
-            <span key={t}>{short(Number((shown.lo + t * (shown.hi - shown.lo)).toPrecision(3)))}</span>
-          ))}
+        <div class={shown.words ? 'legend-ticks words' : 'legend-ticks'}>
+          {shown.words?.map((word) => <span key={word}>{word}</span>) ??
+            ticks.map((t) => (
+              <span key={t}>{short(Number((shown.lo + t * (shown.hi - shown.lo)).toPrecision(3)))}</span>
+            ))}
         </div>
       </div>
     </div>

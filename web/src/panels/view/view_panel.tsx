@@ -2,7 +2,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { volume } from '../../store/case/input';
 import { simulation } from '../../store/run/frames';
 import { activity } from '../../store/run/stages';
-import { layout, legend, sliceLegend } from '../../store/view';
+import { bodyLegend, layout, sliceLegend } from '../../store/view';
 import { EmptyState } from '../case/empty_state';
 import { fetched } from '../controls/fetched';
 import { LegendCard, PickedCard } from './view_cards';
@@ -49,7 +49,7 @@ export function ViewPanel() {
         {opened && trouble && <p class="view-trouble">{trouble}</p>}
         {opened && (
           <>
-            <LegendCard shown={legend.value ?? (layout.value === 'model' ? sliceLegend.value : null)} />
+            <LegendCard shown={bodyLegend.value ?? (layout.value === 'model' ? sliceLegend.value : null)} />
             <SliceChoice />
             <PickedCard />
             <ShowAll />

@@ -3,7 +3,7 @@ import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
 import { nameOf } from '../../store/case/input';
 import { recipe } from '../../store/case/recipe';
-import { foundFields, playedFields } from '../../store/run/frames';
+import { simulatedFields } from '../../store/run/simulated_fields';
 import { shownResult } from '../../store/run/results';
 import { report } from '../../store/run/report';
 import {
@@ -26,6 +26,7 @@ import {
 } from '../../store/view';
 import { Segments } from '../controls/fields';
 import { Icon } from '../controls/icons';
+import { fetched } from '../controls/fetched';
 import { ScaleStrip } from './view_cards';
 
 const cutAxes: [string, string, Vec3][] = [
@@ -37,8 +38,7 @@ const cutAxes: [string, string, Vec3][] = [
 /** Every field that the evidence has, and those that are played, in the engine's words. */
 function fieldOptions(): [ColourBy, string][] {
   const fields = shownResult('quality')?.fields ?? [];
-  const simulated = [...playedFields.value, ...foundFields.value];
-  const played = simulated.map(({ info: { name, title } }): [ColourBy, string] => [name, title]);
+  const played = simulatedFields.value.map(({ info: { name, title } }): [ColourBy, string] => [name, title]);
   const measured = fields.map(({ name, title, unit, on }): [ColourBy, string] => {
     const label = fractionLabel(name);
     if (label !== null) return [name, `Share of ${nameOf(label)}`];
@@ -224,6 +224,8 @@ export function ShowAll() {
   );
 }
 
+const FibreTool = fetched(() => import('./fibre_tool').then((part) => part.FibreTool));
+
 export function ViewToolbar() {
   const stage = stageShown.value;
   const planes = stage === 'volume' || stage === 'sizing';
@@ -252,6 +254,7 @@ export function ViewToolbar() {
         Edges
       </button>
       {!planes && <CutTools onTets={onTets} />}
+      {onTets && recipe.value?.physics?.fibres && report.value && <FibreTool />}
       {onTets && <ExplodeTool />}
       {planes && !sliced && <PlaneTools />}
       <button

@@ -10,9 +10,17 @@ function cssColour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
+/** What stands beside a scale, and where: 0 is its lower end. */
+function marksOf({ lo, hi, words }: Legend): [string, number][] {
+  return (
+    words?.map((word, i): [string, number] => [word, 1 - (i + 0.5) / words.length]) ??
+    [0, 0.25, 0.5, 0.75, 1].map((t) => [String(Number((lo + t * (hi - lo)).toPrecision(3))), t])
+  );
+}
+
 function drawLegend(context: CanvasRenderingContext2D, shown: Legend, right: number, bottom: number): void {
   const [width, height] = [14, 120];
-  const [x, y] = [right - 64, bottom - height];
+  const [x, y] = [right - (shown.words ? 76 : 64), bottom - height];
   const scale = context.createLinearGradient(0, bottom, 0, y);
   const stops = colourStops(shown.map);
   stops.forEach((colour, i) => scale.addColorStop(i / (stops.length - 1), colour));
@@ -21,10 +29,7 @@ function drawLegend(context: CanvasRenderingContext2D, shown: Legend, right: num
   context.fillStyle = cssColour('--text');
   context.font = `11.5px ${font}`;
   context.textAlign = 'left';
-  for (const t of [0, 0.25, 0.5, 0.75, 1]) {
-    const value = Number((shown.lo + t * (shown.hi - shown.lo)).toPrecision(3));
-    context.fillText(String(value), x + width + 6, bottom - t * height + 4);
-  }
+  for (const [text, t] of marksOf(shown)) context.fillText(text, x + width + 6, bottom - t * height + 4);
   context.font = `600 12px ${font}`;
   context.textAlign = 'right';
   context.fillText(`${shown.title}${shown.unit && `, ${shown.unit}`}`, right, y - 12);

@@ -19,6 +19,8 @@ in vec2 vValue;
 uniform sampler2D scale;
 uniform vec2 range;
 uniform float bands;
+/** Values this far apart are the same; 0: none are. */
+uniform float period;
 #endif
 #ifdef PICK
 layout(location = 0) out uvec4 outPick;
@@ -47,7 +49,8 @@ vec3 fieldColour() {
     line = (1.0 - smoothstep(0.6 * width, 1.4 * width, away)) * (1.0 - smoothstep(0.2, 0.6, width));
     value = bands * (floor(place) + 0.5);
   }
-  float x = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
+  float place = (value - range.x) / (range.y - range.x);
+  float x = period > 0.0 ? fract(place) : clamp(place, 0.0, 1.0);
   return mix(texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb, vec3(0.05), 0.7 * line);
 }
 #else

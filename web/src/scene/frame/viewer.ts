@@ -29,7 +29,7 @@ export class Viewer {
   readonly bounds = new Box3(new Vector3(-50, -50, -50), new Vector3(50, 50, 50));
   private readonly canvas: Canvas;
   private readonly pane: Pane;
-  private readonly afterDraw: (() => void)[] = [];
+  private readonly afterDraw = new Set<() => void>();
   private outline: Float32Array = new Float32Array(0);
   private share = fitShare;
   private flight: { begin: number; from: Vector3[]; to: Vector3[] } | null = null;
@@ -75,8 +75,10 @@ export class Viewer {
     this.fit(false);
   }
 
-  onDraw(callback: () => void): void {
-    this.afterDraw.push(callback);
+  /** Calls back after each drawing, until what it gives is called. */
+  onDraw(callback: () => void): () => void {
+    this.afterDraw.add(callback);
+    return () => void this.afterDraw.delete(callback);
   }
 
   invalidate(): void {

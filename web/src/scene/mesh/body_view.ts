@@ -30,6 +30,7 @@ export class BodyView {
   private readonly glass = elementMaterial({ smooth: false, ghost: true });
   private readonly surface: SurfaceMesh = new Mesh(new BufferGeometry(), this.opaque.flat);
   private look: [number, number] = [0.55, 0.1];
+  private seeThrough = false;
 
   constructor() {
     this.surface.frustumCulled = false;
@@ -70,6 +71,7 @@ export class BodyView {
     this.mesh = mesh;
     this.model = new TetModel(mesh);
     this.model.setLook(...this.look);
+    this.model.setSeeThrough(this.seeThrough);
     this.group.add(this.model.group);
     return this.model;
   }
@@ -89,6 +91,12 @@ export class BodyView {
     this.opaque.flat.uniforms.edgeStrength.value = edges ? 0.55 : 0;
     this.opaque.smooth.uniforms.edgeStrength.value = edges ? 0.35 : 0;
     this.glass.uniforms.opacity.value = ghostOpacity;
+  }
+
+  /** Tetrahedra are an outline around what is drawn within them. */
+  setSeeThrough(on: boolean): void {
+    this.seeThrough = on;
+    this.model?.setSeeThrough(on);
   }
 
   dispose(): void {

@@ -1,5 +1,6 @@
 import { afterEach, describe, expect, it } from 'vitest';
 import type { FieldInfo, StageArrays } from '../../engine/contract';
+import { colourStops } from '../../geometry/colours';
 import { colourBy } from '../../store/view';
 import { forgetFound, forgetFrames, keepFound, keepFrame } from '../../store/run/frames';
 import { bandWidth, roundEnds, simulatedPaint, tetPaint } from './colouring';
@@ -70,6 +71,18 @@ describe('colours of what is played', () => {
     expect(simulatedPaint()).toBeNull();
     colourBy.value = 'temperature';
     expect(simulatedPaint()).toMatchObject({ kind: 'nodal', values: parts, legend: { lo: 0, hi: 1 } });
+  });
+
+  it('go around a circle where it is a phase, in words', () => {
+    const { fields } = field('voltage_mV', parts, { on: 'points', range: [-80, 20] });
+    keepFrame({ timeMs: 0, fields, values: { voltage_mV: parts } });
+    colourBy.value = 'phase_deg';
+    expect(simulatedPaint()).toMatchObject({
+      kind: 'nodal',
+      legend: { title: 'Phase', map: 'cycle', lo: -180, hi: 180 },
+    });
+    const [first, last] = [colourStops('cycle')[0], colourStops('cycle').at(-1)];
+    expect(first).toBe(last);
   });
 
   it.each([

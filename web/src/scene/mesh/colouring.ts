@@ -12,8 +12,9 @@ import {
 } from '../../geometry/faces';
 import { valuesAt } from '../../geometry/grid_values';
 import { nameOf } from '../../store/case/input';
-import { foundFields, playedFields, simulatedValues } from '../../store/run/frames';
+import { playedFields } from '../../store/run/frames';
 import { shownKeys } from '../../store/run/results';
+import { simulatedFields, simulatedValues } from '../../store/run/simulated_fields';
 import { sizingFields } from '../../store/run/sizing_fields';
 import { bandSteps, colourBy, colourOf, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
 
@@ -41,6 +42,7 @@ const unitSigns: Record<string, string> = { '1': '', deg: '°', log2: 'log₂' }
 
 /** How a field is read, as the engine says it. */
 function scaleOf({ title, unit, scale }: FieldInfo): Scale {
+  if (scale === 'cyclic') return { title, unit: '', map: 'cycle' };
   const map = scale === 'diverging' ? 'vik' : unit === 'deg' || unit === '1' ? 'cividis' : 'viridis';
   const sign = unitSigns[unit] ?? unit;
   return scale === 'whole' ? { title, unit: sign, map: 'viridis', whole: true } : { title, unit: sign, map };
@@ -109,19 +111,23 @@ export function bandEnds([least, most]: readonly [number, number]): {
   return { lo: first * bands, hi: (first + count) * bands, bands };
 }
 
+/** What the phase is called at 135, 45, -45 and -135 degrees. */
+const phaseWords = ['recovery', 'excited', 'front', 'rest'];
+
 /** A field of a simulation, on the scale of all its frames; nothing where it is not what is coloured by. */
-export function simulatedPaint(): TetPaint | null {
+export function simulatedPaint(valuesOf = simulatedValues): TetPaint | null {
   const named = ({ info }: { info: FieldInfo }) => info.name === colourBy.value;
   const played = playedFields.value.find(named);
-  const field = played ?? foundFields.value.find(named);
-  const values = untracked(() => simulatedValues(colourBy.value));
+  const field = simulatedFields.value.find(named);
+  const values = untracked(() => valuesOf(colourBy.value));
   if (!field || !values) return null;
   // Times that are found once are read as isochrones.
-  const banded = !played && field.info.unit === 'ms';
+  const banded = !played && field.info.unit === 'ms' && field.info.scale !== 'diverging';
   const most = Math.max(Math.abs(field.range[0]), Math.abs(field.range[1]));
   const range: [number, number] = field.info.scale === 'diverging' ? [-most, most] : field.range;
-  const ends = banded ? bandEnds(range) : roundEnds(range);
-  const legend: Legend = { ...scaleOf(field.info), ...ends };
+  const cyclic = field.info.scale === 'cyclic';
+  const ends = banded ? bandEnds(range) : cyclic ? { lo: range[0], hi: range[1] } : roundEnds(range);
+  const legend: Legend = { ...scaleOf(field.info), ...ends, ...(cyclic && { words: phaseWords }) };
   return { kind: field.info.on === 'points' ? 'nodal' : 'scale', values, legend };
 }
 

@@ -55,6 +55,7 @@ export class TetModel {
   private readonly ghost: TetDrawing;
   private plane: Plane | null = null;
   private partly = false;
+  private seeThrough = false;
   private hides = false;
   private disposed = false;
 
@@ -79,6 +80,7 @@ export class TetModel {
       reach: { value: extents[2] },
       range: { value: new Vector2(0, 1) },
       bands: { value: 0 },
+      period: { value: 0 },
       explode: { value: 0 },
       apart: { value: false },
       singled: { value: -1 },
@@ -135,6 +137,7 @@ export class TetModel {
       this.replace('scale', scaleTexture(paint.legend.map));
       this.shared.range.value.set(paint.legend.lo, paint.legend.hi);
       this.shared.bands.value = paint.legend.bands ?? 0;
+      this.shared.period.value = paint.legend.map === 'cycle' ? paint.legend.hi - paint.legend.lo : 0;
     }
     for (const one of [this.solid, this.cap]) one.material.uniforms.paint.value = paintCodes[paint.kind];
   }
@@ -152,6 +155,12 @@ export class TetModel {
   setExplode(amount: number): void {
     this.shared.explode.value = amount;
     this.shared.apart.value = amount > 0;
+    this.update();
+  }
+
+  /** Only an outline is drawn; what a click hits stays. */
+  setSeeThrough(on: boolean): void {
+    this.seeThrough = on;
     this.update();
   }
 
@@ -222,6 +231,7 @@ export class TetModel {
     this.solid.material.uniforms.clipPlane.value.copy(plane?.flat ? at : noClip);
     this.cap.visible = plane?.flat ?? false;
     this.cap.material.uniforms.cutPlane.value.copy(at);
-    this.ghost.visible = this.partly;
+    this.ghost.visible = this.partly || this.seeThrough;
+    for (const one of [this.solid, this.cap]) one.material.visible = !this.seeThrough;
   }
 }

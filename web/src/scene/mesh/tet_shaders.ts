@@ -12,6 +12,7 @@ uniform uint need;
 uniform vec4 cutPlane;
 uniform int paint;
 uniform vec2 range;
+uniform float period;
 uniform float explode;
 uniform int singled;
 uniform vec3 singledColour;
@@ -33,6 +34,11 @@ float faceValue = -1.0;
 /** Of the vertex that is drawn, where values go on from point to point. */
 float vertexValue = 0.0;
 float atPoint(uint i) { return texelFetch(values, at(int(i)), 0).r; }
+/** The same on a circle, by whole turns as near as can be to another value. */
+float nearTo(float other, float value) {
+  if (period == 0.0 || value < -1e29 || other < -1e29) return value;
+  return value - period * round((value - other) / period);
+}
 
 vec3 colourOf(int tet, int label) {
   if (tet == singled) return singledColour;
@@ -97,7 +103,7 @@ void main() {
   if (paint == 4 && face < counts.y) {
     for (int k = 0; k < 3; k++) faceValue = max(faceValue, atPoint(corners[turn[k]]));
   }
-  if (paint == 6) vertexValue = atPoint(corners[turn[corner]]);
+  if (paint == 6) vertexValue = nearTo(atPoint(corners[turn[0]]), atPoint(corners[turn[corner]]));
   place(mine ? own : other, point(corners[turn[corner]]));
 }`;
 
@@ -144,6 +150,9 @@ void main() {
     vCorner = vec3(vertex == 0, vertex == 1, vertex == 2);
   }
   float part = d[from] / (d[from] - d[to]);
-  if (paint == 6) vertexValue = mix(atPoint(corners[from]), atPoint(corners[to]), part);
+  if (paint == 6) {
+    float near = atPoint(corners[0]);
+    vertexValue = mix(nearTo(near, atPoint(corners[from])), nearTo(near, atPoint(corners[to])), part);
+  }
   place(tet, mix(p[from], p[to], part));
 }`;

@@ -12,7 +12,7 @@ import {
   legend,
   type Brush,
 } from '../../store/view';
-import { simulatedValues } from '../../store/run/frames';
+import { pinnedValues, simulatedValues } from '../../store/run/simulated_fields';
 import type { BodyView } from './body_view';
 import type { Canvas } from '../frame/canvas';
 import { simulatedPaint, tetPaint } from './colouring';
@@ -61,6 +61,7 @@ export function followTets(
   body: BodyView,
   { source, plane, leads, onModel }: Follower,
 ): () => void {
+  const valuesOf = leads ? simulatedValues : pinnedValues;
   const stops = [
     effect(() => {
       const shown = source();
@@ -87,7 +88,7 @@ export function followTets(
     effect(() => {
       const shown = source();
       if (!shown || !body.model) return;
-      const paint = (leads && simulatedPaint()) || tetPaint(shown.measures);
+      const paint = simulatedPaint(valuesOf) ?? tetPaint(shown.measures);
       const scaled = 'legend' in paint;
       if (leads) legend.value = scaled ? paint.legend : null;
       // Two runs are compared on one scale: that of the run that leads.
@@ -97,8 +98,8 @@ export function followTets(
     }),
     // From frame to frame only values change.
     effect(() => {
-      const values = simulatedValues(colourBy.value);
-      if (!leads || !values || !body.model || !source()) return;
+      const values = valuesOf(colourBy.value);
+      if (!values || !body.model || !source()) return;
       body.model.setValues(values);
       canvas.invalidate();
     }),

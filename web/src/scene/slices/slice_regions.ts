@@ -1,8 +1,8 @@
-import { effect } from '@preact/signals';
-import type { SizeRegion } from '../../engine/contract';
-import { movedRegion, pulledRegion, regionDistance, zeroLines } from '../../geometry/regions';
-import { editRecipe, recipe } from '../../store/case/recipe';
-import { regionShown } from '../../store/view';
+import { effect, untracked } from '@preact/signals';
+import { movedRegion, pulledRegion, regionDistance, zeroLines, type Region } from '../../geometry/regions';
+import { bodiesInView, editBody, isChosen, isPoint, type Body } from '../../store/case/bodies';
+import { recipe } from '../../store/case/recipe';
+import { bodyShown } from '../../store/view';
 
 const svgNamespace = 'http://www.w3.org/2000/svg';
 /** Pixels of the lattice on which outlines are found. */
@@ -19,8 +19,7 @@ export interface SlicePlane {
 }
 
 interface Drag {
-  index: number;
-  region: SizeRegion;
+  body: Body;
   from: number[];
   pulls: boolean;
   key: string;
@@ -28,7 +27,10 @@ interface Drag {
 
 let dragCount = 0;
 
-/** Outlines of the sizing regions in a slice; the chosen one can be moved by its inside and resized by its outline. */
+const bodies = () => untracked(() => bodiesInView(recipe.value));
+const chosenBody = () => untracked(() => bodies().find(isChosen));
+
+/** Outlines of regions, stimuli and electrodes in a slice; they are resized by their outlines, and points are moved. */
 export class SliceRegions {
   private readonly svg: SVGSVGElement;
   private readonly plane: SlicePlane;
@@ -42,68 +44,60 @@ export class SliceRegions {
     this.svg.setAttribute('aria-hidden', 'true');
     parent.append(this.svg);
     this.stop = effect(() => {
-      void recipe.value?.sizing.regions;
-      void regionShown.value;
+      void bodiesInView(recipe.value);
+      void bodyShown.value;
       this.draw();
     });
   }
 
   draw(): void {
-    const regions = recipe.peek()?.sizing.regions ?? [];
-    const chosen = regionShown.peek();
     this.svg.replaceChildren(
-      ...regions.flatMap((region, index) => {
-        const kind = index === chosen ? 'chosen' : '';
+      ...bodies().flatMap((body) => {
+        const { kind, region, band_mm } = body;
+        const look = `is-${kind} ${untracked(() => isChosen(body)) ? 'chosen' : ''}`;
         return [
-          ...(region.band_mm > 0 ? [this.outline(region, region.band_mm, `band ${kind}`)] : []),
-          this.outline(region, 0, kind),
+          ...(band_mm > 0 ? [this.outline(region, band_mm, `band ${look}`)] : []),
+          this.outline(region, 0, look),
         ];
       }),
     );
   }
 
-  /** Whether a press at this place of the pane takes hold of a region. */
+  /** Whether a press at this place of the pane takes hold of a body. */
   take(x: number, y: number): boolean {
-    const regions = recipe.peek()?.sizing.regions ?? [];
     const from = this.plane.mmAt(x, y);
     const reach = grip * this.plane.mmPerPixel();
-    const chosen = regionShown.peek();
-    const near = regions.findIndex((region) => Math.abs(regionDistance(region, from)) < reach);
-    const own = chosen !== null && regions[chosen] ? regionDistance(regions[chosen], from) : Infinity;
-    const index = own < reach ? chosen : near < 0 ? null : near;
-    if (index === null) return false;
-    regionShown.value = index;
-    const region = regions[index];
-    const pulls = Math.abs(regionDistance(region, from)) < reach;
-    this.drag = { index, region, from, pulls, key: `slice drag ${++dragCount}` };
+    const chosen = chosenBody();
+    const isNear = ({ region }: Body) => Math.abs(regionDistance(region, from)) < reach;
+    const body = chosen && regionDistance(chosen.region, from) < reach ? chosen : bodies().find(isNear);
+    if (!body) return false;
+    bodyShown.value = { kind: body.kind, index: body.index };
+    const pulls = isNear(body) && !isPoint(body.kind);
+    this.drag = { body, from, pulls, key: `slice drag ${++dragCount}` };
     return true;
   }
 
   /** What a press here would do, as a cursor. */
   cursorAt(x: number, y: number): string {
-    const region = recipe.peek()?.sizing.regions[regionShown.peek() ?? -1];
-    if (!region) return '';
-    const away = regionDistance(region, this.plane.mmAt(x, y));
+    const body = chosenBody();
+    if (!body) return '';
+    const away = regionDistance(body.region, this.plane.mmAt(x, y));
     const reach = grip * this.plane.mmPerPixel();
+    if (isPoint(body.kind)) return away < reach ? 'move' : '';
     return Math.abs(away) < reach ? 'nwse-resize' : away < 0 ? 'move' : '';
   }
 
   dragTo(x: number, y: number): boolean {
     if (!this.drag) return false;
-    const { index, region, from, pulls, key } = this.drag;
+    const { body, from, pulls, key } = this.drag;
     const to = this.plane.mmAt(x, y);
     const change = pulls
-      ? pulledRegion(region, from, to)
+      ? pulledRegion(body.region, from, to)
       : movedRegion(
-          region,
+          body.region,
           to.map((part, axis) => part - from[axis]),
         );
-    editRecipe(
-      pulls ? 'Resize region' : 'Move region',
-      (draft) => void Object.assign(draft.sizing.regions[index], change),
-      key,
-      Infinity,
-    );
+    editBody(`${pulls ? 'Resize' : 'Move'} ${body.kind}`, body, change, key, Infinity);
     return true;
   }
 
@@ -116,7 +110,7 @@ export class SliceRegions {
     this.svg.remove();
   }
 
-  private outline(region: SizeRegion, away: number, kind: string): SVGPathElement {
+  private outline(region: Region, away: number, kind: string): SVGPathElement {
     const [width, height] = this.plane.size();
     const lines = zeroLines(
       (x, y) => regionDistance(region, this.plane.mmAt(x, y)) - away,

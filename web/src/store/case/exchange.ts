@@ -148,7 +148,7 @@ export function downloadCase(minimal: Record<string, unknown>): void {
 
 /** What is painted here, for whoever opens a link that asks for it. */
 export function downloadPainted(): void {
-  const file = engine.sideFile('mask', paintedName);
+  const file = engine.files.side('mask', paintedName);
   if (file) download(file.name, new Blob([file.bytes]));
 }
 

@@ -41,7 +41,7 @@ afterEach(async () => {
 /** A case of a file, with a mask where one is named, as a link would bring it. */
 async function openLinked(names: { mask?: string; expected?: object }): Promise<string> {
   const { digest } = await client.openVolume(mockFile('heart.nii'));
-  client.forgetVolumes();
+  client.files.forgetVolumes();
   const masks = names.mask ? [{ name: names.mask, sha256: '', edges: [{ label: 1, edge_mm: 1 }] }] : [];
   const { expected } = names;
   await offerCase({

@@ -108,7 +108,7 @@ function beginCase(summary: VolumeSummary, fileName: string): void {
   const fresh = structuredClone(defaults.value);
   const source = { file: { name: fileName, sha256: summary.digest } };
   leaveCase();
-  engine.forgetVolumes(summary.digest);
+  engine.files.forgetVolumes(summary.digest);
   notices.value = notices.value.filter(({ tone }) => tone !== 'error');
   startRecipe({ ...fresh, source, sizing: { ...fresh.sizing, edge_mm: startingEdge(summary) } });
   expectation.value = null;
@@ -196,7 +196,7 @@ async function resumeCase(
   try {
     const last = laterLink ? ((await decodeFragment(laterLink)) as unknown as Recipe) : saved.recipe;
     const digest = saved.recipe.source.file?.sha256;
-    if (digest && saved.file) engine.keepVolume(digest, saved.file);
+    if (digest && saved.file) engine.files.keepVolume(digest, saved.file);
     const { recipe: known, left } = await acceptSaved(last);
     const accepted = withoutPromise(known);
     const { id, colours, sides } = saved;
@@ -214,7 +214,7 @@ async function resumeCase(
 
 /** From now on the case is saved with each change, and stands in the address bar. */
 export function keepCase(): void {
-  autosave((digest) => engine.volumeFile(digest));
+  autosave((digest) => engine.files.volume(digest));
   keepAddress(() => offered.value !== null, openFragment);
 }
 
@@ -251,9 +251,9 @@ export function acceptOffer(thenRun: boolean): void {
   forgetResults();
   resetView();
   const file = offer.recipe.source.file;
-  engine.forgetVolumes(file?.sha256);
+  engine.files.forgetVolumes(file?.sha256);
   volume.value = null;
-  if (file && !(file.sha256 && engine.volumeFile(file.sha256))) {
+  if (file && !(file.sha256 && engine.files.volume(file.sha256))) {
     awaitedFile.value = file;
     return;
   }

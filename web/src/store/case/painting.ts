@@ -76,7 +76,7 @@ export function forgetPainting(): void {
 
 /** Takes up what was painted in an earlier session, from its file. */
 export function restorePainting(): void {
-  const file = paintedEdges().length > 0 ? engine.sideFile('mask', paintedName) : undefined;
+  const file = paintedEdges().length > 0 ? engine.files.side('mask', paintedName) : undefined;
   const found = file && readOwnNrrd(file.bytes);
   if (!found || painting) return;
   painting = { grid: found.grid, labels: found.voxels };

@@ -1,14 +1,17 @@
+import { effect } from '@preact/signals';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { EngineClient } from '../../engine/client';
 import type { Recipe, Schema } from '../../engine/contract';
 import engineSchema from '../../engine/schema.json';
 import { Workers } from '../../engine/testing/workers';
-import { cancelRun } from '../run/run_stages';
+import { frameTimes, mayStimulate, simulatedPhysics, simulation } from '../run/frames';
+import { cancelRun, runAll } from '../run/run_stages';
+import { pauseSimulation, resumeSimulation, simulate } from '../run/simulate';
 import { activity, schema } from '../run/stages';
 import { volume } from './input';
 import { openPhantom, startEngine } from './open_case';
-import { meshedLabels, startingPhysics } from './physics';
-import { recipe } from './recipe';
+import { addSimulation, meshedLabels, startingPhysics, stimulateAt } from './physics';
+import { recipe, undo, undoLabel } from './recipe';
 
 let workers: Workers;
 
@@ -65,5 +68,32 @@ describe('the simulation that a case begins with', () => {
     expect(stimuli[0]).toMatchObject({ shape: 'sphere', duration_ms: 2, count: 1, s2_ms: 0 });
     expect(monodomain).toMatchObject({ end_ms: 400, consistent_mass: 0.5 });
     expect(others).toEqual({});
+  });
+});
+
+describe('a stimulus given while a wave is computed', () => {
+  it('is one edit of the case, at its time, and the wave goes on to its end', async () => {
+    vi.stubGlobal('requestAnimationFrame', () => 0);
+    await runAll();
+    addSimulation();
+    const before = recipe.value?.physics?.stimuli.length ?? 0;
+    const run = simulate('monodomain');
+    const stop = effect(() => void (frameTimes.value.length === 3 && pauseSimulation()));
+    await vi.waitFor(() => expect(simulation.value).toBe('paused'), 5000);
+    stop();
+    expect(mayStimulate.value).toBe(true);
+    await stimulateAt([1.26, 2, 3]);
+    resumeSimulation();
+    expect(undoLabel.value).toBe('Stimulate here');
+    const given = recipe.value?.physics?.stimuli.at(-1);
+    expect(given).toMatchObject({ name: 'Stimulus 2', centre_mm: [1.3, 2, 3], radius_mm: 5, count: 1 });
+    expect(given?.start_ms).toBeGreaterThanOrEqual(15);
+    await run;
+    expect(simulatedPhysics.value?.stimuli).toHaveLength(before + 1);
+    expect(simulation.value).toBe('done');
+    expect(frameTimes.value).toHaveLength(20);
+    expect(mayStimulate.value).toBe(false);
+    undo();
+    expect(recipe.value?.physics?.stimuli).toHaveLength(before);
   });
 });

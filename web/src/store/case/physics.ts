@@ -1,9 +1,13 @@
 /** What a simulation of the heart begins with, until the user says otherwise. */
 import type { MonodomainParams, Physics, Recipe, Stimulus, TissueKind, Vec3 } from '../../engine/contract';
+import { announcement } from '../notices';
+import { engine, tellError } from '../run/engine';
+import { simulatedPhysics } from '../run/frames';
 import { shownResult } from '../run/results';
 import { groupDefaults, itemDefaults } from '../run/schema_defaults';
 import { nameOf, volume } from './input';
-import { editRecipe, recipe } from './recipe';
+import { caseId, editRecipe, recipe } from './recipe';
+import { tissuePresets } from './tissue_presets';
 
 /** Names of labels that do not conduct, and of those that conduct slowly. */
 const noTissue = /pool|blood|scar|core|cavity|lumen|fat|fibrosis|valve/i;
@@ -45,6 +49,32 @@ export function newStimulus(count: number): Stimulus {
   };
 }
 
+/** A click excites a ball of this radius, or half as much again as an edge of the mesh, mm. */
+const clickRadius = 5;
+
+/** Excites the tissue at a place of the wave under way. The case has the stimulus from then on, at its time. */
+export async function stimulateAt(centre_mm: Vec3): Promise<void> {
+  const [current, id] = [recipe.value, caseId.value];
+  if (!current?.physics) return;
+  const stimulus: Stimulus = {
+    ...itemDefaults<Stimulus>('physics.stimuli'),
+    name: `Stimulus ${current.physics.stimuli.length + 1}`,
+    centre_mm: centre_mm.map((x) => Math.round(10 * x) / 10) as Vec3,
+    radius_mm: Math.max(clickRadius, 1.5 * current.sizing.edge_mm),
+    start_ms: 0,
+  };
+  try {
+    const given = await engine.stimulate(stimulus);
+    if (caseId.value !== id) return;
+    const asked = simulatedPhysics.value;
+    if (asked) simulatedPhysics.value = { ...asked, stimuli: [...asked.stimuli, given] };
+    editRecipe('Stimulate here', ({ physics }) => void physics?.stimuli.push(given));
+    announcement.value = `${given.name} is given at ${given.start_ms.toFixed(1)} ms`;
+  } catch (error) {
+    tellError(error);
+  }
+}
+
 export function startingPhysics(current: Recipe): Physics {
   const labels = meshedLabels(current);
   const conducting = labels.filter((label) => !noTissue.test(nameOf(label)) || slow.test(nameOf(label)));
@@ -52,9 +82,8 @@ export function startingPhysics(current: Recipe): Physics {
   const border = conducting.filter((label) => slow.test(nameOf(label)));
   const physics = groupDefaults<Physics>('physics');
   physics.tissue.kinds = [newTissue(healthy.length > 0 ? healthy : labels)];
-  // A tenth of the diffusivity.
   if (healthy.length > 0 && border.length > 0)
-    physics.tissue.kinds.push({ ...newTissue(border), along_mm_per_ms: 0.16, across_mm_per_ms: 0.16 });
+    physics.tissue.kinds.push({ labels: border, ...tissuePresets.border.fields });
   physics.stimuli = [newStimulus(0)];
   physics.monodomain = { ...groupDefaults<MonodomainParams>('physics.monodomain'), step_ms: 0.1 };
   return physics;

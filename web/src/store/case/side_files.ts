@@ -34,7 +34,7 @@ export const awaitedSides = computed<AwaitedSide[]>(() => {
 
 /** Takes a file whose content is known: one of an earlier session, or one that the page has made. */
 export function holdSide({ kind, file, digest }: SideFile): void {
-  engine.keepSideVolume(kind, file, digest);
+  engine.files.keepSide(kind, file, digest);
   held.value = new Map(held.value).set(keyOf(kind, file.name), digest);
 }
 
@@ -42,7 +42,7 @@ export function holdSide({ kind, file, digest }: SideFile): void {
 export function heldSides(): SideFile[] {
   const { masks = [], images = [] } = recipe.peek()?.sizing ?? {};
   const find = (kind: SideKind, { name }: FileSource): SideFile[] => {
-    const file = engine.sideFile(kind, name);
+    const file = engine.files.side(kind, name);
     const digest = held.peek().get(keyOf(kind, name));
     return file && digest !== undefined ? [{ kind, file, digest }] : [];
   };
@@ -50,6 +50,6 @@ export function heldSides(): SideFile[] {
 }
 
 export function forgetSides(): void {
-  engine.forgetSideVolumes();
+  engine.files.forgetSides();
   held.value = new Map();
 }

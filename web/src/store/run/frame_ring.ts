@@ -27,6 +27,12 @@ export class FrameRing {
     return this.kept.map(({ frame }) => frame.timeMs);
   }
 
+  /** Forgets the frames from a time on. */
+  dropFrom(timeMs: number): void {
+    this.kept = this.kept.filter(({ frame }) => frame.timeMs < timeMs);
+    this.sum = this.kept.reduce((sum, { frame }) => sum + bytesOf(frame), 0);
+  }
+
   push(frame: Frame): void {
     const newest = this.kept.at(-1);
     if (newest && newest.number % this.stride !== 0) {

@@ -1,6 +1,14 @@
 /** The frames of the simulation on the mesh that is shown. They stand outside the signals, which hold their times only. */
 import { computed, signal } from '@preact/signals';
-import { noValue, type FieldInfo, type FoundFields, type Frame, type Simulated } from '../../engine/contract';
+import {
+  noValue,
+  type FieldInfo,
+  type FoundFields,
+  type Frame,
+  type Physics,
+  type Simulated,
+  type SimulationName,
+} from '../../engine/contract';
 import { time } from '../view';
 import { FrameRing } from './frame_ring';
 
@@ -11,6 +19,7 @@ export type SimulationState = 'none' | 'running' | 'paused' | 'done' | 'cancelle
 /** How the simulation stands that the frames are of, and the time that it is to reach, ms. */
 export const simulation = signal<SimulationState>('none');
 export const simulationEndMs = signal(0);
+export const simulationOf = signal<SimulationName | null>(null);
 
 let ring = new FrameRing(maxBytes);
 
@@ -22,6 +31,14 @@ export interface PlayedField {
   info: FieldInfo;
   range: [number, number];
 }
+
+/** A wave is being computed, or is held, and has begun: it can be given another stimulus. */
+export const mayStimulate = computed(
+  () =>
+    simulationOf.value === 'monodomain' &&
+    (simulation.value === 'running' || simulation.value === 'paused') &&
+    frameTimes.value.length > 0,
+);
 
 export const playedFields = signal<readonly PlayedField[]>([]);
 
@@ -42,28 +59,53 @@ export function keepFound({ fields, values }: FoundFields): void {
 /** The figures of the simulations of this mesh. */
 export const simulated = signal<Simulated>({});
 
+/** What the last of them was asked, with what it was given on its way. */
+export const simulatedPhysics = signal<Physics | null>(null);
+
 /** Of another mesh, or of none. */
 export function forgetFound(): void {
+  simulatedPhysics.value = null;
   simulated.value = {};
   found.clear();
   foundFields.value = [];
 }
 
-/** The values that the mesh is coloured by, of the frame at the time cursor or as they were found. */
-export function simulatedValues(name: string): Float32Array | undefined {
-  void foundFields.value;
-  return frameShown.value?.values[name] ?? found.get(name);
+export const foundValues = (name: string): Float32Array | undefined => found.get(name);
+
+/** The frames and what was found, as they stand, for whoever goes on when this page has forgotten them. */
+export interface KeptSimulation {
+  frames: Pick<FrameRing, 'at'>;
+  found: ReadonlyMap<string, Float32Array>;
+}
+
+export function keptSimulation(): KeptSimulation {
+  return { frames: ring, found: new Map(found) };
 }
 
 /** Whether a point has a value. */
 export const hasValue = (value: number): boolean => value > noValue / 2;
 
-export function forgetFrames(): void {
+let framesAreOf: SimulationName | null = null;
+
+function clearFrames(): void {
   ring = new FrameRing(maxBytes);
+  framesAreOf = null;
   frameTimes.value = [];
   playedFields.value = [];
-  simulation.value = 'none';
   time.value = 0;
+}
+
+export function forgetFrames(): void {
+  clearFrames();
+  simulation.value = 'none';
+}
+
+/** Before the first frame of a run: one that goes on from an earlier time of the same simulation keeps what was before. */
+export function beginFrames(name: SimulationName, timeMs: number): void {
+  if (timeMs === 0 || framesAreOf !== name) clearFrames();
+  else ring.dropFrom(timeMs);
+  framesAreOf = name;
+  frameTimes.value = ring.times;
 }
 
 export function keepFrame(frame: Frame): void {
@@ -88,5 +130,10 @@ function grownBy(before: PlayedField | undefined, info: FieldInfo): PlayedField 
   return { info, range: [Math.min(lo, before.range[0]), Math.max(hi, before.range[1])] };
 }
 
+/** The last frame that is not after a time, or the first. Reading subscribes to which frames there are. */
+export function frameAt(timeMs: number): Frame | null {
+  return frameTimes.value.length > 0 ? ring.at(timeMs) : null;
+}
+
 /** The frame at the time cursor. */
-export const frameShown = computed(() => (frameTimes.value.length > 0 ? ring.at(time.value) : null));
+export const frameShown = computed(() => frameAt(time.value));

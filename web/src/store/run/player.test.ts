@@ -1,7 +1,15 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { FieldInfo, Frame } from '../../engine/contract';
 import { time } from '../view';
-import { forgetFrames, frameShown, frameTimes, keepFrame, playedFields, simulation } from './frames';
+import {
+  beginFrames,
+  forgetFrames,
+  frameShown,
+  frameTimes,
+  keepFrame,
+  playedFields,
+  simulation,
+} from './frames';
 import { keepPlaying, play, playing, seek, stepFrame, stopPlaying, togglePlaying } from './player';
 
 let turn: ((now: number) => void) | null = null;
@@ -45,6 +53,17 @@ describe('frames', () => {
     expect(playedFields.value).toBe(before);
     keepFrame(frame(50, [-0.1, 0.5]));
     expect(playedFields.value[0].range).toEqual([-0.1, 1]);
+  });
+
+  it('of a run that goes on from some time stand behind those before it', () => {
+    beginFrames('monodomain', 0);
+    expect(frameTimes.value).toEqual([]);
+    for (const timeMs of [0, 10, 14]) keepFrame(frame(timeMs));
+    beginFrames('monodomain', 14);
+    for (const timeMs of [20, 30]) keepFrame(frame(timeMs));
+    expect(frameTimes.value).toEqual([0, 10, 20, 30]);
+    beginFrames('diffusion', 40);
+    expect(frameTimes.value).toEqual([]);
   });
 
   it('are gone with the mesh that they are of', () => {

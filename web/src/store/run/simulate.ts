@@ -7,13 +7,16 @@ import { startClock, stopClock } from './clock';
 import { engine, takeTurn, tellError } from './engine';
 import { forecastUnderWay } from './forecast';
 import {
+  beginFrames,
   forgetFrames,
   keepFound,
   keepFrame,
   playedFields,
   simulated,
+  simulatedPhysics,
   simulation,
   simulationEndMs,
+  simulationOf,
   type SimulationState,
 } from './frames';
 import { play } from './player';
@@ -39,9 +42,12 @@ export async function simulate(name: SimulationName): Promise<void> {
   activity.value = 'run';
   announcement.value = 'Simulation started';
   startClock();
+  const before = simulatedPhysics.value;
+  let framed = false;
   if (lives(name)) {
-    forgetFrames();
     simulationEndMs.value = (name === 'diffusion' ? physics.diffusion : physics.monodomain)?.end_ms ?? 0;
+    simulationOf.value = name;
+    simulatedPhysics.value = physics;
     simulation.value = 'running';
     play();
   }
@@ -53,15 +59,22 @@ export async function simulate(name: SimulationName): Promise<void> {
       onProgress: () => undefined,
       onFrame(frame) {
         if (!newest()) return;
+        if (!framed) beginFrames(name, frame.timeMs);
+        framed = true;
         if (playedFields.value.length === 0) colourBy.value = frame.fields[0].name;
         keepFrame(frame);
       },
     });
+    // A result that was at hand already gives no frames: those of another case would say something else.
+    if (lives(name) && !framed && JSON.stringify(before) !== JSON.stringify(physics)) forgetFrames();
     if (lives(name)) settle('done');
     if (!newest()) return;
     keepFound(found);
     simulated.value = told;
-    if (!lives(name)) colourBy.value = found.fields.at(-1)?.name ?? 'label';
+    if (!lives(name)) {
+      simulatedPhysics.value = physics;
+      colourBy.value = found.fields.at(-1)?.name ?? 'label';
+    }
     if (newest()) announcement.value = 'Simulation ready';
   } catch (error) {
     const cancelled = error instanceof EngineError && error.code === 'cancelled';

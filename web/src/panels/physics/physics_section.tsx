@@ -7,48 +7,24 @@ import type {
   Stimulus,
   TissueKind,
 } from '../../engine/contract';
+import { movedRegion } from '../../geometry/regions';
 import { nameOf } from '../../store/case/input';
 import { meshedLabels, newStimulus, newTissue } from '../../store/case/physics';
 import { editRecipe } from '../../store/case/recipe';
+import { acrossShare } from '../../store/case/tissue_presets';
 import { upToDate } from '../../store/run/report';
 import { groupDefaults } from '../../store/run/schema_defaults';
 import { simulate } from '../../store/run/simulate';
 import { activity } from '../../store/run/stages';
 import { crosshairMm } from '../../store/view_place';
-import { CheckField, NumberField, SelectField, VectorField } from '../controls/fields';
+import { CheckField, SelectField, VectorField } from '../controls/fields';
 import { short } from '../controls/format';
 import { Icon } from '../controls/icons';
-import { LabelChips } from '../controls/label_chips';
 import { SizeList } from '../controls/size_list';
+import { BodyFields, BodyHandles, BodyShape } from '../controls/body_fields';
 import { Findings } from './findings';
-
-/** Changes what is there already. */
-function editPhysics(label: string, key: string, change: (physics: Physics) => void): void {
-  editRecipe(label, (draft) => void (draft.physics && change(draft.physics)), `physics ${key}`);
-}
-
-/** Keys of a type's numbers. */
-type NumberKey<T> = { [K in keyof T]-?: T[K] extends number ? K & string : never }[keyof T];
-
-/** Number fields of one object of the recipe. */
-function numbersOf<T extends object>(
-  path: string,
-  owner: string,
-  value: T,
-  set: (label: string, change: Partial<T>) => void,
-) {
-  return (label: string, key: NumberKey<T>, unit: string, step: number) => (
-    <NumberField
-      label={label}
-      owner={owner}
-      unit={unit}
-      path={`${path}.${key}`}
-      step={step}
-      value={value[key] as number}
-      onChange={(next) => set(label, { [key]: next } as Partial<T>)}
-    />
-  );
-}
+import { editPhysics, numbersOf } from './physics_fields';
+import { TissueFields } from './tissue_fields';
 
 const presets: Record<string, [string, number, number, number, number]> = {
   cemrg: ['60 to −60° (CEMRG)', 60, -60, -65, 25],
@@ -102,53 +78,8 @@ function FibreFields({ params }: { params: FibreParams }) {
   );
 }
 
-function TissueFields(props: {
-  kind: TissueKind;
-  index: number;
-  name: string;
-  taken: number[];
-  fibres: boolean;
-}) {
-  const { kind, index, name } = props;
-  const set = (label: string, change: Partial<TissueKind>) =>
-    editPhysics(
-      label,
-      `tissue ${index} ${label}`,
-      ({ tissue }) => void Object.assign(tissue.kinds[index], change),
-    );
-  const number = numbersOf('physics.tissue.kinds', name, kind, set);
-  return (
-    <>
-      <LabelChips
-        legend="Labels"
-        hint="Labels that are this kind of tissue"
-        chosen={kind.labels}
-        taken={props.taken}
-        onChange={(labels) => set('Labels of tissue', { labels })}
-      />
-      {number(props.fibres ? 'Speed along fibres' : 'Speed', 'along_mm_per_ms', 'm/s', 0.05)}
-      {props.fibres && number('Speed across', 'across_mm_per_ms', 'm/s', 0.05)}
-      <details class="more">
-        <summary>Cells</summary>
-        <SelectField
-          label="Model"
-          value={kind.cell}
-          options={[
-            ['ms', 'Mitchell–Schaeffer'],
-            ['mms', 'Corrado–Niederer'],
-          ]}
-          onChange={(cell) => set('Cell', { cell })}
-        />
-        {number('Inward current', 'tau_in_ms', 'ms', 0.05)}
-        {number('Outward current', 'tau_out_ms', 'ms', 0.5)}
-        {number('Gate opens in', 'tau_open_ms', 'ms', 10)}
-        {number('Gate closes in', 'tau_close_ms', 'ms', 10)}
-      </details>
-    </>
-  );
-}
-
 function StimulusFields({ stimulus, index, name }: { stimulus: Stimulus; index: number; name: string }) {
+  const body = { kind: 'stimulus', index } as const;
   const set = (label: string, change: Partial<Stimulus>) =>
     editPhysics(
       label,
@@ -158,21 +89,23 @@ function StimulusFields({ stimulus, index, name }: { stimulus: Stimulus; index: 
   const number = numbersOf('physics.stimuli', name, stimulus, set);
   return (
     <>
-      <VectorField
-        label="Centre"
-        unit="mm"
-        value={stimulus.centre_mm}
-        onChange={(centre_mm) => set('Move stimulus', { centre_mm })}
-      />
+      <BodyHandles shape={stimulus.shape} />
+      <BodyShape body={body} region={stimulus} />
+      <BodyFields body={body} region={stimulus} path="physics.stimuli" owner={name} />
       <button
         type="button"
         class="button small"
         title="Moves the stimulus to the crosshair of the slices"
-        onClick={() => set('Move stimulus', { centre_mm: crosshairMm() })}
+        onClick={() => {
+          const change = movedRegion(
+            stimulus,
+            crosshairMm().map((x, axis) => x - stimulus.centre_mm[axis]),
+          );
+          set('Move stimulus', change);
+        }}
       >
         <Icon name="target" size={13} /> To the crosshair
       </button>
-      {number('Radius', 'radius_mm', 'mm', 1)}
       {number('Start', 'start_ms', 'ms', 10)}
       {number('Beats (S1)', 'count', '', 1)}
       {stimulus.count > 1 && number('Every', 'interval_ms', 'ms', 10)}
@@ -280,13 +213,14 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
         draft.anatomy = groupDefaults('physics.anatomy');
         draft.fibres = groupDefaults('physics.fibres');
         for (const kind of draft.tissue.kinds)
-          kind.across_mm_per_ms = Number((kind.along_mm_per_ms / 2).toPrecision(2));
+          kind.across_mm_per_ms = Number((acrossShare * kind.along_mm_per_ms).toPrecision(2));
       } else {
         delete draft.fibres;
         delete draft.anatomy;
       }
     });
   const used = tissue.kinds.flatMap(({ labels }) => labels);
+  const still = meshedLabels(current).filter((label) => !used.includes(label));
   return (
     <>
       <SizeList<TissueKind>
@@ -295,7 +229,7 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
         hint="Labels without a kind do not conduct."
         of={(recipe) => recipe.physics?.tissue.kinds ?? []}
         current={current}
-        fresh={() => newTissue(meshedLabels(current).filter((label) => !used.includes(label)))}
+        fresh={() => newTissue(still)}
         nameOf={({ labels }) => labels.map(nameOf).join(', ') || 'No label'}
         noteOf={({ along_mm_per_ms }) => `${short(along_mm_per_ms)} m/s`}
         fields={(kind, index, name) => (
@@ -308,6 +242,7 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
           />
         )}
       />
+      {still.length > 0 && <p class="hint">Conduct nothing: {still.map(nameOf).join(', ')}.</p>}
       <CheckField
         label="Fibres by rule"
         checked={fibres !== undefined}
@@ -316,9 +251,10 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
       />
       {fibres && <FibreFields params={fibres} />}
       <SizeList<Stimulus>
+        body="stimulus"
         title="Stimuli"
         kind="Stimulus"
-        hint="Where and when the wave starts."
+        hint="Where and when the wave starts. Drag them in the 3-D view or on the slices."
         of={(recipe) => recipe.physics?.stimuli ?? []}
         current={current}
         fresh={() => newStimulus(physics.stimuli.length)}
@@ -328,6 +264,7 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
       />
       {monodomain && <WaveFields params={monodomain} />}
       <SizeList<Electrode>
+        body="electrode"
         title="Electrodes"
         kind="Electrode"
         hint="Places where the potential is recorded: on the heart, or away from it as a lead of an ECG."
@@ -343,6 +280,10 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
       />
       <RunButtons />
       <Findings />
+      <p class="hint">
+        How right is this? <a href="./verification.html">Checks that run here</a>, beside closed forms and
+        other codes.
+      </p>
     </>
   );
 }
