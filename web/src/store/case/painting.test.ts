@@ -21,7 +21,8 @@ let held: VolumeFile[] = [];
 
 beforeEach(() => {
   held = [];
-  useEngine({ keepSideVolume: (_: string, file: VolumeFile) => held.push(file) } as unknown as EngineClient);
+  const files = { keepSide: (_: string, file: VolumeFile) => held.push(file) };
+  useEngine({ files } as unknown as EngineClient);
   forgetPainting();
   startRecipe({ source: {}, sizing: { masks: [], images: [] } } as unknown as Recipe);
   volume.value = {
