@@ -1,5 +1,6 @@
 #include "base/wave_speed_error.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -47,6 +48,20 @@ double wave_speed_error_percent(double edge_mm, double diffusivity_mm2_per_ms, d
     return speed * speed / (speed - slope * (edge - after.edge_mm)) - 100;
   }
   return first + slope * (edge - before.edge_mm);
+}
+
+double diffusivity_on_mesh(double edge_mm, double diffusivity_mm2_per_ms, double consistent_mass) {
+  // speed(found) (1 + error(found)) = speed(wanted), found step by step: the more diffusive, the less the
+  // error.
+  constexpr int kSteps = 40;
+  double found = diffusivity_mm2_per_ms;
+  for (int i = 0; i < kSteps; ++i) {
+    const double longest = kMeasured.back().edge_mm * std::sqrt(found / kDiffusivity);
+    const double speed =
+        1 + wave_speed_error_percent(std::min(edge_mm, longest), found, consistent_mass) / 100;
+    found = diffusivity_mm2_per_ms / (speed * speed);
+  }
+  return found;
 }
 
 double edge_for_wave_speed_error(double percent, double diffusivity_mm2_per_ms, double consistent_mass) {

@@ -11,6 +11,10 @@ namespace voxtet {
 /// and never falls below -100.
 double wave_speed_error_percent(double edge_mm, double diffusivity_mm2_per_ms, double consistent_mass);
 
+/// The diffusivity at which a wave on such a mesh has the speed that `diffusivity` gives it on a fine one.
+/// Beyond the longest edge that was measured the correction is that of this edge.
+double diffusivity_on_mesh(double edge_mm, double diffusivity_mm2_per_ms, double consistent_mass);
+
 /// The longest mean edge (mm) up to which the size of that error is at most so many percent. `percent` > 0.
 double edge_for_wave_speed_error(double percent, double diffusivity_mm2_per_ms, double consistent_mass);
 

@@ -103,6 +103,11 @@ void visit_fields(V& v, MonodomainParams& p) {
   v.field({"frame_ms", "ms", 0.01, 1e6, "Time between two frames."}, p.frame_ms);
   v.field({"consistent_mass", "", 0, 1, "semi_implicit: share of the consistent mass; the rest is lumped."},
           p.consistent_mass);
+  v.field(
+      {"correct_speed", "", 0, 0,
+       "Correct each tetrahedron's conductivity so that the wave has its speed on this mesh too, by what was "
+       "measured on others."},
+      p.correct_speed);
   v.list({"electrodes", "", 0, 0, "Places where the extracellular potential is recorded."}, p.electrodes);
 }
 

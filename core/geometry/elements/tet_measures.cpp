@@ -16,6 +16,13 @@ double tet_volume_mm3(const TetCorners& p) {
   return (p[1] - p[0]).dot((p[2] - p[0]).cross(p[3] - p[0])) / 6;
 }
 
+double mean_edge_mm(const TetCorners& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j) sum += (p[i] - p[j]).norm();
+  return sum / 6;
+}
+
 TetShape measure_tet(const TetCorners& p) {
   TetShape shape;
   shape.volume_mm3 = tet_volume_mm3(p);

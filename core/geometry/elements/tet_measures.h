@@ -19,6 +19,9 @@ inline constexpr std::array<std::pair<int, int>, 6> kEdgesOfTet{
 /// (p1-p0).((p2-p0)x(p3-p0))/6.
 double tet_volume_mm3(const TetCorners& p);
 
+/// Of its six edges.
+double mean_edge_mm(const TetCorners& p);
+
 /// All reported measures of one tetrahedron. Ratios are 1 for the regular one and tend to 0 (aspect:
 /// infinity) for a degenerate one. Inverted tetrahedra have ratios 0, and dihedral angles as if they were not
 /// inverted.

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/wave_speed_error.h"
 #include "geometry/elements/tet_measures.h"
 #include "geometry/search/morton_curve.h"
 #include "physics/monodomain/cell.h"
@@ -37,19 +38,25 @@ std::optional<Error> check(const TetMesh& mesh, const Tissue& tissue) {
   return std::nullopt;
 }
 
-Eigen::Matrix3d diffusivity(const Tissue& tissue, std::size_t t) {
-  const TissueKind& kind = tissue.kinds[tissue.kind[t]];
-  const double share = tissue.share.empty() ? 1 : tissue.share[t];
-  const double along = share * diffusivity_of(kind.along_mm_per_ms, kind.cell);
-  if (tissue.fibre.empty()) return along * Eigen::Matrix3d::Identity();
-  const double across = share * diffusivity_of(kind.across_mm_per_ms, kind.cell);
-  const Eigen::Vector3d& f = tissue.fibre[t];
-  return across * Eigen::Matrix3d::Identity() + (along - across) * f * f.transpose();
+TetCorners corners_of(const TetMesh& mesh, std::size_t t) {
+  const Tet& tet = mesh.tets[t];
+  return {mesh.points[tet[0]], mesh.points[tet[1]], mesh.points[tet[2]], mesh.points[tet[3]]};
 }
 
-double volume_mm3(const TetMesh& mesh, std::size_t t) {
-  const Tet& tet = mesh.tets[t];
-  return tet_volume_mm3({mesh.points[tet[0]], mesh.points[tet[1]], mesh.points[tet[2]], mesh.points[tet[3]]});
+Eigen::Matrix3d diffusivity(const TetMesh& mesh, const Tissue& tissue, std::size_t t,
+                            std::optional<double> corrected_for) {
+  const TissueKind& kind = tissue.kinds[tissue.kind[t]];
+  const double share = tissue.share.empty() ? 1 : tissue.share[t];
+  const auto at = [&](double speed) {
+    const double wanted = share * diffusivity_of(speed, kind.cell);
+    return corrected_for ? diffusivity_on_mesh(mean_edge_mm(corners_of(mesh, t)), wanted, *corrected_for)
+                         : wanted;
+  };
+  const double along = at(kind.along_mm_per_ms);
+  if (tissue.fibre.empty()) return along * Eigen::Matrix3d::Identity();
+  const double across = at(kind.across_mm_per_ms);
+  const Eigen::Vector3d& f = tissue.fibre[t];
+  return across * Eigen::Matrix3d::Identity() + (along - across) * f * f.transpose();
 }
 
 /// Of each point the kind with most volume around it, the first of equals.
@@ -62,7 +69,8 @@ std::vector<std::uint16_t> kinds_of_points(const ConductingMesh& part,
     std::fill(of_kind.begin(), of_kind.end(), 0);
     for (std::size_t t = 0; t < of_tets.size(); ++t)
       if (of_tets[t] == k)
-        for (const std::uint32_t point : part.mesh.tets[t]) of_kind[point] += volume_mm3(part.mesh, t);
+        for (const std::uint32_t point : part.mesh.tets[t])
+          of_kind[point] += tet_volume_mm3(corners_of(part.mesh, t));
     for (std::size_t i = 0; i < count; ++i)
       if (of_kind[i] > volume[i]) volume[i] = of_kind[i], most[i] = static_cast<std::uint16_t>(k);
   }
@@ -71,7 +79,8 @@ std::vector<std::uint16_t> kinds_of_points(const ConductingMesh& part,
 
 }  // namespace
 
-Result<ConductingMesh> conducting_mesh(const TetMesh& whole, const Tissue& tissue) {
+Result<ConductingMesh> conducting_mesh(const TetMesh& whole, const Tissue& tissue,
+                                       std::optional<double> corrected_for) {
   if (auto error = check(whole, tissue)) return *std::move(error);
   ConductingMesh part;
   const std::vector<bool> conducts = conducting_points(whole, tissue);
@@ -89,7 +98,7 @@ Result<ConductingMesh> conducting_mesh(const TetMesh& whole, const Tissue& tissu
     Tet tet = whole.tets[t];
     for (std::uint32_t& point : tet) point = number[point];
     part.mesh.tets.push_back(tet);
-    part.diffusivity.push_back(diffusivity(tissue, t));
+    part.diffusivity.push_back(diffusivity(whole, tissue, t, corrected_for));
     kinds.push_back(tissue.kind[t]);
   }
   if (part.points.empty())

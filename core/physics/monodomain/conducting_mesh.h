@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "types/result.h"
@@ -21,9 +22,11 @@ struct ConductingMesh {
   std::vector<std::uint16_t> kind;  ///< of each point: the kind that has most of the volume around it
 };
 
-/// Diffusivities are those at which a plane wave has the tissue's speeds (diffusivity_of). Errors: kInternal
+/// Diffusivities are those at which a plane wave has the tissue's speeds (diffusivity_of) on a fine mesh;
+/// with `corrected_for`, a share of the consistent mass, on this one (diffusivity_on_mesh). Errors: kInternal
 /// for lists of a wrong length, kUsage where nothing conducts and, naming physics.tissue, for a kind whose
 /// cell or speeds are out of range.
-Result<ConductingMesh> conducting_mesh(const TetMesh& whole, const Tissue& tissue);
+Result<ConductingMesh> conducting_mesh(const TetMesh& whole, const Tissue& tissue,
+                                       std::optional<double> corrected_for = {});
 
 }  // namespace voxtet

@@ -55,7 +55,8 @@ Result<Monodomain> Monodomain::start(const TetMesh& mesh, const Tissue& tissue,
                                      const std::vector<Stimulus>& stimuli, const MonodomainParams& params,
                                      int threads) {
   if (auto error = check(params)) return *std::move(error);
-  Result<ConductingMesh> conducting = conducting_mesh(mesh, tissue);
+  Result<ConductingMesh> conducting = conducting_mesh(
+      mesh, tissue, params.correct_speed ? std::optional(consistent_mass_of(params)) : std::nullopt);
   if (!conducting) return conducting.error();
   Monodomain out;
   out.params_ = params;

@@ -35,8 +35,16 @@ struct MonodomainParams {
   /// unstructured tetrahedra is right within 1 % up to edges of 1.8 mm, in tissue of 0.5 mm/ms (Pathmanathan,
   /// Bernabeu, Niederer, Gavaghan and Kay, Int. J. Numer. Meth. Biomed. Eng. 28, 2012, on mass lumping).
   double consistent_mass = 0.5;
+  /// Raises or lowers each tetrahedron's diffusivity so that the wave has its speed on this mesh too, by what
+  /// was measured on others (base/wave_speed_error.h).
+  bool correct_speed = false;
   std::vector<Electrode> electrodes{};
 };
+
+/// The share of the consistent mass that a simulation has.
+inline double consistent_mass_of(const MonodomainParams& params) {
+  return params.integration == Integration::kExplicit ? 0 : params.consistent_mass;
+}
 
 /// Between two steps: all that a run needs to go on as if it had never stopped. Values are of the conducting
 /// points.

@@ -5,21 +5,12 @@
 #include <limits>
 
 #include "base/wave_speed_error.h"
+#include "geometry/elements/tet_measures.h"
 #include "physics/monodomain/cell.h"
 
 namespace voxtet {
-namespace {
-
-double mean_edge_mm(const TetMesh& mesh, const Tet& tet) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    for (std::size_t j = 0; j < i; ++j) sum += (mesh.points[tet[i]] - mesh.points[tet[j]]).norm();
-  return sum / 6;
-}
-
-}  // namespace
-
-std::vector<float> speed_errors_percent(const TetMesh& mesh, const Tissue& tissue, double consistent_mass) {
+std::vector<float> speed_errors_percent(const TetMesh& mesh, const Tissue& tissue, double consistent_mass,
+                                        bool corrected) {
   std::vector<double> slowest;
   for (const TissueKind& kind : tissue.kinds)
     slowest.push_back(diffusivity_of(
@@ -29,8 +20,14 @@ std::vector<float> speed_errors_percent(const TetMesh& mesh, const Tissue& tissu
   for (std::size_t t = 0; t < errors.size(); ++t) {
     if (tissue.kind[t] == Tissue::kNone) continue;
     const double share = tissue.share.empty() ? 1 : tissue.share[t];
-    errors[t] = static_cast<float>(wave_speed_error_percent(
-        mean_edge_mm(mesh, mesh.tets[t]), share * slowest[tissue.kind[t]], consistent_mass));
+    const Tet& tet = mesh.tets[t];
+    const double edge =
+        mean_edge_mm({mesh.points[tet[0]], mesh.points[tet[1]], mesh.points[tet[2]], mesh.points[tet[3]]});
+    const double wanted = share * slowest[tissue.kind[t]];
+    const double used = corrected ? diffusivity_on_mesh(edge, wanted, consistent_mass) : wanted;
+    const double speed =
+        std::sqrt(used / wanted) * (100 + wave_speed_error_percent(edge, used, consistent_mass));
+    errors[t] = static_cast<float>(speed - 100);
   }
   return errors;
 }

@@ -9,12 +9,9 @@
 
 namespace voxtet {
 
-/// The share of the consistent mass that a simulation has.
-inline double consistent_mass_of(const MonodomainParams& params) {
-  return params.integration == Integration::kExplicit ? 0 : params.consistent_mass;
-}
-
 /// The error for each tetrahedron in its worst direction, across the fibre; NaN where nothing conducts.
-std::vector<float> speed_errors_percent(const TetMesh& mesh, const Tissue& tissue, double consistent_mass);
+/// `corrected`: what is left of it when MonodomainParams::correct_speed is set.
+std::vector<float> speed_errors_percent(const TetMesh& mesh, const Tissue& tissue, double consistent_mass,
+                                        bool corrected = false);
 
 }  // namespace voxtet

@@ -89,15 +89,16 @@ Status run_tissue(const StageInputs& in, const Recipe& recipe, StageOutput& out,
                        "physics.anatomy.wall: found " + std::to_string(without) +
                            " conducting tetrahedra outside of the wall, which have no fibre, expected "
                            "all labels of physics.tissue in the wall");
-  const bool wave = recipe.physics && recipe.physics->monodomain;
-  const double mass = consistent_mass_of(wave ? *recipe.physics->monodomain : MonodomainParams{});
+  const bool asked = recipe.physics && recipe.physics->monodomain;
+  const MonodomainParams wave = asked ? *recipe.physics->monodomain : MonodomainParams{};
   Field error{"speed_error_percent",
               "Error of the wave's speed to be expected",
               "%",
               On::kTets,
               Scale::kDiverging,
               1,
-              speed_errors_percent(in.get<TetMesh>(Stage::kOptimise), *tissue, mass)};
+              speed_errors_percent(in.get<TetMesh>(Stage::kOptimise), *tissue, consistent_mass_of(wave),
+                                   wave.correct_speed)};
   out.put(TissueResult{std::move(tissue).value(), {std::move(error)}});
   return std::monostate{};
 }

@@ -325,6 +325,8 @@ export interface RecipeFields {
       frame_ms: number;
       /** semi_implicit: share of the consistent mass; the rest is lumped. */
       consistent_mass: number;
+      /** Correct each tetrahedron's conductivity so that the wave has its speed on this mesh too, by what was measured on others. */
+      correct_speed: boolean;
       /** Places where the extracellular potential is recorded. */
       electrodes: {
         /** Name of the electrode. */
@@ -501,6 +503,7 @@ export const optionalDefaults = {
     "step_ms": 0.05,
     "frame_ms": 5,
     "consistent_mass": 0.5,
+    "correct_speed": false,
     "electrodes": []
   },
   "physics.diffusion": {
@@ -668,7 +671,8 @@ export const stageSpecs = [
     "reads": [
       "physics.tissue",
       "physics.monodomain.integration",
-      "physics.monodomain.consistent_mass"
+      "physics.monodomain.consistent_mass",
+      "physics.monodomain.correct_speed"
     ]
   },
   {

@@ -144,6 +144,12 @@ function WaveFields({ params }: { params: MonodomainParams }) {
           ]}
           onChange={(integration) => set('Integration', { integration })}
         />
+        <CheckField
+          label="Correct the speed for the mesh"
+          hint="Coarse tetrahedra slow or hurry a wave; each tetrahedron's conductivity is changed by what was measured of that."
+          checked={params.correct_speed}
+          onChange={(correct_speed) => set('Speed for the mesh', { correct_speed })}
+        />
       </details>
     </>
   );
