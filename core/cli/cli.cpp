@@ -17,7 +17,7 @@
 #include "io/mesh/write_mesh.h"
 #include "io/volume/write_volume.h"
 #include "io/volume/write_vti.h"
-#include "pipeline/field_volume.h"
+#include "pipeline/exports/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/version/engine_version.h"

@@ -5,7 +5,7 @@
 #include "io/bytes/files.h"
 #include "io/mesh/write_mesh.h"
 #include "io/volume/write_volume.h"
-#include "pipeline/field_volume.h"
+#include "pipeline/exports/field_volume.h"
 #include "pipeline/report.h"
 
 namespace voxtet {

@@ -6,7 +6,7 @@
 
 #include "cli/cli.h"
 #include "cli/print.h"
-#include "pipeline/exported_fields.h"
+#include "pipeline/exports/exported_fields.h"
 
 namespace voxtet {
 

@@ -12,7 +12,7 @@
 #include "cli/print.h"
 #include "io/bytes/files.h"
 #include "io/mesh/write_igb.h"
-#include "pipeline/carp_case.h"
+#include "pipeline/exports/carp_case.h"
 #include "pipeline/report.h"
 #include "types/stage_names.h"
 

@@ -1,5 +1,5 @@
 // Cases for openCARP, and its results on the mesh of a session.
-#include "pipeline/carp_case.h"
+#include "pipeline/exports/carp_case.h"
 
 #include <gtest/gtest.h>
 

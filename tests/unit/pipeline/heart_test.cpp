@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/exported_fields.h"
+#include "pipeline/exports/exported_fields.h"
 #include "pipeline/session.h"
 
 namespace voxtet {

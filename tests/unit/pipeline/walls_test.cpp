@@ -1,7 +1,7 @@
 // Walls measured by a session: when, and what they are for.
 #include <gtest/gtest.h>
 
-#include "pipeline/field_volume.h"
+#include "pipeline/exports/field_volume.h"
 #include "pipeline/session.h"
 #include "support/check_tets.h"
 

@@ -1,4 +1,4 @@
-#include "pipeline/exported_fields.h"
+#include "pipeline/exports/exported_fields.h"
 
 #include <algorithm>
 #include <iterator>

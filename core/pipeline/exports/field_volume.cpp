@@ -1,4 +1,4 @@
-#include "pipeline/field_volume.h"
+#include "pipeline/exports/field_volume.h"
 
 #include <cmath>
 

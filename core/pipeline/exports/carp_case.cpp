@@ -1,4 +1,4 @@
-#include "pipeline/carp_case.h"
+#include "pipeline/exports/carp_case.h"
 
 #include <algorithm>
 #include <iterator>
@@ -12,7 +12,7 @@
 #include "physics/monodomain/membrane_voltage.h"
 #include "physics/tissue/conducting_points.h"
 #include "physics/tissue/stimulated_points.h"
-#include "pipeline/exported_fields.h"
+#include "pipeline/exports/exported_fields.h"
 #include "types/stage_names.h"
 
 namespace voxtet {
