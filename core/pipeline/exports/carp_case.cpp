@@ -110,11 +110,16 @@ CarpCase begin_case(const MonodomainParams& wave) {
   out.step_ms = wave.step_ms;
   out.end_ms = wave.end_ms;
   out.frame_ms = wave.frame_ms;
-  const double consistent = wave.integration == Integration::kExplicit ? 0 : wave.consistent_mass;
+  const double consistent = consistent_mass_of(wave);
   out.lumped = consistent < 1;
   if (consistent > 0 && consistent < 1)
     out.notes.emplace_back(
         "Ours was computed with a partly lumped mass matrix, between mass_lumping 0 and 1.");
+  if (wave.correct_speed)
+    out.notes.emplace_back(
+        "Ours was computed with each tetrahedron's conductivity corrected for the mesh, which regions cannot "
+        "say: "
+        "on coarse meshes the two differ.");
   out.rest_mv = kRestMv;
   out.peak_mv = kRestMv + kVoltageRangeMv;
   out.activated_mv = membrane_mv(ActivationLog::kActivated);
