@@ -105,10 +105,10 @@ Status Monodomain::restore(const MonodomainState& state) {
     return usage_error(kMonodomainStage, "state: found " + std::to_string(state.v.size()) +
                                              " points, expected the " + std::to_string(count) +
                                              " that conduct");
-  if (std::abs(state.step_ms - step_ms()) > 1e-12 * step_ms())
+  if (!(std::abs(state.step_ms - step_ms()) <= 1e-12 * step_ms()))
     return usage_error(kMonodomainStage, "state: found a step of " + std::to_string(state.step_ms) +
                                              " ms, expected " + std::to_string(step_ms()) + " ms");
-  if (state.steps > steps_.count())
+  if (state.steps < 0 || state.steps > steps_.count())
     return field_error(
         "monodomain.end_ms", params_.end_ms,
         "at least the " + std::to_string(state.steps * step_ms()) + " ms that the state has reached");

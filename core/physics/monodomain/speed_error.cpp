@@ -9,6 +9,7 @@
 #include "physics/monodomain/cell.h"
 
 namespace voxtet {
+
 std::vector<float> speed_errors_percent(const TetMesh& mesh, const Tissue& tissue, double consistent_mass,
                                         bool corrected) {
   std::vector<double> slowest;

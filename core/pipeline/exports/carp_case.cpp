@@ -117,9 +117,8 @@ CarpCase begin_case(const MonodomainParams& wave) {
         "Ours was computed with a partly lumped mass matrix, between mass_lumping 0 and 1.");
   if (wave.correct_speed)
     out.notes.emplace_back(
-        "Ours was computed with each tetrahedron's conductivity corrected for the mesh, which regions cannot "
-        "say: "
-        "on coarse meshes the two differ.");
+        "Ours was computed with conductivities that were corrected for the mesh, tetrahedron by tetrahedron; "
+        "regions cannot say this, and on coarse meshes the two differ.");
   out.rest_mv = kRestMv;
   out.peak_mv = kRestMv + kVoltageRangeMv;
   out.activated_mv = membrane_mv(ActivationLog::kActivated);

@@ -21,39 +21,44 @@ function change({ pinned: before, now, unit, better }: Difference): { words: str
   return { words: `${step > 0 ? '+' : '−'}${size}`, tone: better ? (good ? 'better' : 'worse') : '' };
 }
 
+/** The head of a table of numbers, behind a column of names. */
+function NumberHeads({ first, columns }: { first: string; columns: readonly string[] }) {
+  return (
+    <thead>
+      <tr>
+        <th scope="col">{first}</th>
+        {columns.map((name) => (
+          <th key={name} scope="col" class="num">
+            {name}
+          </th>
+        ))}
+      </tr>
+    </thead>
+  );
+}
+
 function MeshDifferences({ run, found }: { run: PinnedRun; found: Report }) {
   return (
-    <>
-      <div class="table-scroll" tabIndex={0} role="region" aria-label="Differences of the two runs">
-        <table class="measures tight" data-testid="differences">
-          <thead>
-            <tr>
-              <th scope="col">Measure</th>
-              {['Pinned', 'Now', 'Change'].map((name) => (
-                <th key={name} scope="col" class="num">
-                  {name}
+    <div class="table-scroll" tabIndex={0} role="region" aria-label="Differences of the two runs">
+      <table class="measures tight" data-testid="differences">
+        <NumberHeads first="Measure" columns={['Pinned', 'Now', 'Change']} />
+        <tbody>
+          {differencesOf(run.report, found).map((row) => {
+            const { words, tone } = change(row);
+            return (
+              <tr key={row.name}>
+                <th scope="row" title={row.name}>
+                  {row.name} <span class="unit">{row.unit}</span>
                 </th>
-              ))}
-            </tr>
-          </thead>
-          <tbody>
-            {differencesOf(run.report, found).map((row) => {
-              const { words, tone } = change(row);
-              return (
-                <tr key={row.name}>
-                  <th scope="row" title={row.name}>
-                    {row.name} <span class="unit">{row.unit}</span>
-                  </th>
-                  <td class="num">{text(row.pinned)}</td>
-                  <td class="num">{text(row.now)}</td>
-                  <td class={`num ${tone}`}>{words}</td>
-                </tr>
-              );
-            })}
-          </tbody>
-        </table>
-      </div>
-    </>
+                <td class="num">{text(row.pinned)}</td>
+                <td class="num">{text(row.now)}</td>
+                <td class={`num ${tone}`}>{words}</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </div>
   );
 }
 
@@ -102,16 +107,7 @@ function SimulatedDifferences() {
     <>
       <div class="table-scroll" tabIndex={0} role="region" aria-label="Differences of the two simulations">
         <table class="measures tight" data-testid="simulated-differences">
-          <thead>
-            <tr>
-              <th scope="col">This run less the pinned one</th>
-              {['Mean', 'Rms', 'Largest'].map((name) => (
-                <th key={name} scope="col" class="num">
-                  {name}
-                </th>
-              ))}
-            </tr>
-          </thead>
+          <NumberHeads first="This run less the pinned one" columns={['Mean', 'Rms', 'Largest']} />
           <tbody>
             {rows.map(({ info, found }) => (
               <tr key={info.name}>
