@@ -199,7 +199,7 @@ void print_forecast(const nlohmann::json& forecast, std::FILE* out) {
 void print_report(const nlohmann::json& report, std::FILE* out) {
   std::fprintf(out, "%u tetrahedra, %u points, digest %s\n", report["tets"].get<unsigned>(),
                report["points"].get<unsigned>(), report["digest"].get<std::string>().c_str());
-  print_fidelity(report["fidelity"], out);
+  if (report.contains("fidelity")) print_fidelity(report["fidelity"], out);
   print_transfer(report, out);
   print_layers(report, out);
   print_quality(report["quality"], out);

@@ -131,6 +131,10 @@ json volume_json(const Session& session) {
   const Source& source = session.recipe().source;
   out["warnings"] = session.record(Stage::kVolume).warnings;
   out["name"] = source.file ? source.file->name : "phantom";
+  if (const OpenedMesh* opened = session.opened_mesh())
+    out["mesh"] = {{"points", opened->mesh.points.size()},
+                   {"tets", opened->mesh.tets.size()},
+                   {"fibres", !opened->fibres.fibre.empty()}};
   return out;
 }
 
@@ -179,7 +183,7 @@ json report_json(const Session& session) {
     out["simulation"] = std::move(simulation);
   if (session.quality()) {
     out["quality"] = quality_json(*session.quality());
-    out["fidelity"] = fidelity_json(*session.quality());
+    if (session.smooth()) out["fidelity"] = fidelity_json(*session.quality());
     if (!session.quality()->layers.empty()) out["layers"] = layers_json(session.quality()->layers);
   }
   return out;

@@ -24,8 +24,8 @@ double seconds_since(Clock::time_point start) {
 }
 
 /// `stage` after everything that it needs.
-void collect(Stage stage, std::vector<Stage>& order) {
-  for (const Stage input : spec_of(stage).inputs) collect(input, order);
+void collect(Stage stage, const Recipe& recipe, const LoadedFiles& files, std::vector<Stage>& order) {
+  for (const Stage input : inputs_of(stage, recipe, files)) collect(input, recipe, files, order);
   if (std::find(order.begin(), order.end(), stage) == order.end()) order.push_back(stage);
 }
 
@@ -33,10 +33,19 @@ void collect(Stage stage, std::vector<Stage>& order) {
 
 Status Session::load_volume(const VolumeFile& file) {
   std::vector<std::string> warnings;
-  Result<LabelVolume> read = read_volume(file, &warnings);
-  if (!read) return read.error();
-  files_.volume = std::make_shared<const LabelVolume>(std::move(read).value());
-  files_.digest = digest_of(*files_.volume);
+  if (is_mesh_name(file.name)) {
+    Result<OpenedMesh> mesh = open_mesh(file, warnings);
+    if (!mesh) return mesh.error();
+    files_.volume = std::make_shared<const LabelVolume>(voxels_of(mesh->mesh));
+    files_.digest = digest_of(*mesh);
+    files_.mesh = std::make_shared<const OpenedMesh>(std::move(mesh).value());
+  } else {
+    Result<LabelVolume> read = read_volume(file, &warnings);
+    if (!read) return read.error();
+    files_.volume = std::make_shared<const LabelVolume>(std::move(read).value());
+    files_.digest = digest_of(*files_.volume);
+    files_.mesh.reset();
+  }
   files_.warnings = std::move(warnings);
   recipe_.source = {};
   recipe_.source.file = FileSource{file.name, files_.digest};
@@ -159,7 +168,7 @@ Status Session::run(Stage last, RunContext& ctx) {
 void Session::begin(Stage last) {
   end();
   store_.trim(keys_);
-  collect(last, plan_);
+  collect(last, recipe_, files_, plan_);
   std::reverse(plan_.begin(), plan_.end());
 }
 
@@ -231,7 +240,8 @@ Status Session::admit(const StageSpec& spec, RunContext& ctx) {
   for (const Admission& admission : admissions()) {
     if (admission.stage != spec.stage) continue;
     std::string asked = fields_text(recipe_to_json(recipe_), admission.reads);
-    for (const Stage input : spec.inputs) asked += keys_[static_cast<std::size_t>(input)];
+    for (const Stage input : inputs_of(spec.stage, recipe_, files_))
+      asked += keys_[static_cast<std::size_t>(input)];
     std::string& admitted = admitted_[static_cast<std::size_t>(spec.stage)];
     if (admitted == asked) continue;
     if (Status passes = admission.admit(*this, ctx); !passes) return passes;
@@ -240,9 +250,9 @@ Status Session::admit(const StageSpec& spec, RunContext& ctx) {
   return std::monostate{};
 }
 
-StageInputs Session::inputs_of(const StageSpec& spec) const {
+StageInputs Session::results_for(const StageSpec& spec) const {
   StageInputs inputs(files_);
-  for (const Stage input : spec.inputs) inputs.add(input, current(input)->value);
+  for (const Stage input : inputs_of(spec.stage, recipe_, files_)) inputs.add(input, current(input)->value);
   return inputs;
 }
 
@@ -261,6 +271,9 @@ Result<bool> Session::work(RunContext& ctx) {
   const StageSpec& spec = spec_of(plan_.back());
   const std::string name(spec.name);
   const Clock::time_point start = Clock::now();
+  if (!has_place(spec.stage, recipe_, files_))
+    return usage_error(name, "source.file: found the mesh '" + recipe_.source.file->name +
+                                 "', which is taken as it is, expected a volume of labels");
   if (!running_) {
     if (Status admitted = admit(spec, ctx); !admitted) return admitted.error();
     bool& reused = cached_[static_cast<std::size_t>(spec.stage)];
@@ -282,11 +295,11 @@ Result<bool> Session::work(RunContext& ctx) {
     ctx.note(from, message);
   };
   if (spec.run) {
-    if (Status done = spec.run(inputs_of(spec), recipe_, running_->output, watched); !done)
+    if (Status done = spec.run(results_for(spec), recipe_, running_->output, watched); !done)
       return done.error();
   } else {
     if (!running_->task) {
-      Result<std::unique_ptr<StageTask>> task = spec.start(inputs_of(spec), recipe_);
+      Result<std::unique_ptr<StageTask>> task = spec.start(results_for(spec), recipe_);
       if (!task) return task.error();
       if (Status resumed = resume(spec.stage, **task); !resumed) return resumed.error();
       running_->task = std::move(task).value();

@@ -39,7 +39,10 @@ class Session {
   /// `spare_bytes`: memory for results that the current recipe does not need.
   explicit Session(std::size_t spare_bytes = kSpareBytes) : store_(spare_bytes) {}
 
-  /// Takes the volume of a file; the recipe's source becomes that file. Nothing changes on failure.
+  /// Takes the volume of a file, or a mesh of tetrahedra that was made elsewhere (stages/opened_mesh.h): then
+  /// kOptimise gives that mesh, with the labels that the recipe keeps, the stages that would make one have no
+  /// place, and the evidence is of the mesh alone. The recipe's source becomes that file. Nothing changes on
+  /// failure.
   Status load_volume(const VolumeFile& file);
 
   /// Takes a file that an entry of sizing.masks or sizing.images refers to by its name; the recipe stays as
@@ -47,6 +50,8 @@ class Session {
   Status load_mask(const VolumeFile& file);
   Status load_size_image(const VolumeFile& file);
   const LoadedFiles& files() const { return files_; }
+  /// The mesh that the recipe's source is; null where it is an image.
+  const OpenedMesh* opened_mesh() const { return voxtet::opened_mesh(recipe_, files_); }
 
   /// Replaces the recipe and ends a run that is under way. A `file` source keeps the volume that load_volume
   /// gave, and must match its digest.
@@ -82,7 +87,7 @@ class Session {
     return found ? std::any_cast<const std::shared_ptr<const T>&>(found->value).get() : nullptr;
   }
   const LabelVolume* source_volume() const;  ///< all labels, as read
-  std::string source_digest() const;         ///< digest_of(*source_volume())
+  std::string source_digest() const;         ///< of the mesh that was loaded, else of *source_volume()
   /// The labels to be meshed, on the source's voxels: the reference for fidelity.
   const LabelVolume* selected_volume() const;
   /// The labels to be meshed, thick slices interpolated and small components removed: what the later stages
@@ -132,7 +137,7 @@ class Session {
 
   void files_changed();
   Status admit(const StageSpec& spec, RunContext& ctx);
-  StageInputs inputs_of(const StageSpec& spec) const;
+  StageInputs results_for(const StageSpec& spec) const;
   /// A simulation that has come to some time.
   struct SavedState {
     Stage stage;

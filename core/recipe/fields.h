@@ -47,8 +47,10 @@ void visit_fields(V& v, PhantomParams& p) {
 
 template <class V>
 void visit_fields(V& v, FileSource& p) {
-  v.field({"name", "", 0, 0, "Name of the file that holds the volume."}, p.name);
-  v.field({"sha256", "", 0, 0, "Digest of its voxels and affine; empty accepts any."}, p.sha256);
+  v.field({"name", "", 0, 0, "Name of the file that holds the volume, or a mesh that was made elsewhere."},
+          p.name);
+  v.field({"sha256", "", 0, 0, "Digest of its voxels and affine, or of its mesh; empty accepts any."},
+          p.sha256);
 }
 
 template <class V>
@@ -144,14 +146,16 @@ void visit_fields(V& v, ThicknessSize& p) {
 template <class V>
 void visit_fields(V& v, MaskSize& p) {
   v.field({"name", "", 0, 0, "Name of the file that holds the mask, a label volume on any grid."}, p.name);
-  v.field({"sha256", "", 0, 0, "Digest of its voxels and affine; empty accepts any."}, p.sha256);
+  v.field({"sha256", "", 0, 0, "Digest of its voxels and affine, or of its mesh; empty accepts any."},
+          p.sha256);
   v.list({"edges", "", 0, 0, "Edge length where the mask has a label."}, p.edges);
 }
 
 template <class V>
 void visit_fields(V& v, ImageSize& p) {
   v.field({"name", "", 0, 0, "Name of the file (NIfTI) that holds edge lengths in mm, on any grid."}, p.name);
-  v.field({"sha256", "", 0, 0, "Digest of its voxels and affine; empty accepts any."}, p.sha256);
+  v.field({"sha256", "", 0, 0, "Digest of its voxels and affine, or of its mesh; empty accepts any."},
+          p.sha256);
 }
 
 template <class V>

@@ -28,10 +28,11 @@
 
 namespace voxtet {
 
-/// A volume that the user holds. `sha256` is digest_of(LabelVolume), so a re-compressed file still matches.
+/// A volume that the user holds, or a mesh that was made elsewhere. `sha256` is the digest of what was read,
+/// so a re-compressed file still matches.
 struct FileSource {
   std::string name;
-  std::string sha256;  ///< empty: any volume of that name
+  std::string sha256;  ///< empty: any file of that name
 };
 
 /// Where the labels come from. At most one is set.

@@ -184,10 +184,10 @@ std::vector<Label> holes_across(const WallGrid& grid, const Eigen::Vector3d& dir
   return hole;
 }
 
-/// The connected parts of the voxels with a 1 that are large enough, from 1 on in the order of their size; 0
-/// elsewhere.
+/// The connected parts of the voxels with a 1 that are large enough, `most` at the most, from 1 on in the
+/// order of their size; 0 elsewhere.
 std::vector<Label> large_parts(const std::array<int, 3>& size, const std::vector<Label>& hole,
-                               std::size_t& count) {
+                               std::size_t most, std::size_t& count) {
   std::vector<std::uint32_t> sizes;
   std::vector<std::uint32_t> part = label_components(size, hole, sizes);
   std::vector<std::uint8_t> is_hole(sizes.size(), 0);
@@ -197,7 +197,7 @@ std::vector<Label> large_parts(const std::array<int, 3>& size, const std::vector
     if (is_hole[p]) order.push_back(p);
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return sizes[a] > sizes[b]; });
   count = 0;
-  while (count < std::min(order.size(), kMaxInner) && sizes[order[count]] >= kLeastShare * sizes[order[0]])
+  while (count < std::min(order.size(), most) && sizes[order[count]] >= kLeastShare * sizes[order[0]])
     ++count;
   std::vector<Label> number(sizes.size(), 0), out(part.size());
   for (std::size_t n = 0; n < count; ++n) number[order[n]] = static_cast<Label>(n + 1);
@@ -221,12 +221,11 @@ void grow_parts(const std::array<int, 3>& size, const std::vector<Label>& hole, 
   }
 }
 
-/// Makes inner spaces of the large parts of `hole`. Spaces that only a neck joins, such as two ventricles
-/// below a septum that ends early, are parted there: at the least distance from the wall at which they fall
-/// apart.
+/// Makes inner spaces of the large parts of `hole`. Two that only a neck joins, such as ventricles below a
+/// septum that ends early, are parted there: at the least distance from the wall at which they fall apart.
 std::size_t take_spaces(const std::vector<Label>& hole, WallGrid& grid) {
   std::size_t count = 0;
-  std::vector<Label> part = large_parts(grid.size, hole, count);
+  std::vector<Label> part = large_parts(grid.size, hole, kMaxInner, count);
   if (count == 1) {
     std::vector<std::uint8_t> other(hole.size());
     for (std::size_t at = 0; at < hole.size(); ++at) other[at] = !hole[at];
@@ -236,9 +235,9 @@ std::size_t take_spaces(const std::vector<Label>& hole, WallGrid& grid) {
     for (int tenth = 2; tenth <= 6 && count == 1; ++tenth) {
       for (std::size_t at = 0; at < hole.size(); ++at)
         core[at] = depth[at] > deepest * static_cast<float>(tenth) / 10 ? 1 : 0;
-      part = large_parts(grid.size, core, count);
+      part = large_parts(grid.size, core, 2, count);
     }
-    if (count == 1) part = large_parts(grid.size, hole, count);
+    if (count == 1) part = large_parts(grid.size, hole, kMaxInner, count);
   }
   grow_parts(grid.size, hole, part);
   for (std::size_t at = 0; at < part.size(); ++at)

@@ -64,3 +64,34 @@ export function igbFile(name: string, points: number, frames: readonly number[],
   });
   return kept(name, bytes);
 }
+
+/** openCARP's files of a bar of 24 x 8 x 8 mm: label 2 in its second half, fibres along it. */
+export function carpBar(name: string): string[] {
+  const [nx, ny, nz] = [12, 4, 4];
+  const point = (i: number, j: number, k: number) => i + (nx + 1) * (j + (ny + 1) * k);
+  const points: string[] = [];
+  const elements: string[] = [];
+  for (let k = 0; k <= nz; k++)
+    for (let j = 0; j <= ny; j++)
+      for (let i = 0; i <= nx; i++) points.push(`${2000 * i} ${2000 * j} ${2000 * k}`);
+  // Kuhn's six tetrahedra of a cube: the ways from its first corner to its last.
+  const ways = ['012', '120', '201', '021', '210', '102'];
+  for (let k = 0; k < nz; k++)
+    for (let j = 0; j < ny; j++)
+      for (let i = 0; i < nx; i++)
+        ways.forEach((way, w) => {
+          const at = [i, j, k];
+          const corners = [point(i, j, k)];
+          for (const axis of way) {
+            at[Number(axis)]++;
+            corners.push(point(at[0], at[1], at[2]));
+          }
+          if (w > 2) corners.push(...corners.splice(2, 2).reverse());
+          elements.push(`Tt ${corners.join(' ')} ${i < nx / 2 ? 1 : 2}`);
+        });
+  return [
+    textFile(`${name}.elem`, `${elements.length}\n${elements.join('\n')}\n`),
+    textFile(`${name}.pts`, `${points.length}\n${points.join('\n')}\n`),
+    textFile(`${name}.lon`, `1\n${'1 0 0\n'.repeat(elements.length)}`),
+  ];
+}

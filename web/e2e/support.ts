@@ -66,17 +66,17 @@ export async function meshed(page: Page): Promise<void> {
   await expect(page.getByTestId('tets')).toBeVisible();
 }
 
-/** Drops a file on the page, as from the desktop. */
-export async function dropFile(page: Page, path: string): Promise<void> {
-  const bytes = await readFile(path);
-  const transfer = await page.evaluateHandle(
-    async ([name, content]) => {
-      const data = new DataTransfer();
-      data.items.add(new File([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))], name));
-      return data;
-    },
-    [basename(path), bytes.toString('base64')] as const,
+/** Drops files on the page, as from the desktop. */
+export async function dropFile(page: Page, ...paths: string[]): Promise<void> {
+  const files = await Promise.all(
+    paths.map(async (path) => [basename(path), (await readFile(path)).toString('base64')] as const),
   );
+  const transfer = await page.evaluateHandle((all) => {
+    const data = new DataTransfer();
+    for (const [name, content] of all)
+      data.items.add(new File([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))], name));
+    return data;
+  }, files);
   await page.locator('main').dispatchEvent('drop', { dataTransfer: transfer });
 }
 

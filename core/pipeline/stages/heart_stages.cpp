@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "geometry/elements/tet_measures.h"
 #include "physics/eikonal/eikonal_sources.h"
 #include "physics/monodomain/speed_error.h"
 #include "physics/tissue/make_tissue.h"
@@ -32,12 +33,32 @@ std::vector<Label> wall_labels(const TetMesh& mesh, const AnatomyParams& params)
   return {labels.begin(), labels.end()};
 }
 
+/// Equations on flat or empty tetrahedra have no solution; ours have none, but others' may.
+Status check_volumes(const TetMesh& mesh, const char* stage) {
+  ErrorPlace where;
+  for (std::uint32_t t = 0; t < mesh.tets.size(); ++t) {
+    const auto [a, b, c, d] = mesh.tets[t];
+    if (!(tet_volume_mm3({mesh.points[a], mesh.points[b], mesh.points[c], mesh.points[d]}) > 0))
+      where.elements.push_back(t);
+  }
+  if (where.elements.empty()) return std::monostate{};
+  where.stage = kOptimiseStage;
+  where.on = On::kTets;
+  return Error{ErrorCode::kBadInput, stage,
+               "source.file: found " + std::to_string(where.elements.size()) +
+                   " tetrahedra without volume, the first is number " +
+                   std::to_string(where.elements.front()) +
+                   ", expected none: nothing can be simulated on them",
+               std::move(where)};
+}
+
 }  // namespace
 
 Status run_anatomy(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   AnatomyResult result;
   if (recipe.physics && recipe.physics->anatomy) {
     const TetMesh& mesh = in.get<TetMesh>(Stage::kOptimise);
+    if (Status valid = check_volumes(mesh, kAnatomyStage); !valid) return valid;
     AnatomyParams params = *recipe.physics->anatomy;
     if (params.wall.empty()) params.wall = wall_labels(mesh, params);
     RunContext first = ctx.part(0, 0.4), second = ctx.part(0.4, 0.8), third = ctx.part(0.8, 1);
@@ -56,7 +77,15 @@ Status run_anatomy(const StageInputs& in, const Recipe& recipe, StageOutput& out
 
 Status run_fibres(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   FibresResult result;
-  if (recipe.physics && recipe.physics->fibres) {
+  const bool asked = recipe.physics && recipe.physics->fibres;
+  const OpenedMesh* opened = opened_mesh(recipe, in.files);
+  if (!asked && opened && !opened->fibres.fibre.empty()) {
+    result.fibres = fibres_of_labels(*opened, recipe.labels);
+    result.fields = {tet_vectors("fibre", "Fibre", result.fibres.fibre)};
+    if (!result.fibres.sheet.empty())
+      result.fields.push_back(tet_vectors("sheet", "Sheet", result.fibres.sheet));
+  }
+  if (asked) {
     const AnatomyResult& anatomy = in.get<AnatomyResult>(Stage::kAnatomy);
     if (!anatomy.surfaces)
       return usage_error(
@@ -76,9 +105,10 @@ Status run_fibres(const StageInputs& in, const Recipe& recipe, StageOutput& out,
 }
 
 Status run_tissue(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext&) {
-  Result<Tissue> tissue =
-      make_tissue(in.get<TetMesh>(Stage::kOptimise), in.get<LabelTransfer>(Stage::kTransfer),
-                  recipe.physics ? recipe.physics->tissue : TissueParams{});
+  const TetMesh& mesh = in.get<TetMesh>(Stage::kOptimise);
+  if (Status valid = check_volumes(mesh, kTissueStage); !valid) return valid;
+  Result<Tissue> tissue = make_tissue(mesh, in.get<LabelTransfer>(Stage::kTransfer),
+                                      recipe.physics ? recipe.physics->tissue : TissueParams{});
   if (!tissue) return tissue.error();
   tissue->fibre = in.get<FibresResult>(Stage::kFibres).fibres.fibre;
   std::size_t without = 0;
@@ -86,9 +116,9 @@ Status run_tissue(const StageInputs& in, const Recipe& recipe, StageOutput& out,
     if (tissue->kind[t] != Tissue::kNone && tissue->fibre[t].isZero(0)) ++without;
   if (without > 0)
     return usage_error(kTissueStage,
-                       "physics.anatomy.wall: found " + std::to_string(without) +
-                           " conducting tetrahedra outside of the wall, which have no fibre, expected "
-                           "all labels of physics.tissue in the wall");
+                       "physics.tissue: found " + std::to_string(without) +
+                           " conducting tetrahedra without a fibre, expected one for each: all labels that "
+                           "conduct in physics.anatomy.wall, or in the mesh's .lon");
   const bool asked = recipe.physics && recipe.physics->monodomain;
   const MonodomainParams wave = asked ? *recipe.physics->monodomain : MonodomainParams{};
   Field error{"speed_error_percent",
@@ -97,8 +127,7 @@ Status run_tissue(const StageInputs& in, const Recipe& recipe, StageOutput& out,
               On::kTets,
               Scale::kDiverging,
               1,
-              speed_errors_percent(in.get<TetMesh>(Stage::kOptimise), *tissue, consistent_mass_of(wave),
-                                   wave.correct_speed)};
+              speed_errors_percent(mesh, *tissue, consistent_mass_of(wave), wave.correct_speed)};
   out.put(TissueResult{std::move(tissue).value(), {std::move(error)}});
   return std::monostate{};
 }

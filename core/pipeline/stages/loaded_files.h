@@ -1,4 +1,4 @@
-// The files that a case names, as they were read: the volume, and masks and images of edge lengths.
+// The files that a case names, as they were read: the volume or mesh, and masks and images of edge lengths.
 #pragma once
 
 #include <map>
@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/stages/opened_mesh.h"
 #include "types/label_volume.h"
 #include "types/scalar_volume.h"
 
@@ -20,8 +21,10 @@ struct SideVolume {
 };
 
 struct LoadedFiles {
-  std::shared_ptr<const LabelVolume> volume;               ///< null: none was loaded
-  std::string digest;                                      ///< digest_of(*volume)
+  std::shared_ptr<const LabelVolume> volume;  ///< null: none was loaded
+  /// Null: an image was loaded. Else no stage makes a mesh, and `volume` is voxels_of() this one.
+  std::shared_ptr<const OpenedMesh> mesh;
+  std::string digest;                                      ///< of the mesh, else of the volume
   std::vector<std::string> warnings;                       ///< of its reader
   std::map<std::string, SideVolume<LabelVolume>> masks;    ///< by the file's name
   std::map<std::string, SideVolume<ScalarVolume>> images;  ///< by the file's name

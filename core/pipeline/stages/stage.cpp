@@ -34,6 +34,17 @@ std::string hashed(const std::string& text) {
 
 }  // namespace
 
+bool has_place(Stage stage, const Recipe& recipe, const LoadedFiles& files) {
+  return !opened_mesh(recipe, files) || stage < Stage::kSurface || stage > Stage::kTetra;
+}
+
+std::vector<Stage> inputs_of(Stage stage, const Recipe& recipe, const LoadedFiles& files) {
+  std::vector<Stage> inputs;
+  for (const Stage input : spec_of(stage).inputs)
+    if (has_place(input, recipe, files)) inputs.push_back(input);
+  return inputs;
+}
+
 bool needs(Stage stage, Stage input) {
   const std::vector<Stage>& inputs = spec_of(stage).inputs;
   return stage == input ||
@@ -68,7 +79,8 @@ StageKeys keys_of(const Recipe& recipe, const LoadedFiles& files) {
   StageKeys keys;
   for (const StageSpec& spec : stage_table()) {
     std::string key = engine_version() + " " + std::string(spec.name) + "\n";
-    for (const Stage input : spec.inputs) key += keys[static_cast<std::size_t>(input)] + "\n";
+    for (const Stage input : inputs_of(spec.stage, recipe, files))
+      key += keys[static_cast<std::size_t>(input)] + "\n";
     key += fields_text(fields, spec.reads);
     if (spec.add_files) spec.add_files(files, recipe, key);
     keys[static_cast<std::size_t>(spec.stage)] = hashed(key);

@@ -51,7 +51,7 @@ class StageInputs {
   explicit StageInputs(const LoadedFiles& files) : files(files) {}
 
   void add(Stage stage, const std::any& value) { values_[static_cast<std::size_t>(stage)] = value; }
-  /// The value of a stage that the row names, of that stage's own type (stage_results.h).
+  /// The value of a stage that the row names and that runs, of its own type (stage_results.h).
   template <class T>
   const std::shared_ptr<const T>& share(Stage stage) const {
     return std::any_cast<const std::shared_ptr<const T>&>(values_[static_cast<std::size_t>(stage)]);
@@ -132,6 +132,15 @@ inline const StageSpec& spec_of(Stage stage) {
 inline std::string name_of(Stage stage) {
   return std::string(spec_of(stage).name);
 }
+
+/// The mesh that a recipe's source is; null where it is an image.
+inline const OpenedMesh* opened_mesh(const Recipe& recipe, const LoadedFiles& files) {
+  return recipe.source.phantom ? nullptr : files.mesh.get();
+}
+/// Whether a stage has a place in a case: where its source is a mesh, no stage makes one.
+bool has_place(Stage stage, const Recipe& recipe, const LoadedFiles& files);
+/// Those of a stage's inputs that have one.
+std::vector<Stage> inputs_of(Stage stage, const Recipe& recipe, const LoadedFiles& files);
 
 /// Whether a run to `stage` gives the result of `input`.
 bool needs(Stage stage, Stage input);

@@ -214,6 +214,10 @@ Status run_tetra(const StageInputs& in, const Recipe& recipe, StageOutput& out, 
 }
 
 Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  if (const OpenedMesh* opened = opened_mesh(recipe, in.files)) {
+    out.put(mesh_of_labels(opened->mesh, recipe.labels, recipe.merge));
+    return std::monostate{};
+  }
   const LayeredTets& tets = in.get<LayeredTets>(Stage::kTetra);
   const SurfaceMesh& smooth = in.get<SurfaceMesh>(Stage::kSmooth);
   const SizingField& sizing = in.get<SizingField>(Stage::kSizing);
@@ -237,6 +241,8 @@ Status run_transfer(const StageInputs& in, const Recipe& recipe, StageOutput& ou
 }
 
 Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  if (opened_mesh(recipe, in.files))
+    return put(measure_mesh(in.get<TetMesh>(Stage::kOptimise), recipe.quality, ctx), out);
   const Walls& all = in.get<WallsResult>(Stage::kWalls).walls;
   std::vector<std::size_t> counted;
   for (std::size_t w = 0; w < all.size(); ++w)
@@ -359,7 +365,8 @@ const std::array<StageSpec, kStageCount>& stage_table() {
       {.stage = Stage::kOptimise,
        .name = kOptimiseStage,
        .title = "Tetrahedra",
-       .inputs = {Stage::kSmooth, Stage::kSizing, Stage::kLayers, Stage::kRemesh, Stage::kTetra},
+       .inputs = {Stage::kVolume, Stage::kSmooth, Stage::kSizing, Stage::kLayers, Stage::kRemesh,
+                  Stage::kTetra},
        .reads = {"optimise"},
        .run = run_optimise,
        .counts = counts<TetMesh>,

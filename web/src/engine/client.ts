@@ -2,6 +2,7 @@ import * as Comlink from 'comlink';
 import {
   EngineError,
   stageNames,
+  stagesOfMesh,
   type EngineInfo,
   type ExportedFile,
   type ExportFormat,
@@ -129,7 +130,10 @@ export class EngineClient {
     return reply;
   }
 
-  /** Runs stage by stage up to `last`, so that each result is there as soon as it exists. */
+  /**
+   * Runs stage by stage up to `last`, so that each result is there as soon as it exists. A mesh that was made elsewhere
+   * is measured at once.
+   */
   run(recipeJson: string, source: Recipe['source'], last: StageName, handlers: RunHandlers = {}) {
     return this.job(async (generation) => {
       const accepted = await this.prepare(generation, recipeJson, source);
@@ -139,18 +143,22 @@ export class EngineClient {
         if (generation.alive && stage === running) handlers.onProgress?.(stage, fraction);
       });
       const summaries: StageSummary[] = [];
-      for (const stage of stageNames.slice(0, stageNames.indexOf(last) + 1)) {
+      let names: readonly StageName[] = stageNames.slice(0, stageNames.indexOf(last) + 1);
+      for (let stage: StageName | undefined = names[0]; stage; stage = names[summaries.length]) {
         handlers.onProgress?.(stage, 0);
         running = stage;
         const summary = await this.answer(generation, stage, generation.api.run(stage, progress));
         running = null;
         summaries.push(summary);
+        if (stage === 'volume' && summary.counts.mesh) names = stagesOfMesh;
         const wanted = handlers.wants?.(summary) ?? true;
         const arrays = wanted ? await this.answer(generation, stage, generation.api.arrays(stage)) : null;
         handlers.onStage?.(summary, arrays);
       }
       const report =
-        last === 'quality' ? await this.answer(generation, 'quality', generation.api.report()) : undefined;
+        names.at(-1) === 'quality'
+          ? await this.answer(generation, 'quality', generation.api.report())
+          : undefined;
       if (report) this.files.meshedFrom(generation.sides);
       return { ...accepted, summaries, report } as RecipeReply & {
         summaries: StageSummary[];

@@ -9,6 +9,9 @@ export * from './report_types';
 export { stageNames };
 export type StageName = (typeof stageNames)[number];
 
+/** The stages of a mesh that was made elsewhere. */
+export const stagesOfMesh: readonly StageName[] = ['volume', 'optimise', 'quality'];
+
 /** Stages of physics. They run when they are asked for; those that are worked on in short steps give frames. */
 export type SimulationName = 'eikonal' | 'monodomain' | 'diffusion';
 
@@ -56,6 +59,8 @@ export interface VolumeSummary {
   labels: LabelSummary[];
   /** Of reading and preparing it. */
   warnings: string[];
+  /** Of a mesh that was made elsewhere: the volume holds its labels, and no stage makes another. */
+  mesh?: { points: number; tets: number; fibres: boolean };
   /** The grid that is meshed; known once the volume has been prepared. */
   prepared?: { size: Vec3; spacing_mm: Vec3 };
 }
@@ -200,8 +205,8 @@ export const noValue = -1e30;
 export interface FibreArrays {
   /** Three numbers a tet: a unit vector whose sign means nothing; 0 where there is no muscle. */
   fibre: Float32Array;
-  /** One a tet, degrees; `noValue` where there is none. */
-  helix: Float32Array;
+  /** One a tet, degrees; `noValue` where there is none. Null where no wall is known that they wind through. */
+  helix: Float32Array | null;
 }
 
 /** Fields that a simulation has found, at its end, and those that it was made from. */

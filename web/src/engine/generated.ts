@@ -38,9 +38,9 @@ export interface RecipeFields {
       seed: number;
     };
     file?: {
-      /** Name of the file that holds the volume. */
+      /** Name of the file that holds the volume, or a mesh that was made elsewhere. */
       name: string;
-      /** Digest of its voxels and affine; empty accepts any. */
+      /** Digest of its voxels and affine, or of its mesh; empty accepts any. */
       sha256: string;
     };
   };
@@ -133,7 +133,7 @@ export interface RecipeFields {
     masks: {
       /** Name of the file that holds the mask, a label volume on any grid. */
       name: string;
-      /** Digest of its voxels and affine; empty accepts any. */
+      /** Digest of its voxels and affine, or of its mesh; empty accepts any. */
       sha256: string;
       /** Edge length where the mask has a label. */
       edges: {
@@ -147,7 +147,7 @@ export interface RecipeFields {
     images: {
       /** Name of the file (NIfTI) that holds edge lengths in mm, on any grid. */
       name: string;
-      /** Digest of its voxels and affine; empty accepts any. */
+      /** Digest of its voxels and affine, or of its mesh; empty accepts any. */
       sha256: string;
     }[];
     /** Edge length by the curvature of the label surface. */
@@ -606,6 +606,7 @@ export const stageSpecs = [
   {
     "name": "optimise",
     "inputs": [
+      "volume",
       "smooth",
       "sizing",
       "layers",

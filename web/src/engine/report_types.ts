@@ -133,7 +133,8 @@ export interface Report {
   /** Absent where no number of layers is a target. */
   layers?: LayerCount[];
   quality: { metrics: Metric[]; checklist: ChecklistItem[]; passed: boolean };
-  fidelity: {
+  /** Absent where the mesh was made elsewhere: there is nothing to compare it with. */
+  fidelity?: {
     labels: LabelFidelity[];
     mesh_to_surface: DistanceSummary;
     surface_to_mesh: DistanceSummary;

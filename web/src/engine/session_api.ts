@@ -125,18 +125,20 @@ async function eachFrame(
 }
 
 function fibresOf(session: Session): FibreArrays | null {
-  const views = [
+  const [fibre, depth, height, tets, points] = [
     ['fibres', 'fibre'],
     ['anatomy', 'transmural'],
     ['anatomy', 'apicobasal'],
     ['optimise', 'tets'],
     ['optimise', 'points'],
-  ].map(([stage, name]) => session.array(stage, name));
-  if (views.some((view) => !view?.length)) return null;
-  const [fibre, depth, height, tets, points] = views as Float32Array[];
+  ].map(([stage, name]) => session.array(stage, name)) as (Float32Array | undefined)[];
+  if (!fibre?.length || !tets || !points) return null;
   const mesh = { points, tets: tets as unknown as Uint32Array };
-  const helix = withNone(helixAngles(mesh, fibre, depth, height), noValue);
-  return { fibre: copied(fibre) as Float32Array, helix };
+  const known = depth?.length && height?.length;
+  return {
+    fibre: copied(fibre) as Float32Array,
+    helix: known ? withNone(helixAngles(mesh, fibre, depth, height), noValue) : null,
+  };
 }
 
 /** One session as plain values: texts parsed, views copied once, failures turned into typed errors. */

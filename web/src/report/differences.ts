@@ -16,8 +16,9 @@ function metric(found: Report, name: string) {
 
 const seconds = (found: Report) => found.stages.reduce((sum, stage) => sum + stage.seconds, 0);
 const worstVolume = ({ fidelity }: Report) =>
-  Math.max(0, ...fidelity.labels.map((row) => Math.abs(row.volume_error_percent)));
-const worstDice = ({ fidelity }: Report) => Math.min(1, ...fidelity.labels.map((row) => row.dice));
+  fidelity && Math.max(0, ...fidelity.labels.map((row) => Math.abs(row.volume_error_percent)));
+const worstDice = ({ fidelity }: Report) =>
+  fidelity && Math.min(1, ...fidelity.labels.map((row) => row.dice));
 
 const rows: {
   name: string;
@@ -47,13 +48,13 @@ const rows: {
   {
     name: 'Distance, 95 %',
     unit: 'mm',
-    of: (found) => found.fidelity.mesh_to_surface.p95_mm,
+    of: (found) => found.fidelity?.mesh_to_surface.p95_mm,
     better: 'less',
   },
   {
     name: 'Distance, largest',
     unit: 'mm',
-    of: (found) => found.fidelity.mesh_to_surface.max_mm,
+    of: (found) => found.fidelity?.mesh_to_surface.max_mm,
     better: 'less',
   },
   { name: 'Time', unit: 's', of: seconds, better: 'less' },

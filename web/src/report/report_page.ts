@@ -95,6 +95,29 @@ th{font-weight:500;color:#53606f}figure{margin:12px 0}figcaption{font-size:13px}
 .charts{display:grid;grid-template-columns:repeat(auto-fill,minmax(380px,1fr));gap:8px 28px}svg text{font-size:11px;fill:#53606f}
 pre{background:#f4f6f8;padding:12px;border-radius:6px;overflow:auto;font-size:12px}`;
 
+/** What a mesh is compared with, in tables. */
+function fidelityPart(fidelity: NonNullable<Report['fidelity']>, nameOf: (label: number) => string): string {
+  const labels = fidelity.labels.map((row) => [
+    nameOf(row.label),
+    whole(row.tets),
+    number(row.voxel_mm3 / 1000),
+    number(row.mesh_mm3 / 1000),
+    number(row.volume_error_percent),
+    row.dice.toFixed(4),
+    `${number(row.median_edge_mm)} / ${number(row.target_edge_mm)}`,
+  ]);
+  const distances = (['mesh_to_surface', 'surface_to_mesh'] as const).map((way) => {
+    const one = fidelity[way];
+    const largest = [one.max_mm, one.max_mm + one.uncertainty_mm];
+    const values = [one.mean_mm, one.rms_mm, one.p95_mm, ...largest, one.spacing_mm];
+    return [way.replaceAll('_', ' '), ...values.map(number)];
+  });
+  return `<h2>Fidelity to the labels</h2>
+${table(['Label', 'Tetrahedra', 'Voxels, ml', 'Mesh, ml', 'Error, %', 'Dice', 'Edge length / target, mm'], labels, 6)}
+<p></p>
+${table(['Distance, mm', 'Mean', 'RMS', '95 %', 'Largest found', 'None above', 'Sample spacing'], distances, 6)}`;
+}
+
 export function reportPage(
   found: Report,
   context: { title: string; link: string; pictures: readonly ReportPicture[]; nameOf(label: number): string },
@@ -116,25 +139,10 @@ export function reportPage(
     (picture) =>
       `<figure><img src="${escaped(picture.source)}" alt="${escaped(picture.title)}"><figcaption>${escaped(picture.title)}</figcaption></figure>`,
   );
-  const labels = found.fidelity.labels.map((row) => [
-    nameOf(row.label),
-    whole(row.tets),
-    number(row.voxel_mm3 / 1000),
-    number(row.mesh_mm3 / 1000),
-    number(row.volume_error_percent),
-    row.dice.toFixed(4),
-    `${number(row.median_edge_mm)} / ${number(row.target_edge_mm)}`,
-  ]);
   const measures = found.quality.metrics.map((metric) => [
     `${metric.name.replaceAll('_', ' ')} (${metric.elements})`,
     ...[metric.min, metric.p1, metric.median, metric.p99, metric.max, metric.mean].map(number),
   ]);
-  const distances = (['mesh_to_surface', 'surface_to_mesh'] as const).map((way) => {
-    const one = found.fidelity[way];
-    const largest = [one.max_mm, one.max_mm + one.uncertainty_mm];
-    const values = [one.mean_mm, one.rms_mm, one.p95_mm, ...largest, one.spacing_mm];
-    return [way.replaceAll('_', ' '), ...values.map(number)];
-  });
   const stages = found.stages.map((stage) => [
     stage.name,
     number(stage.seconds),
@@ -153,10 +161,7 @@ ${checklist(found.quality.checklist)}
 ${warnings && `<h2>Warnings</h2><ul>${warnings}</ul>`}
 <h2>Distributions</h2>
 <div class="charts">${figures.join('\n')}</div>
-<h2>Fidelity to the labels</h2>
-${table(['Label', 'Tetrahedra', 'Voxels, ml', 'Mesh, ml', 'Error, %', 'Dice', 'Edge length / target, mm'], labels, 6)}
-<p></p>
-${table(['Distance, mm', 'Mean', 'RMS', '95 %', 'Largest found', 'None above', 'Sample spacing'], distances, 6)}
+${found.fidelity ? fidelityPart(found.fidelity, nameOf) : ''}
 <h2>Measures</h2>
 ${table(['Measure', 'Min', '1 %', 'Median', '99 %', 'Max', 'Mean'], measures, 6)}
 <h2>Stages</h2>

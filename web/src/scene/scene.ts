@@ -15,7 +15,6 @@ import {
   command,
   cut,
   dark,
-  fibreLegend,
   fibreStyle,
   focusTet,
   layout,
@@ -148,7 +147,7 @@ export function mountScene(container: HTMLElement): () => void {
       },
     ),
     effect(() => {
-      body.setSeeThrough(fibreLegend.value !== null && seeThrough.value);
+      body.setSeeThrough(fibreStyle.value !== 'none' && seeThrough.value);
       canvas.invalidate();
     }),
     effect(() => {

@@ -148,7 +148,12 @@ class Session {
         { label: 2, name: 'Core', colour: null, voxels: 200 },
       ],
       warnings: [],
+      ...(this.hasMesh() && { mesh: { points: 4, tets: 1, fibres: false } }),
     };
+  }
+  /** An opened file of tetrahedra is the mesh: no stage makes one. */
+  hasMesh() {
+    return !this.recipe.source.phantom && /\.elem$/.test(this.file?.name ?? '');
   }
   loadVolume(name, bytes) {
     if (name.includes('memory')) throw new RangeError('Array buffer allocation failed: Out of memory');
@@ -275,6 +280,7 @@ class Session {
     this.mesh ??= ballMesh(10);
     const summaries = [];
     for (const name of stages.slice(0, stages.indexOf(stage) + 1)) {
+      if (this.hasMesh() && ['surface', 'smooth', 'sizing', 'remesh', 'tetra'].includes(name)) continue;
       const cached = this.done.has(name);
       if (!cached) for (const fraction of [0, 0.5, 1]) onProgress(name, fraction);
       this.done.add(name);

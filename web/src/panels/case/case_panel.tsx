@@ -1,7 +1,7 @@
 import type { Recipe } from '../../engine/contract';
 import { tellError } from '../../store/run/engine';
 import { forecast } from '../../store/run/forecast';
-import { awaitedFile, volume } from '../../store/case/input';
+import { awaitedFile, meshIsGiven, volume } from '../../store/case/input';
 import { developer } from '../../store/developer';
 import { editRecipe, recipe } from '../../store/case/recipe';
 import { activity } from '../../store/run/stages';
@@ -118,8 +118,8 @@ export function CasePanel() {
       {chosen && (
         <>
           <LabelSection current={current} />
-          <SizingSection current={current} />
-          <StageSection current={current} />
+          {!meshIsGiven.value && <SizingSection current={current} />}
+          {!meshIsGiven.value && <StageSection current={current} />}
           {physics?.monodomain ? <PhysicsSection current={current} physics={physics} /> : <AddSimulation />}
           {developer && <SimulationSection current={current} />}
         </>

@@ -24,8 +24,8 @@ export function EmptyState() {
         <>
           <h1>From a segmented volume to a tetrahedral mesh</h1>
           <p>
-            Drop a label volume here: NIfTI, NRRD, MetaImage or a DICOM segmentation object. It is read and
-            meshed in this tab; nothing is uploaded.
+            Drop a label volume here: NIfTI, NRRD, MetaImage or a DICOM segmentation object. Or a mesh: VTU,
+            Gmsh, MEDIT or openCARP. It is read and meshed in this tab; nothing is uploaded.
           </p>
           <div class="empty-actions">
             <FileButton label="Open a file…" primary />

@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { LabelSummary, Recipe, VolumeSummary } from '../../engine/contract';
 import { editColour } from '../../store/case/open_case';
-import { volume } from '../../store/case/input';
+import { meshIsGiven, volume } from '../../store/case/input';
 import { carrierOf, dropIdleSizes, groupedWith, groupsOf } from '../../store/case/labels';
 import { editRecipe } from '../../store/case/recipe';
 import { previewSoon } from '../../store/run/run_stages';
@@ -99,8 +99,8 @@ export function LabelTable({ current }: { current: Recipe }) {
     ['Label', ''],
     ['Mesh', 'Whether it is meshed'],
     ['Into', 'The region of the mesh that it goes into'],
-    ['Edge mm', 'Target edge length inside it'],
   ];
+  if (!meshIsGiven.value) heads.push(['Edge mm', 'Target edge length inside it']);
   return (
     <div class="label-scroll">
       <table class="labels">
@@ -159,17 +159,19 @@ export function LabelTable({ current }: { current: Recipe }) {
                     <RegionChoice current={current} entry={entry} chosen={chosen} />
                   )}
                 </td>
-                <td>
-                  <NumberInput
-                    label={`Edge length of ${text}`}
-                    path="sizing.labels.edge_mm"
-                    step={0.1}
-                    value={targets.get(label) ?? null}
-                    placeholder={String(current.sizing.edge_mm)}
-                    disabled={!meshed || carrierOf(current.merge, label) !== label}
-                    onChange={(edge) => setEdge(label, edge)}
-                  />
-                </td>
+                {!meshIsGiven.value && (
+                  <td>
+                    <NumberInput
+                      label={`Edge length of ${text}`}
+                      path="sizing.labels.edge_mm"
+                      step={0.1}
+                      value={targets.get(label) ?? null}
+                      placeholder={String(current.sizing.edge_mm)}
+                      disabled={!meshed || carrierOf(current.merge, label) !== label}
+                      onChange={(edge) => setEdge(label, edge)}
+                    />
+                  </td>
+                )}
                 <td>
                   <button
                     type="button"

@@ -7,7 +7,7 @@ import { volume } from '../../store/case/input';
 import { dialogShown } from '../controls/dialog_shown';
 import { CheckField, NumberField, SelectField, VectorField } from '../controls/fields';
 import { FileInput } from '../controls/file_input';
-import { short } from '../controls/format';
+import { short, whole } from '../controls/format';
 import { Icon } from '../controls/icons';
 
 const bodies: readonly (readonly [PhantomKind, string])[] = [
@@ -34,10 +34,18 @@ export function FileButton({ label, primary }: { label: string; primary?: boolea
 
 /** What was read, so that a wrong spacing or a turned image is seen before it is meshed. */
 function ReadFacts({ known }: { known: VolumeSummary }) {
-  const { size, spacing_mm, index_to_mm, prepared } = known;
+  const { size, spacing_mm, index_to_mm, prepared, mesh } = known;
   const turned = obliqueness(index_to_mm);
   const product = (numbers: readonly (number | string)[]) => numbers.join(' × ');
+  const ofMesh: [string, string, string?][] = mesh
+    ? [
+        ['Points', whole(mesh.points)],
+        ['Tetrahedra', whole(mesh.tets)],
+        ['Fibres', mesh.fibres ? 'read' : 'none'],
+      ]
+    : [];
   const rows: [string, string, string?][] = [
+    ...ofMesh,
     ['Voxels', product(size)],
     ['Spacing', `${product(spacing_mm.map(short))} mm`],
     ['Extent', `${product(size.map((n, axis) => short(n * spacing_mm[axis])))} mm`],
@@ -67,7 +75,7 @@ export function SourceSection({ current }: { current: Recipe }) {
   const known = volume.value;
   return (
     <section class="section">
-      <h2>Volume</h2>
+      <h2>{known?.mesh ? 'Mesh' : 'Volume'}</h2>
       <div class="source-buttons">
         <FileButton label="Open file…" />
         <button type="button" class="button" onClick={() => (dialogShown.value = 'examples')}>

@@ -83,7 +83,7 @@ export function EvidencePanel() {
             pinned={pinned.value?.report === found ? null : (pinned.value?.report ?? null)}
           />
           <WorstList found={found} />
-          <FidelitySection found={found} />
+          {found.fidelity && <FidelitySection found={found} fidelity={found.fidelity} />}
           <MeasuresTable found={found} />
           <Messages title="Warnings" messages={found.warnings} />
           <Messages title="Notes" messages={notesOf(found)} />

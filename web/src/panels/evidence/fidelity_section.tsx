@@ -4,6 +4,8 @@ import { colourOf } from '../../store/view';
 import { distanceText, percent, topologyRow, type TopologyCell } from './fidelity_text';
 import { short } from '../controls/format';
 
+type Fidelity = NonNullable<Report['fidelity']>;
+
 function LabelName({ label }: { label: number }) {
   return (
     <th scope="row">
@@ -63,7 +65,7 @@ function Cell({ cell }: { cell: TopologyCell }) {
   return <td class={cell.changed ? 'num changed' : 'num'}>{cell.text}</td>;
 }
 
-function TopologyTable({ found }: { found: Report['fidelity']['topology'] }) {
+function TopologyTable({ found }: { found: Fidelity['topology'] }) {
   const count = found.differences.length;
   const kept = count === 0;
   return (
@@ -168,8 +170,8 @@ function LayerTable({ walls }: { walls: LayerCount[] }) {
   );
 }
 
-export function FidelitySection({ found }: { found: Report }) {
-  const { labels, topology, mesh_to_surface: there, surface_to_mesh: back } = found.fidelity;
+export function FidelitySection({ found, fidelity }: { found: Report; fidelity: Fidelity }) {
+  const { labels, topology, mesh_to_surface: there, surface_to_mesh: back } = fidelity;
   return (
     <section class="section">
       <h2>Fidelity to the labels</h2>

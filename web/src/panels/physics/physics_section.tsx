@@ -8,10 +8,9 @@ import type {
   TissueKind,
 } from '../../engine/contract';
 import { movedRegion } from '../../geometry/regions';
-import { nameOf } from '../../store/case/input';
-import { meshedLabels, newStimulus, newTissue } from '../../store/case/physics';
+import { fibresAreGiven, nameOf } from '../../store/case/input';
+import { meshedLabels, newStimulus, newTissue, slowAcross } from '../../store/case/physics';
 import { editRecipe } from '../../store/case/recipe';
-import { acrossShare } from '../../store/case/tissue_presets';
 import { upToDate } from '../../store/run/report';
 import { groupDefaults } from '../../store/run/schema_defaults';
 import { simulate } from '../../store/run/simulate';
@@ -218,8 +217,7 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
       if (on) {
         draft.anatomy = groupDefaults('physics.anatomy');
         draft.fibres = groupDefaults('physics.fibres');
-        for (const kind of draft.tissue.kinds)
-          kind.across_mm_per_ms = Number((acrossShare * kind.along_mm_per_ms).toPrecision(2));
+        draft.tissue.kinds.forEach(slowAcross);
       } else {
         delete draft.fibres;
         delete draft.anatomy;
@@ -244,7 +242,7 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
             index={index}
             name={name}
             taken={used.filter((label) => !kind.labels.includes(label))}
-            fibres={fibres !== undefined}
+            fibres={fibres !== undefined || fibresAreGiven.value}
           />
         )}
       />
@@ -252,7 +250,11 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
       <CheckField
         label="Fibres by rule"
         checked={fibres !== undefined}
-        hint="Muscle fibres turn through the wall; the wave is faster along them. For hearts with two ventricles or one."
+        hint={
+          fibresAreGiven.value
+            ? 'In the place of those that came with the mesh.'
+            : 'Muscle fibres turn through the wall; the wave is faster along them. For hearts with two ventricles or one.'
+        }
         onChange={toggleFibres}
       />
       {fibres && <FibreFields params={fibres} />}

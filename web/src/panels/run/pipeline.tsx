@@ -1,8 +1,8 @@
-import { stageNames, type StageName } from '../../engine/contract';
+import type { StageName } from '../../engine/contract';
 import { runTo } from '../../store/run/run_stages';
 import { volume } from '../../store/case/input';
 import { shownKeys } from '../../store/run/results';
-import { activity, stages, staleStages, type StageStatus } from '../../store/run/stages';
+import { activity, caseStages, stages, staleStages, type StageStatus } from '../../store/run/stages';
 import { stageShown } from '../../store/view';
 import { about, seconds } from '../controls/format';
 import { Icon } from '../controls/icons';
@@ -53,7 +53,7 @@ export function Pipeline() {
   return (
     <nav class="pipeline" aria-label="Pipeline">
       <ol>
-        {stageNames.map((name) => {
+        {caseStages.value.map((name) => {
           const status = stages.value[name];
           const ready = shownKeys.value[name] !== undefined;
           const stale = touched.has(name);

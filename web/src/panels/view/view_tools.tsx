@@ -1,7 +1,7 @@
 import type { Vec3 } from '../../engine/contract';
 import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
-import { nameOf } from '../../store/case/input';
+import { fibresAreGiven, nameOf } from '../../store/case/input';
 import { recipe } from '../../store/case/recipe';
 import { simulatedFields } from '../../store/run/simulated_fields';
 import { shownResult } from '../../store/run/results';
@@ -162,7 +162,7 @@ function CutTools({ onTets }: { onTets: boolean }) {
 }
 
 function ExplodeTool() {
-  const labels = new Set(report.value?.fidelity.labels.map(({ label }) => label));
+  const labels = new Set(report.value?.source.labels.map(({ label }) => label));
   if (labels.size < 2) return null;
   return (
     <label class="tool-field explode" title="Pull the labels apart">
@@ -254,7 +254,7 @@ export function ViewToolbar() {
         Edges
       </button>
       {!planes && <CutTools onTets={onTets} />}
-      {onTets && recipe.value?.physics?.fibres && report.value && <FibreTool />}
+      {onTets && (recipe.value?.physics?.fibres || fibresAreGiven.value) && report.value && <FibreTool />}
       {onTets && <ExplodeTool />}
       {planes && !sliced && <PlaneTools />}
       <button

@@ -28,6 +28,15 @@ const legend: Legend = { title: 'Helix angle', unit: '°', lo: -90, hi: 90, map:
 /** How long the page may wait for pieces to be found, in one task. */
 const patienceMs = 8;
 
+/** Three bytes for each piece: red goes from left to right, green from front to back, blue from foot to head. */
+function wayColours(fibre: Float32Array, tets: Uint32Array): Uint8Array {
+  const colours = new Uint8Array(3 * tets.length);
+  tets.forEach((tet, i) => {
+    for (let d = 0; d < 3; d++) colours[3 * i + d] = 255 * Math.abs(fibre[3 * tet + d]);
+  });
+  return colours;
+}
+
 /** Three bytes for each piece. */
 function helixColours(helix: Float32Array, tets: Uint32Array): Uint8Array {
   const table = colourTable(legend.map);
@@ -139,9 +148,10 @@ export function addFibres(
     clear();
     cell = size;
     const radius = (lines ? 0.12 : 0.09) * size;
-    drawing = fibreDrawing(pieces, helixColours(helix, pieces.tets), waysOf(mesh, pieces.tets), radius);
+    const colours = helix ? helixColours(helix, pieces.tets) : wayColours(fibre, pieces.tets);
+    drawing = fibreDrawing(pieces, colours, waysOf(mesh, pieces.tets), radius);
     group.add(drawing);
-    fibreLegend.value = legend;
+    fibreLegend.value = helix && legend;
     untracked(look);
   };
   const stops = [

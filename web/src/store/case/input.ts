@@ -4,6 +4,12 @@ import type { Recipe, VolumeSummary } from '../../engine/contract';
 /** The label volume that the case stands on, once it has been read or generated. */
 export const volume = signal<VolumeSummary | null>(null);
 
+/** The mesh was made elsewhere: it is shown, measured and simulated on, but not made. */
+export const meshIsGiven = computed(() => volume.value?.mesh !== undefined);
+
+/** The file of the mesh gave fibres with it. */
+export const fibresAreGiven = computed(() => volume.value?.mesh?.fibres ?? false);
+
 export function nameOf(label: number): string {
   if (label === 0) return 'background';
   return volume.value?.labels.find((entry) => entry.label === label)?.name || `label ${label}`;

@@ -5,9 +5,9 @@ import { engine, tellError } from '../run/engine';
 import { simulatedPhysics } from '../run/frames';
 import { shownResult } from '../run/results';
 import { groupDefaults, itemDefaults } from '../run/schema_defaults';
-import { nameOf, volume } from './input';
+import { fibresAreGiven, nameOf, volume } from './input';
 import { caseId, editRecipe, recipe } from './recipe';
-import { tissuePresets } from './tissue_presets';
+import { acrossShare, tissuePresets } from './tissue_presets';
 
 /** Names of labels that do not conduct, and of those that conduct slowly. */
 const noTissue = /pool|blood|scar|core|cavity|lumen|fat|fibrosis|valve/i;
@@ -75,6 +75,11 @@ export async function stimulateAt(centre_mm: Vec3): Promise<void> {
   }
 }
 
+/** The wave is faster along fibres. */
+export function slowAcross(kind: TissueKind): void {
+  kind.across_mm_per_ms = Number((acrossShare * kind.along_mm_per_ms).toPrecision(2));
+}
+
 export function startingPhysics(current: Recipe): Physics {
   const labels = meshedLabels(current);
   const conducting = labels.filter((label) => !noTissue.test(nameOf(label)) || slow.test(nameOf(label)));
@@ -84,6 +89,7 @@ export function startingPhysics(current: Recipe): Physics {
   physics.tissue.kinds = [newTissue(healthy.length > 0 ? healthy : labels)];
   if (healthy.length > 0 && border.length > 0)
     physics.tissue.kinds.push({ labels: border, ...tissuePresets.border.fields });
+  if (fibresAreGiven.value) physics.tissue.kinds.forEach(slowAcross);
   physics.stimuli = [newStimulus(0)];
   physics.monodomain = { ...groupDefaults<MonodomainParams>('physics.monodomain'), step_ms: 0.1 };
   return physics;

@@ -2,6 +2,7 @@
 import { computed, effect, signal, untracked } from '@preact/signals';
 import type { FibreArrays } from '../../engine/contract';
 import { canonicalJson } from '../../link/canonical';
+import { fibresAreGiven } from '../case/input';
 import { recipe } from '../case/recipe';
 import { fibreStyle } from '../view';
 import { startClock, stopClock } from './clock';
@@ -14,10 +15,10 @@ import { activity } from './stages';
 
 const latest = signal<{ key: string; fibres: FibreArrays | null } | null>(null);
 
-/** Of what fibres are made from; null where the recipe asks for none, or there is no mesh of it. */
+/** Of what fibres are made from; null where the case has none, or there is no mesh of it. */
 const wanted = computed(() => {
   const { anatomy, fibres } = recipe.value?.physics ?? {};
-  if (!fibres || !upToDate.value) return null;
+  if (!(fibres || fibresAreGiven.value) || !upToDate.value) return null;
   return canonicalJson([shownKeys.value.optimise, anatomy, fibres]);
 });
 
@@ -45,7 +46,7 @@ export function keepFibres(): () => void {
 
 async function fetchFibres(key: string): Promise<void> {
   const [mesh, physics] = [meshedRecipe.value, recipe.value?.physics];
-  if (!mesh || !physics) return;
+  if (!mesh) return;
   // Asked once only: what cannot be made is told, and not tried again before something has changed.
   latest.value = { key, fibres: null };
   const own = activity.value === 'idle';

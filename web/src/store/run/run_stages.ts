@@ -1,15 +1,24 @@
 /** What makes the engine run: the surface after every edit, and runs up to a stage. */
 import { effect, untracked } from '@preact/signals';
-import { stageNames, type Recipe, type StageName, type VolumeSummary } from '../../engine/contract';
+import type { Recipe, StageName, VolumeSummary } from '../../engine/contract';
 import { engine, takeTurn, tellError } from './engine';
 import { forecastUnderWay } from './forecast';
-import { awaitedFile, volume } from '../case/input';
+import { awaitedFile, meshIsGiven, volume } from '../case/input';
 import { recipe } from '../case/recipe';
 import { dropResults, isKept, keepResult, showResult, shownKeys } from './results';
 import { announcement } from '../notices';
 import { startClock, stopClock } from './clock';
 import { forgetReport, meshedMinimal, meshedRecipe, report } from './report';
-import { activity, endStages, isMadeFrom, lastCancelMs, previewDue, setStage, stages } from './stages';
+import {
+  activity,
+  caseStages,
+  endStages,
+  isMadeFrom,
+  lastCancelMs,
+  previewDue,
+  setStage,
+  stages,
+} from './stages';
 import { stageInput } from './stage_inputs';
 import {
   brush,
@@ -42,14 +51,15 @@ function watchesSizing(): boolean {
   );
 }
 
-/** The label surface, as soon as it exists. Runs by itself after whatever changes it. False where it was not made. */
+/** The label surface, as soon as it exists; of a mesh that is given all that is known. Runs by itself after whatever changes it. False where it was not made. */
 export async function preview(fit: boolean): Promise<boolean> {
   forgetPreview();
   fitDue ||= fit;
   return runStages(lastPreviewed(), 'preview');
 }
 
-const lastPreviewed = (): StageName => (watchesSizing() ? 'sizing' : 'smooth');
+const lastPreviewed = (): StageName =>
+  meshIsGiven.value ? 'quality' : watchesSizing() ? 'sizing' : 'smooth';
 
 /** Brings the sizing field up to date whenever it is on show and the recipe changes. */
 export function keepSizingShown(): void {
@@ -101,7 +111,7 @@ async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<bool
   const current = recipe.value;
   if (!current || !(current.source.phantom || current.source.file) || awaitedFile.value) return false;
   const newest = takeTurn();
-  const names = stageNames.slice(0, stageNames.indexOf(last) + 1);
+  const names = caseStages.value.slice(0, caseStages.value.indexOf(last) + 1);
   activity.value = kind;
   marked.value = null;
   if (kind === 'run') {
@@ -138,12 +148,13 @@ async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<bool
         }
         showResult(summary.name, summary.key);
         const previewed = summary.name === 'smooth' && changed && stageShown.value !== 'surface';
-        const first = fitDue && (summary.name === 'surface' || summary.name === 'smooth');
+        const first = fitDue && ['surface', 'smooth', 'optimise'].includes(summary.name);
         // What a run has kept is no news, unless it is what was asked for.
         const news = kind === 'run' && (!summary.cached || summary.name === last);
         if (news || previewed || first) stageShown.value = summary.name;
-        if (fitDue && summary.name === 'surface') command.value = { kind: 'fit' };
-        if (summary.name === 'smooth') fitDue = false;
+        if (fitDue && (summary.name === 'surface' || summary.name === 'optimise'))
+          command.value = { kind: 'fit' };
+        if (summary.name === 'smooth' || summary.name === 'optimise') fitDue = false;
       },
     });
     if (!newest()) return false;

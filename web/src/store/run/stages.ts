@@ -2,11 +2,13 @@
 import { computed, signal } from '@preact/signals';
 import {
   stageNames,
+  stagesOfMesh,
   type Recipe,
   type Schema,
   type StageName,
   type StageSummary,
 } from '../../engine/contract';
+import { meshIsGiven } from '../case/input';
 import { recipe } from '../case/recipe';
 import { stopClock } from './clock';
 import { forgetReport } from './report';
@@ -45,6 +47,9 @@ export const staleStages = computed<ReadonlySet<StageName>>(() => {
     }),
   );
 });
+
+/** The stages that the case has. */
+export const caseStages = computed(() => (meshIsGiven.value ? stagesOfMesh : stageNames));
 
 /** Whether a stage has given what a recipe asks of it. */
 export function isMadeFrom(current: Recipe, name: StageName): boolean {
