@@ -3,7 +3,7 @@ import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
 import { nameOf } from '../../store/case/input';
 import { recipe } from '../../store/case/recipe';
-import { simulatedFields } from '../../store/run/simulated_fields';
+import { beatShown, showBeat, simulatedFields } from '../../store/run/simulated_fields';
 import { shownResult } from '../../store/run/results';
 import { report } from '../../store/run/report';
 import {
@@ -69,6 +69,25 @@ function ColourChoice() {
           </option>
         ))}
       </select>
+    </label>
+  );
+}
+
+/** Which activation of each point, where some were activated again. */
+function BeatTool() {
+  const { beat, count } = beatShown.value;
+  if (count < 2) return null;
+  return (
+    <label class="tool-field explode" title="Which activation of each point">
+      <span>Beat {beat}</span>
+      <input
+        type="range"
+        min={1}
+        max={count}
+        value={beat}
+        aria-label="Beat"
+        onInput={(event) => showBeat(Number(event.currentTarget.value))}
+      />
     </label>
   );
 }
@@ -244,6 +263,7 @@ export function ViewToolbar() {
         onChange={(next) => (layout.value = next)}
       />
       {!planes && <ColourChoice />}
+      {onTets && <BeatTool />}
       <button
         type="button"
         class="tool"
