@@ -5,6 +5,7 @@ import { writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
+import { noValue } from '../src/engine/contract';
 import { decodeFragment } from '../src/link/codec';
 import { expect, idle, openAndRun, pixels, smallHeart, test } from './support';
 
@@ -51,16 +52,22 @@ async function listen(page: Page): Promise<void> {
   });
 }
 
-/** SHA-256 of all frames, if any were told, and then of what was found last, from this field on. */
+/** SHA-256 of all frames, if any were told, and of what was found last, from this field on; NaN where points have none. */
 function digestInPage(page: Page, firstField: string): Promise<string> {
-  return page.evaluate(async (first) => {
-    const { frames, found } = (window as unknown as { told: Told }).told;
-    const last = Object.entries(found.at(-1)!);
-    const own = last.slice(last.findIndex(([name]) => name === first)).map(([, values]) => values);
-    const all = await new Blob([...frames, ...own] as Float32Array<ArrayBuffer>[]).arrayBuffer();
-    const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', all));
-    return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
-  }, firstField);
+  return page.evaluate(
+    async ([first, none]) => {
+      const { frames, found } = (window as unknown as { told: Told }).told;
+      const last = Object.entries(found.at(-1)!);
+      const gap = Math.fround(none);
+      const own = last
+        .slice(last.findIndex(([name]) => name === first))
+        .map(([, values]) => values.map((value) => (value === gap ? NaN : value)));
+      const all = await new Blob([...frames, ...own] as Float32Array<ArrayBuffer>[]).arrayBuffer();
+      const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', all));
+      return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+    },
+    [firstField, noValue] as const,
+  );
 }
 
 function digestUnderNode(path: string, stage: string): string {
@@ -81,9 +88,8 @@ test('a link brings a simulation: its activation map and its two waves have the 
 }, testInfo) => {
   await listen(page);
   const [apex] = heart.physics.stimuli;
-  // So long that every point has recovered from both, and has a value.
-  const monodomain = { ...heart.physics.monodomain, end_ms: 800 };
-  const stimuli = [{ ...apex, count: 2, interval_ms: 350 }];
+  const monodomain = { ...heart.physics.monodomain, end_ms: 1400 };
+  const stimuli = [{ ...apex, count: 2, interval_ms: 700 }];
   const twice = { ...heart, physics: { ...heart.physics, stimuli, monodomain } };
   await openAndRun(page, twice);
   const path = testInfo.outputPath('case.json');
@@ -96,7 +102,7 @@ test('a link brings a simulation: its activation map and its two waves have the 
   await page.getByTestId('simulate-wave').click();
   await expect(player(page)).toHaveAttribute('data-state', 'done');
   await idle(page);
-  await expect(player(page)).toHaveAttribute('data-frames', '81');
+  await expect(player(page)).toHaveAttribute('data-frames', '141');
   await expect(page.locator('.legend')).toContainText('Membrane voltage');
   expect(await digestInPage(page, 'activation_ms')).toBe(digestUnderNode(path, 'monodomain'));
   // What was found stands in the menu beside what is played.
