@@ -321,9 +321,9 @@ std::vector<Field> Monodomain::activation_fields() const {
       field("activations", "Number of activations", "1", Scale::kWhole, log_.activation_counts(count))};
   for (std::size_t k = 1; k < beats.size(); ++k) {
     const std::string beat = std::to_string(k + 1);
-    fields.push_back(field("activation_" + beat + "_ms", "Activation time, beat " + beat, "ms",
+    fields.push_back(field("activation_" + beat + "_ms", "Activation time (beat " + beat + ")", "ms",
                            Scale::kSequential, beats[k].activated_ms));
-    fields.push_back(field("repolarisation_" + beat + "_ms", "Repolarisation time, beat " + beat, "ms",
+    fields.push_back(field("repolarisation_" + beat + "_ms", "Repolarisation time (beat " + beat + ")", "ms",
                            Scale::kSequential, beats[k].repolarised_ms));
   }
   return fields;

@@ -67,7 +67,7 @@ TEST(ActivationFields, OfS1AndS2AreApartByTheirIntervalWhereTheTissueHasRecovere
   const std::vector<Field> fields = paced_twice(bar, 1000);
   const Field* second = find_field(fields, "activation_2_ms");
   ASSERT_TRUE(second);
-  EXPECT_EQ(second->title, "Activation time, beat 2");
+  EXPECT_EQ(second->title, "Activation time (beat 2)");
   EXPECT_FALSE(find_field(fields, "activation_3_ms"));
   // After 700 ms of recovery the gate is open but for 0.3 %, which costs 0.1 ms on a way of 40 ms.
   for (std::size_t i = 0; i < bar.points.size(); ++i) {

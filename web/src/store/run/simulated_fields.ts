@@ -27,7 +27,9 @@ export const beatShown = computed(() => {
   return { beat: Number(/_(\d+)_ms$/.exec(name)?.[1] ?? 1), count };
 });
 
-export const showBeat = (beat: number): string => (colourBy.value = ofBeat(colourBy.value, beat));
+export function showBeat(beat: number): void {
+  colourBy.value = ofBeat(colourBy.value, beat);
+}
 
 /** What was found, but of later beats only the one that is shown: there may be twenty. */
 const offeredFields = computed((): PlayedField[] =>
