@@ -31,34 +31,37 @@ void collect(Stage stage, std::vector<Stage>& order) {
 
 }  // namespace
 
-Status Session::load_volume(const VolumeFile& file) {
-  std::vector<std::string> warnings;
-  Result<LabelVolume> read = read_volume(file, &warnings);
+Status Session::load_volume(const VolumeFile& file, const ReadOptions& options) {
+  ReadRemarks remarks;
+  Result<LabelVolume> read = read_volume(file, options, &remarks);
   if (!read) return read.error();
   files_.volume = std::make_shared<const LabelVolume>(std::move(read).value());
   files_.digest = digest_of(*files_.volume);
-  files_.warnings = std::move(warnings);
+  files_.options = options;
+  files_.remarks = std::move(remarks);
   recipe_.source = {};
   recipe_.source.file = FileSource{file.name, files_.digest};
+  recipe_.source.read = options;
   files_changed();
   return std::monostate{};
 }
 
 Status Session::load_mask(const VolumeFile& file) {
-  std::vector<std::string> warnings;
-  Result<LabelVolume> read = read_volume(file, &warnings);
+  ReadRemarks remarks;
+  Result<LabelVolume> read = read_volume(file, {}, &remarks);
   if (!read) return read.error();
   std::string digest = digest_of(*read);
-  files_.masks[file.name] = {std::move(read).value(), std::move(digest), std::move(warnings)};
+  files_.masks[file.name] = {std::move(read).value(), std::move(digest), std::move(remarks)};
   files_changed();
   return std::monostate{};
 }
 
 Status Session::load_size_image(const VolumeFile& file) {
-  Result<ScalarVolume> read = read_scalar_volume(file);
+  ReadRemarks remarks;
+  Result<ScalarVolume> read = read_scalar_volume(file, &remarks);
   if (!read) return read.error();
   std::string digest = digest_of(*read);
-  files_.images[file.name] = {std::move(read).value(), std::move(digest), {}};
+  files_.images[file.name] = {std::move(read).value(), std::move(digest), std::move(remarks)};
   files_changed();
   return std::monostate{};
 }
@@ -77,6 +80,9 @@ Status Session::set_recipe(const Recipe& recipe) {
                      file->sha256.substr(0, 12) + "..., the volume loaded has " +
                      files_.digest.substr(0, 12) + "...: these are different volumes",
                  {}};
+  if (file && files_.volume && !(recipe.source.read == files_.options))
+    return usage_error("session", "source: found a unit, precedence, background or frame by which '" +
+                                      file->name + "' was not read, expected it to be loaded again");
   end();
   recipe_ = recipe;
   keys_ = keys_of(recipe_, files_);

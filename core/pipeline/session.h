@@ -39,8 +39,9 @@ class Session {
   /// `spare_bytes`: memory for results that the current recipe does not need.
   explicit Session(std::size_t spare_bytes = kSpareBytes) : store_(spare_bytes) {}
 
-  /// Takes the volume of a file; the recipe's source becomes that file. Nothing changes on failure.
-  Status load_volume(const VolumeFile& file);
+  /// Takes the volume of a file, read by these options; the recipe's source becomes that file with them.
+  /// Nothing changes on failure.
+  Status load_volume(const VolumeFile& file, const ReadOptions& options = {});
 
   /// Takes a file that an entry of sizing.masks or sizing.images refers to by its name; the recipe stays as
   /// it is. A file of the same name is replaced.
@@ -49,7 +50,7 @@ class Session {
   const LoadedFiles& files() const { return files_; }
 
   /// Replaces the recipe and ends a run that is under way. A `file` source keeps the volume that load_volume
-  /// gave, and must match its digest.
+  /// gave, must match its digest, and have the options by which it was read.
   Status set_recipe(const Recipe& recipe);
   const Recipe& recipe() const { return recipe_; }
 

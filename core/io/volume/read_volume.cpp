@@ -11,9 +11,10 @@
 #include "io/bytes/byte_source.h"
 #include "io/bytes/files.h"
 #include "io/bytes/header_text.h"
-#include "io/volume/read_metaimage.h"
-#include "io/volume/read_nifti.h"
-#include "io/volume/read_nrrd.h"
+#include "io/volume/formats/read_metaimage.h"
+#include "io/volume/formats/read_nifti.h"
+#include "io/volume/formats/read_nrrd.h"
+#include "io/volume/voxels/judge_volume.h"
 
 namespace voxtet {
 namespace {
@@ -46,31 +47,31 @@ std::string start_of(const VolumeFile& file) {
   return in_quotes({text, std::min<std::size_t>(file.bytes.size(), 16)});
 }
 
-Result<LabelVolume> read_any(const VolumeFile& file, std::vector<std::string>& warnings) {
+Result<LabelVolume> read_any(const VolumeFile& file, Reading& reading) {
   if (file.bytes.empty()) return bad_input(kVolumeReader, "the file is empty");
   if (is_gzipped(file)) {
     const Result<std::unique_ptr<ByteSource>> source = inflated_nifti(file);
     if (!source) return source.error();
-    return read_nifti(**source);
+    return read_nifti(**source, reading);
   }
-  if (starts_with(file.bytes, "NRRD")) return read_nrrd(file, warnings);
+  if (starts_with(file.bytes, "NRRD")) return read_nrrd(file, reading);
   if (looks_like_nifti(file.bytes.first(std::min(file.bytes.size(), kNiftiHeaderBytes))))
-    return read_nifti(*make_memory_source(file.bytes));
-  if (looks_like_metaimage(file.bytes)) return read_metaimage(file);
+    return read_nifti(*make_memory_source(file.bytes), reading);
+  if (looks_like_metaimage(file.bytes)) return read_metaimage(file, reading);
   return bad_input(kVolumeReader,
                    "starts with " + start_of(file) +
                        "; expected NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)");
 }
 
-Result<ScalarVolume> read_any_scalars(const VolumeFile& file) {
+Result<ScalarVolume> read_any_scalars(const VolumeFile& file, Reading& reading) {
   if (file.bytes.empty()) return bad_input(kVolumeReader, "the file is empty");
   if (is_gzipped(file)) {
     const Result<std::unique_ptr<ByteSource>> source = inflated_nifti(file);
     if (!source) return source.error();
-    return read_nifti_scalars(**source);
+    return read_nifti_scalars(**source, reading);
   }
   if (looks_like_nifti(file.bytes.first(std::min(file.bytes.size(), kNiftiHeaderBytes))))
-    return read_nifti_scalars(*make_memory_source(file.bytes));
+    return read_nifti_scalars(*make_memory_source(file.bytes), reading);
   return bad_input(kVolumeReader, "starts with " + start_of(file) +
                                       "; expected an image of numbers as NIfTI (.nii, .nii.gz)");
 }
@@ -97,21 +98,34 @@ auto guarded(const std::string& name, Read read) -> decltype(read()) {
 
 }  // namespace
 
-Result<LabelVolume> read_volume(const VolumeFile& file, std::vector<std::string>* warnings) {
+Result<LabelVolume> read_volume(const VolumeFile& file, const ReadOptions& options, ReadRemarks* remarks) {
   return guarded(file.name, [&] {
-    std::vector<std::string> found;
-    Result<LabelVolume> volume = named(file.name, read_any(file, found));
-    if (volume && warnings)
-      for (const std::string& warning : found) warnings->push_back(file.name + ": " + warning);
+    Reading reading{options};
+    Result<LabelVolume> volume = named(file.name, read_any(file, reading));
+    if (volume && remarks) {
+      warn_of_unlikely(*volume, reading);
+      for (const std::string& warning : reading.remarks.warnings)
+        remarks->warnings.push_back(file.name + ": " + warning);
+      for (const std::string& note : reading.remarks.notes) remarks->notes.push_back(file.name + ": " + note);
+    }
     return volume;
   });
 }
 
-Result<ScalarVolume> read_scalar_volume(const VolumeFile& file) {
-  return guarded(file.name, [&] { return named(file.name, read_any_scalars(file)); });
+Result<ScalarVolume> read_scalar_volume(const VolumeFile& file, ReadRemarks* remarks) {
+  return guarded(file.name, [&] {
+    const ReadOptions options;
+    Reading reading{options};
+    Result<ScalarVolume> volume = named(file.name, read_any_scalars(file, reading));
+    if (volume && remarks)
+      for (const std::string& warning : reading.remarks.warnings)
+        remarks->warnings.push_back(file.name + ": " + warning);
+    return volume;
+  });
 }
 
-Result<LabelVolume> read_volume_file(const std::string& path, std::vector<std::string>* warnings) {
+Result<LabelVolume> read_volume_file(const std::string& path, const ReadOptions& options,
+                                     ReadRemarks* remarks) {
   return guarded(path, [&]() -> Result<LabelVolume> {
     const std::filesystem::path place(path);
     const Result<Bytes> bytes = read_file(path);
@@ -119,7 +133,7 @@ Result<LabelVolume> read_volume_file(const std::string& path, std::vector<std::s
     return read_volume(
         {path, *bytes,
          [&](const std::string& name) { return read_file((place.parent_path() / name).string()); }},
-        warnings);
+        options, remarks);
   });
 }
 

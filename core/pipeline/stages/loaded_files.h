@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "types/label_volume.h"
+#include "types/read_options.h"
 #include "types/scalar_volume.h"
 
 namespace voxtet {
@@ -16,13 +17,14 @@ template <class Volume>
 struct SideVolume {
   Volume volume;
   std::string digest;
-  std::vector<std::string> warnings;  ///< of its reader
+  ReadRemarks remarks;
 };
 
 struct LoadedFiles {
   std::shared_ptr<const LabelVolume> volume;               ///< null: none was loaded
   std::string digest;                                      ///< digest_of(*volume)
-  std::vector<std::string> warnings;                       ///< of its reader
+  ReadOptions options;                                     ///< by which it was read
+  ReadRemarks remarks;                                     ///< of its reader
   std::map<std::string, SideVolume<LabelVolume>> masks;    ///< by the file's name
   std::map<std::string, SideVolume<ScalarVolume>> images;  ///< by the file's name
 };
