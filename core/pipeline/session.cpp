@@ -80,9 +80,6 @@ Status Session::set_recipe(const Recipe& recipe) {
                      file->sha256.substr(0, 12) + "..., the volume loaded has " +
                      files_.digest.substr(0, 12) + "...: these are different volumes",
                  {}};
-  if (file && files_.volume && !(recipe.source.read == files_.options))
-    return usage_error("session", "source: found a unit, precedence, background or frame by which '" +
-                                      file->name + "' was not read, expected it to be loaded again");
   end();
   recipe_ = recipe;
   keys_ = keys_of(recipe_, files_);

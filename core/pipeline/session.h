@@ -50,7 +50,7 @@ class Session {
   const LoadedFiles& files() const { return files_; }
 
   /// Replaces the recipe and ends a run that is under way. A `file` source keeps the volume that load_volume
-  /// gave, must match its digest, and have the options by which it was read.
+  /// gave, and must match its digest; a run refuses it where it was read by other options.
   Status set_recipe(const Recipe& recipe);
   const Recipe& recipe() const { return recipe_; }
 

@@ -76,6 +76,9 @@ Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out,
     result.source = std::make_shared<const LabelVolume>(std::move(made).value());
     result.digest = digest_of(*result.source);
   } else if (in.files.volume) {
+    if (!(recipe.source.read == in.files.options))
+      return usage_error(kVolumeStage, "source: found a unit, precedence, background or frame by which the "
+                                       "volume was not read, expected it to be loaded again");
     result.source = in.files.volume;
     result.digest = in.files.digest;
     say(in.files.remarks, kVolumeStage, ctx);
@@ -293,7 +296,8 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .name = kVolumeStage,
        .title = "Volume",
        .inputs = {},
-       .reads = {"source.phantom", "labels", "merge", "volume"},
+       .reads = {"source.phantom", "source.unit", "source.precedence", "source.background", "source.frame",
+                 "labels", "merge", "volume"},
        .add_files = add_volume,
        .run = run_volume,
        .counts = counts<VolumeResult>,
