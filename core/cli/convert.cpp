@@ -41,6 +41,7 @@ int convert_mesh(const ConvertOptions& wanted, const Output& output) {
   for (const std::string& name : arrays.left_out)
     print_warning(in + ": left out the array " + name + ", expected a finite number for each cell");
   WriteMeshOptions options;
+  options.infos = std::move(arrays.infos);
   for (Field& field : arrays.cell_data) {
     if (field.components == 1 || has_place_for(field.on, field.components, *format))
       options.cell_data.push_back(std::move(field));
