@@ -59,13 +59,16 @@ TEST(ReadFrames, MapsGiveTheFrameWithTheLargestValue) {
   EXPECT_EQ(first_labels(read(frames_of({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}).bytes(), {}, remarks), 3),
             (std::vector<Label>{0, 1, 2}));
   expect_remark(remarks.notes,
-                "dim[4] is 3: maps of 0 to 1, of which each voxel takes the largest; frame 0 is "
+                "dim[4] is 3: one-hot or probability maps, of which each voxel takes the largest; frame 0 is "
                 "the background, frame n the label n");
   remarks = {};
   // Without one: what is missing to 1 is the background's.
   EXPECT_EQ(first_labels(read(frames_of({{.6F, .3F, .1F}, {.2F, .45F, .2F}}).bytes(), {}, remarks), 3),
             (std::vector<Label>{1, 2, 0}));
   expect_remark(remarks.notes, "frame n is the label n + 1");
+  // Masks of bytes.
+  EXPECT_EQ(first_labels(read(frames_of({{255, 0, 0}, {0, 255, 0}}).bytes(), {}, remarks), 3),
+            (std::vector<Label>{1, 2, 0}));
   // Softmax in half precision.
   EXPECT_EQ(
       first_labels(read(frames_of({{.333F, .25F}, {.333F, .755F}, {.336F, 0}}).bytes(), {}, remarks), 2),

@@ -173,7 +173,7 @@ TEST(ReadNifti, RefusesDamagedGzip) {
   length[length.size() - 2] ^= 1;
   expect_refused(length, "gzip data are damaged: incorrect length check");
   expect_refused(whole + bytes_of_text("x"), "1 bytes follow the end of the gzip data");
-  expect_refused(*gzip_bytes(bytes_of_text("something else")), "gzip data that hold no NIfTI header");
+  expect_refused(*gzip_bytes(bytes_of_text("something else")), "gzip data that hold no NIfTI or MGH header");
 }
 
 TEST(ReadNifti, ReadsSeveralGzipMembers) {
@@ -181,6 +181,13 @@ TEST(ReadNifti, ReadsSeveralGzipMembers) {
   const auto middle = whole.begin() + 200;
   const Bytes both = *gzip_bytes(Bytes(whole.begin(), middle)) + *gzip_bytes(Bytes(middle, whole.end()));
   expect_volume(read(both), sample_labels(false), kSform);
+}
+
+TEST(ReadVolume, SaysWhatToConvertDicomWith) {
+  Bytes dicom(132, 0);
+  std::copy_n("DICM", 4, dicom.begin() + 128);
+  expect_refused(dicom + Bytes(200, 1),
+                 "is a DICOM file; expected a volume of labels: open the segmentation");
 }
 
 TEST(ReadVolume, RefusesWhatItDoesNotKnow) {

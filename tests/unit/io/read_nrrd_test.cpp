@@ -249,9 +249,10 @@ TEST(ReadNrrd, FlattensLayersWithTheLaterSegmentOnTop) {
   const Result<LabelVolume> lost = read_layers({});
   ASSERT_TRUE(lost.ok());
   ASSERT_EQ(warnings.size(), 3U);
-  EXPECT_EQ(warnings[0],
-            "a.seg.nrrd: SEGMENT LOST: pool (label 1) loses all of its 1 voxel to scar (label 3), and will "
-            "not be in the mesh; to keep it, let it win with --precedence \"pool\" (source.precedence)");
+  EXPECT_EQ(
+      warnings[0],
+      "a.seg.nrrd: SEGMENT LOST: segment pool (label 1) loses all of its 1 voxel to scar (label 3), and will "
+      "not be in the mesh; to keep it, let it win with --precedence \"pool\" (source.precedence)");
   EXPECT_EQ(warnings[1], "a.seg.nrrd: segment wall (label 2) has no voxels");
   EXPECT_EQ(chosen({"pool"}), (std::vector<Label>{0, 3, 1, 3}));
   set(11, 0, 7);

@@ -169,7 +169,8 @@ TEST(ReadOptions, UnlikelyLengthsAreWarnedOf) {
   EXPECT_EQ(warnings_at(0.04, 0, LengthUnit::kOfFile),
             std::vector<std::string>{"sample: the volume spans 0.12 mm (120 mm if its numbers are m): wrong "
                                      "unit? --unit m (source.unit) says it"});
-  EXPECT_EQ(warnings_at(1.5, 1, LengthUnit::kOfFile).size(), 1U);
+  expect_remark(warnings_at(1.5, 1, LengthUnit::kOfFile),
+                "spans 4,500 mm (4.5 mm if its numbers are mm): wrong unit? --unit mm");
   for (const double usual : {0.4, 1.0, 50.0, 700.0})
     EXPECT_TRUE(warnings_at(usual, 2, LengthUnit::kOfFile).empty()) << usual;
   // Small numbers of a file that says um, and what somebody says, are meant.
@@ -228,6 +229,15 @@ TEST(ReadOptions, ZerosBehindCompressedDataArePassedOver) {
                                                       " zero bytes follow the compressed data; passed over"});
   }
   expect_refused(whole + Bytes{0, 0, 1}, "3 bytes follow the end of the gzip data");
+}
+
+TEST(ReadOptions, AVolumeOfOneSliceIsSaidInPlainWords) {
+  NiftiFile file;
+  file.dim = {3, 3, 4, 1, 1, 1, 1, 1};
+  ReadRemarks remarks;
+  ASSERT_TRUE(read(file.bytes(), {}, remarks).ok());
+  expect_remark(remarks.warnings,
+                "the volume is one slice thick (3 x 4 x 1 voxels), so that its mesh is a plate");
 }
 
 TEST(ReadOptions, APrecedenceWithoutSegmentsHasNoEffect) {

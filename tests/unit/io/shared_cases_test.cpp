@@ -59,7 +59,7 @@ TEST(SharedCases, ALostSegmentIsSaidAndComesBackByPrecedence) {
   ASSERT_TRUE(lost) << lost.error().message;
   EXPECT_EQ(bodies(*lost), (std::array<std::size_t, 2>{0, 2176}));
   expect_remark(remarks.warnings,
-                "SEGMENT LOST: inner (label 1) loses all of its 280 voxels to outer (label 2)");
+                "SEGMENT LOST: segment inner (label 1) loses all of its 280 voxels to outer (label 2)");
   expect_remark(remarks.warnings, "overlap in 280 voxels");
   ReadOptions options;
   options.precedence = {"inner"};

@@ -180,12 +180,14 @@ struct Overlaps {
       const std::size_t other = pair.first == lost ? pair.second : pair.first;
       if (order.wins(other, lost)) winners += (winners.empty() ? "" : ", ") + called(segments[other]);
     }
-    const std::string name = segments[lost].info.name.empty() ? std::to_string(segments[lost].info.label)
-                                                              : segments[lost].info.name;
-    reading.warn("SEGMENT LOST: " + called(segments[lost]) + " loses all of its " + voxels(claimed[lost]) +
-                 " to " + winners +
-                 ", and will not be in the mesh; to keep it, let it win with --precedence " +
-                 in_quotes(name) + " (source.precedence)");
+    const LabelInfo& info = segments[lost].info;
+    // The command line takes a comma for the end of a name.
+    const bool plain = !info.name.empty() && info.name.find(',') == std::string::npos;
+    const std::string name = plain ? in_quotes(info.name) : std::to_string(info.label);
+    reading.warn("SEGMENT LOST: segment " + called(segments[lost]) + " loses all of its " +
+                 voxels(claimed[lost]) + " to " + winners +
+                 ", and will not be in the mesh; to keep it, let it win with --precedence " + name +
+                 " (source.precedence)");
   }
 };
 

@@ -99,8 +99,9 @@ Status LabelCollector::take(std::span<const double> values) {
 Error LabelCollector::no_label(std::uint64_t index, double value) const {
   std::string remedy;
   if (value != std::floor(value))
-    remedy = layout_.scaled() ? ": if they are labels, round them and save them without scl_slope"
-                              : ": if they are labels, round them and save them as whole numbers";
+    remedy = layout_.scaled()
+                 ? ": if they are labels, round them and save them without scl_slope"
+                 : ": an image, not labels? if they are labels, round them and save them as whole numbers";
   return bad_input(layout_.stage, voxel_name(layout_, index) + " has the value " + number_text(value) +
                                       "; expected labels, whole numbers from 0 to 65535" + remedy);
 }

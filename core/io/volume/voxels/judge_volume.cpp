@@ -59,7 +59,7 @@ void warn_of_unit(const LabelVolume& volume, Reading& reading) {
     double mm;
   };
   constexpr std::array<Unit, 5> kCandidates{
-      {{"um", 0.001}, {"m", 1000}, {"cm", 10}, {"mm", 1}, {"nm", 1e-6}}};
+      {{"um", 0.001}, {"mm", 1}, {"m", 1000}, {"cm", 10}, {"nm", 1e-6}}};
   std::string guess, remedy = "mm";
   for (const Unit& unit : kCandidates) {
     const double other = span / per_number * unit.mm;
@@ -70,6 +70,13 @@ void warn_of_unit(const LabelVolume& volume, Reading& reading) {
   }
   reading.warn("the volume spans " + with_commas(span) + " mm" + guess + ": wrong unit? --unit " + remedy +
                " (source.unit) says it");
+}
+
+void warn_of_slice(const LabelVolume& volume, Reading& reading) {
+  const auto& [nx, ny, nz] = volume.size;
+  if (std::min({nx, ny, nz}) > 1) return;
+  reading.warn("the volume is one slice thick (" + std::to_string(nx) + " x " + std::to_string(ny) + " x " +
+               std::to_string(nz) + " voxels), so that its mesh is a plate; expected a stack of slices");
 }
 
 }  // namespace
@@ -110,6 +117,7 @@ void warn_of_unlikely(const LabelVolume& volume, Reading& reading) {
     reading.warn(std::to_string(values) + " values: an image, not labels? expected a mask, with a whole " +
                  "number for each structure");
   warn_of_unit(volume, reading);
+  warn_of_slice(volume, reading);
   if (!reading.options.precedence.empty() && !reading.precedence_used)
     reading.warn("source.precedence has no effect: the file has one label a voxel, so that nothing overlaps");
 }

@@ -13,8 +13,8 @@ namespace voxtet {
 /// say so, more than 64 for a smooth image.
 std::size_t count_values_of_image(const LabelVolume& volume);
 
-/// Warns of what looks like a grey image, of lengths that look like a wrong unit, and of options that have no
-/// effect.
+/// Warns of what looks like a grey image, of lengths that look like a wrong unit, of one slice, and of
+/// options that have no effect.
 void warn_of_unlikely(const LabelVolume& volume, Reading& reading);
 
 }  // namespace voxtet

@@ -8,8 +8,7 @@
 namespace voxtet {
 namespace {
 
-constexpr float kOne = 1.02F;  ///< largest sum that is one, after rounding to half precision
-constexpr float kNearlyOne = 0.98F;
+constexpr float kRounding = 0.02F;  ///< what a sum may be off by, with maps in half precision
 constexpr std::int64_t kMostMaps = 65535;
 
 /// Finds the largest value of each voxel over all frames.
@@ -36,19 +35,26 @@ class FrameMerger : public ValueSink {
   }
 
   /// Whether the values were those of maps.
-  bool are_maps() const { return maps_ && std::count(used_.begin(), used_.end(), true) > 1; }
+  bool are_maps() const {
+    const float largest_sum = *std::max_element(sum_.begin(), sum_.end());
+    return maps_ && whole_value() > 0 && largest_sum <= (1 + kRounding) * whole_value() &&
+           std::count(used_.begin(), used_.end(), true) > 1;
+  }
 
   std::vector<Label> labels(Reading& reading) {
-    const bool whole = std::all_of(sum_.begin(), sum_.end(), [](float sum) { return sum >= kNearlyOne; });
+    const float whole = whole_value();
+    const bool complete =
+        std::all_of(sum_.begin(), sum_.end(), [&](float sum) { return sum >= (1 - kRounding) * whole; });
     for (std::size_t v = 0; v < which_.size(); ++v) {
-      if (whole)
+      if (complete)
         which_[v] = static_cast<Label>(which_[v] - 1);
-      else if (!(best_[v] > 1 - sum_[v]))
+      else if (!(best_[v] > whole - sum_[v]))
         which_[v] = kBackground;
     }
-    reading.note(layout_.frames_said + ": maps of 0 to 1, of which each voxel takes the largest; " +
-                 (whole ? "frame 0 is the background, frame n the label n"
-                        : "frame n is the label n + 1, counted from 0"));
+    reading.note(layout_.frames_said +
+                 ": one-hot or probability maps, of which each voxel takes the largest; " +
+                 (complete ? "frame 0 is the background, frame n the label n"
+                           : "frame n is the label n + 1, counted from 0"));
     return std::move(which_);
   }
 
@@ -60,10 +66,16 @@ class FrameMerger : public ValueSink {
     if (!maps_ || value == 0) return;
     used_[frame_] = true;
     sum_[voxel_] += value;
-    if (sum_[voxel_] > kOne) maps_ = false;
+    largest_ = std::max(largest_, value);
     if (value <= best_[voxel_]) return;
     best_[voxel_] = value;
     which_[voxel_] = static_cast<Label>(frame_ + 1);
+  }
+
+  /// What certainty is stored as: 1, or in bytes 255 or 100 percent; 0 where the values are no such shares.
+  float whole_value() const {
+    if (largest_ <= 1 + kRounding) return 1;
+    return largest_ == 255 || largest_ == 100 ? largest_ : 0;
   }
 
   const VoxelLayout& layout_;
@@ -72,6 +84,7 @@ class FrameMerger : public ValueSink {
   std::vector<Label> which_;  ///< the frame of the best value, from 1; 0: none
   std::size_t voxel_ = 0, frame_ = 0;
   bool maps_ = true;
+  float largest_ = 0;
 };
 
 Error choose_frame(const VoxelLayout& layout, std::int64_t count) {

@@ -14,7 +14,7 @@ import { awaitedSides, type SideFile } from './side_files';
 import { openSideFile } from './size_files';
 import { unpackZip } from './zip';
 
-const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|hdr)$/i;
+const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|mgh|mgz|hdr)$/i;
 
 /** DICOM files say so after 128 bytes of anything. */
 async function isDicom(file: File): Promise<boolean> {
