@@ -204,7 +204,7 @@ TEST(ReadOptions, TwoAffinesThatDifferAreWarnedOf) {
   expect_remark(remarks.warnings, "and a reflection; the sform is used");
 }
 
-TEST(ReadOptions, AGoodQformTakesThePlaceOfASformThatIsNone) {
+TEST(ReadOptions, AGoodQformTakesThePlaceOfASformOfZeros) {
   NiftiFile file;
   file.qform_code = 1;
   file.qoffset = {10, 20, 30};
@@ -213,11 +213,12 @@ TEST(ReadOptions, AGoodQformTakesThePlaceOfASformThatIsNone) {
   expect_volume(read(file.bytes(), {}, remarks), sample_labels(false), kPlaced);
   EXPECT_TRUE(remarks.warnings.empty());
   EXPECT_EQ(remarks.notes, std::vector<std::string>{"sample: the sform is all zeros; the qform is used"});
+  // One that is damaged is not taken for absent.
   file.srow = {1, 2, 0, 0, 1, 2, 0, 0, 0, 0, 1, 0};
-  expect_volume(read(file.bytes(), {}, remarks), sample_labels(false), kPlaced);
-  expect_remark(remarks.warnings, "is singular: the three voxel axes lie in one plane; the qform is used");
-  file.pixdim[1] = 0;
   expect_refused(file.bytes(), "srow_x, srow_y, srow_z) is singular");
+  file.srow.fill(0);
+  file.pixdim[1] = 0;
+  expect_refused(file.bytes(), "srow_x, srow_y, srow_z) gives a voxel spacing of 0 mm");
 }
 
 TEST(ReadOptions, ZerosBehindCompressedDataArePassedOver) {

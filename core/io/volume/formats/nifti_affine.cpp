@@ -121,17 +121,13 @@ void compare_forms(const NiftiHeader& h, const Eigen::Matrix4d& sform, const Eig
 Result<Eigen::Matrix4d> sform_or_qform(const NiftiHeader& h, double scale, Reading& reading) {
   const Eigen::Matrix4d sform = sform_of(h, scale);
   const Result<Eigen::Matrix4d> qform = good_qform(h, scale);
-  const Status good = check_affine(kNiftiReader, kSform, sform);
-  if (good) {
-    if (qform) compare_forms(h, sform, *qform, reading);
-    return sform;
-  }
-  if (!qform) return good.error();
-  if (sform.topRows<3>().isZero(0))
+  if (qform && sform.topLeftCorner<3, 3>().isZero(0)) {
     reading.note("the sform is all zeros; the qform is used");
-  else
-    reading.warn(good.error().message + "; the qform is used");
-  return qform;
+    return qform;
+  }
+  if (Status good = check_affine(kNiftiReader, kSform, sform); !good) return good.error();
+  if (qform) compare_forms(h, sform, *qform, reading);
+  return sform;
 }
 
 }  // namespace

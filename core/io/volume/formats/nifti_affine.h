@@ -9,10 +9,10 @@
 namespace voxtet {
 
 /// Indices to mm, RAS: the sform when its code is > 0, else the qform when its code is > 0, else pixdim
-/// centred on the image with x to the left (as nibabel does). A sform of zeros, or one that is no affine,
-/// gives way to a qform that is one, which is noted or warned of; where both are good but differ by more than
-/// a tenth of a voxel, a warning says by how much. Lengths in the unit of xyzt_units (mm where it names
-/// none), or in that of the options. Errors: kBadInput naming the field.
+/// centred on the image with x to the left (as nibabel does). A sform of zeros gives way to a good qform,
+/// with a note; where both are good but place a corner of the image more than a tenth of a voxel apart, a
+/// warning says by how much. Lengths in the unit of xyzt_units (mm where it names none), or in that of the
+/// options. Errors: kBadInput naming the field.
 Result<Eigen::Matrix4d> nifti_affine(const NiftiHeader& header, Reading& reading);
 
 }  // namespace voxtet
