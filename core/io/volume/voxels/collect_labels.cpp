@@ -59,39 +59,41 @@ bool LabelCollector::whole_number(double value, std::int64_t& whole) {
   return true;
 }
 
-std::optional<Label> LabelCollector::code_of(std::int64_t value, std::uint64_t index) {
-  if (value == last_value_ && last_code_ >= 0) return static_cast<Label>(last_code_);
-  last_value_ = value;
+Result<Label> LabelCollector::code_of(double number, std::uint64_t index) {
+  std::int64_t value = 0;
+  if (!whole_number(number, value)) return no_label(index, number);
   const bool small = value >= 0 && value <= kLargestLabel;
   if (small) {
-    last_code_ = code_of_small_[static_cast<std::size_t>(value)];
-  } else {
-    const auto known = code_of_large_.find(value);
-    last_code_ = known == code_of_large_.end() ? -1 : known->second;
+    const std::int32_t known = code_of_small_[static_cast<std::size_t>(value)];
+    if (known >= 0) return static_cast<Label>(known);
+  } else if (const auto known = code_of_large_.find(value); known != code_of_large_.end()) {
+    return known->second;
   }
-  if (last_code_ >= 0) return static_cast<Label>(last_code_);
-  if (found_.size() == kMostValues) return std::nullopt;
-  last_code_ = static_cast<std::int32_t>(found_.size());
+  if (found_.size() == kMostValues)
+    return bad_input(layout_.stage,
+                     "the voxels have more than 65536 different values: an image, not labels? expected "
+                     "labels, whole numbers from 0 to 65535");
+  const auto code = static_cast<Label>(found_.size());
   found_.push_back({value, index});
   if (small)
-    code_of_small_[static_cast<std::size_t>(value)] = last_code_;
+    code_of_small_[static_cast<std::size_t>(value)] = code;
   else
-    code_of_large_[value] = static_cast<Label>(last_code_);
-  return static_cast<Label>(last_code_);
+    code_of_large_[value] = code;
+  return code;
 }
 
 Status LabelCollector::take(std::span<const double> values) {
   for (const double value : values) {
     const std::uint64_t index = seen_++;
     if (!is_picked(index)) continue;
-    std::int64_t whole = 0;
-    if (!whole_number(value, whole)) return no_label(index, value);
-    const std::optional<Label> code = code_of(whole, index);
-    if (!code)
-      return bad_input(layout_.stage,
-                       "the voxels have more than 65536 different values: an image, not labels? expected "
-                       "labels, whole numbers from 0 to 65535");
-    codes_.push_back(*code);
+    // Most voxels are like the one before.
+    if (value != last_value_ || found_.empty()) {
+      const Result<Label> code = code_of(value, index);
+      if (!code) return code.error();
+      last_value_ = value;
+      last_code_ = *code;
+    }
+    codes_.push_back(last_code_);
   }
   return std::monostate{};
 }

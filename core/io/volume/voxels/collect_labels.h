@@ -37,8 +37,8 @@ class LabelCollector : public ValueSink {
   bool is_picked(std::uint64_t index) const;
   /// The whole number that a value stands for; false: it stands for none.
   bool whole_number(double value, std::int64_t& whole);
-  /// The code of a value, its place in `found_`; nothing where there are too many values.
-  std::optional<Label> code_of(std::int64_t value, std::uint64_t index);
+  /// The code of a value, its place in `found_`.
+  Result<Label> code_of(double number, std::uint64_t index);
   Error no_label(std::uint64_t index, double value) const;
   Status check_negatives() const;
   Result<std::vector<Label>> labels_of_codes();
@@ -53,8 +53,8 @@ class LabelCollector : public ValueSink {
   std::vector<Found> found_;                 ///< in the order of the first voxels
   std::vector<std::int32_t> code_of_small_;  ///< of 0 to 65535; -1: none
   std::map<std::int64_t, Label> code_of_large_;
-  std::int64_t last_value_ = 0;
-  std::int32_t last_code_ = -1;
+  double last_value_ = 0;
+  Label last_code_ = 0;
   double rounded_ = 0, farthest_ = 0;  ///< the value that was rounded most, and how far
 };
 

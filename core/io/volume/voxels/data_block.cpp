@@ -9,7 +9,7 @@
 namespace voxtet {
 namespace {
 
-constexpr std::int64_t kMostFiles = 100000;
+constexpr std::int64_t kMostFiles = 20000;
 
 /// Reads the file beside the header that a field names.
 Result<Bytes> read_sibling(const VolumeFile& file, const std::string& stage, const std::string& field,
