@@ -132,7 +132,7 @@ TEST(ParseRecipe, ReadsHowAVolumeIsRead) {
   EXPECT_EQ(read->source.read, (ReadOptions{LengthUnit::kMicrometre, {"inner", "3"}, -1, 2}));
   EXPECT_EQ(parse_recipe(recipe_to_json(*read))->source.read, read->source.read);
   EXPECT_FALSE(recipe_to_json(Recipe{}, true).contains("source"));
-  const auto message = [](const std::string& text) { return parse_recipe(text).error().message; };
+  const auto message = [](std::string_view text) { return parse_recipe(text).error().message; };
   EXPECT_EQ(message(R"({"source": {"unit": "inch"}})"),
             R"(source.unit: found "inch", expected one of file, m, cm, mm, um, nm)");
   EXPECT_EQ(message(R"({"source": {"precedence": [true]}})"),

@@ -535,6 +535,10 @@ export const stageSpecs = [
     "inputs": [],
     "reads": [
       "source.phantom",
+      "source.unit",
+      "source.precedence",
+      "source.background",
+      "source.frame",
       "labels",
       "merge",
       "volume"
