@@ -123,7 +123,7 @@ Result<Eigen::Matrix4d> sform_or_qform(const NiftiHeader& h, double scale, Readi
   const Result<Eigen::Matrix4d> qform = good_qform(h, scale);
   if (qform && sform.topLeftCorner<3, 3>().isZero(0)) {
     reading.note("the sform is all zeros; the qform is used");
-    return qform;
+    return *qform;
   }
   if (Status good = check_affine(kNiftiReader, kSform, sform); !good) return good.error();
   if (qform) compare_forms(h, sform, *qform, reading);

@@ -82,35 +82,35 @@ Result<std::vector<double>> mm_per_unit(const NrrdHeader& header, const std::str
 
 /// Per axis: true or false where the kind says spatial or not, nothing where it says neither.
 Result<std::vector<std::optional<bool>>> spatial_kinds(const NrrdHeader& header, std::size_t dimension) {
-  constexpr std::array<std::string_view, 29> other{"time",
-                                                   "list",
-                                                   "point",
-                                                   "vector",
-                                                   "covariant-vector",
-                                                   "normal",
-                                                   "stub",
-                                                   "scalar",
-                                                   "complex",
-                                                   "2-vector",
-                                                   "3-color",
-                                                   "rgb-color",
-                                                   "hsv-color",
-                                                   "xyz-color",
-                                                   "4-color",
-                                                   "rgba-color",
-                                                   "3-vector",
-                                                   "3-gradient",
-                                                   "3-normal",
-                                                   "4-vector",
-                                                   "quaternion",
-                                                   "2d-symmetric-matrix",
-                                                   "2d-masked-symmetric-matrix",
-                                                   "2d-matrix",
-                                                   "2d-masked-matrix",
-                                                   "3d-symmetric-matrix",
-                                                   "3d-masked-symmetric-matrix",
-                                                   "3d-matrix",
-                                                   "3d-masked-matrix"};
+  constexpr std::array<std::string_view, 29> kOther{"time",
+                                                    "list",
+                                                    "point",
+                                                    "vector",
+                                                    "covariant-vector",
+                                                    "normal",
+                                                    "stub",
+                                                    "scalar",
+                                                    "complex",
+                                                    "2-vector",
+                                                    "3-color",
+                                                    "rgb-color",
+                                                    "hsv-color",
+                                                    "xyz-color",
+                                                    "4-color",
+                                                    "rgba-color",
+                                                    "3-vector",
+                                                    "3-gradient",
+                                                    "3-normal",
+                                                    "4-vector",
+                                                    "quaternion",
+                                                    "2d-symmetric-matrix",
+                                                    "2d-masked-symmetric-matrix",
+                                                    "2d-matrix",
+                                                    "2d-masked-matrix",
+                                                    "3d-symmetric-matrix",
+                                                    "3d-masked-symmetric-matrix",
+                                                    "3d-matrix",
+                                                    "3d-masked-matrix"};
   std::vector<std::optional<bool>> spatial(dimension);
   const std::string* text = header.find("kinds");
   if (text == nullptr) return spatial;
@@ -121,7 +121,7 @@ Result<std::vector<std::optional<bool>>> spatial_kinds(const NrrdHeader& header,
     const std::string kind = lower_case(words[axis]);
     if (kind == "domain" || kind == "space")
       spatial[axis] = true;
-    else if (std::find(other.begin(), other.end(), kind) != other.end())
+    else if (std::find(kOther.begin(), kOther.end(), kind) != kOther.end())
       spatial[axis] = false;
     else if (kind != "none" && kind != "???")
       return bad_nrrd("kinds holds the unknown kind " + in_quotes(words[axis]));
