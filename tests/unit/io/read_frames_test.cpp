@@ -1,4 +1,6 @@
 // Files with several values a voxel, and volumes in several files.
+#include <random>
+
 #include "io/bytes/byte_source.h"
 #include "unit/io/nifti_file.h"
 #include "unit/io/remarks.h"
@@ -73,6 +75,30 @@ TEST(ReadFrames, MapsGiveTheFrameWithTheLargestValue) {
   EXPECT_EQ(
       first_labels(read(frames_of({{.333F, .25F}, {.333F, .755F}, {.336F, 0}}).bytes(), {}, remarks), 2),
       (std::vector<Label>{2, 1}));
+}
+
+TEST(ReadFrames, MapsGiveTheSameLabelsOnEveryPlatform) {
+  // Softmax of seeded numbers, in single precision.
+  constexpr std::size_t kFrames = 5, kVoxels = 4096;
+  std::mt19937 random(11);
+  std::vector<std::vector<float>> maps(kFrames, std::vector<float>(kVoxels));
+  for (std::size_t v = 0; v < kVoxels; ++v) {
+    float sum = 0;
+    for (auto& map : maps) sum += map[v] = static_cast<float>(random() % 1000);
+    for (auto& map : maps) map[v] /= sum;
+  }
+  NiftiFile file = frames_of({});
+  file.dim = {4, 16, 16, 16, kFrames, 1, 1, 1};
+  for (const auto& map : maps) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(map.data());
+    file.data.insert(file.data.end(), bytes, bytes + kVoxels * sizeof(float));
+  }
+  const Result<LabelVolume> volume = read(file.bytes());
+  ASSERT_TRUE(volume) << volume.error().message;
+  std::uint64_t digest = 1469598103934665603U;  // FNV-1a
+  for (const Label label : volume->labels) digest = (digest ^ label) * 1099511628211U;
+  EXPECT_EQ(digest, 3377184080303764747U);  // that of numpy.argmax
+  EXPECT_GT(std::count(volume->labels.begin(), volume->labels.end(), Label{4}), 500);
 }
 
 TEST(ReadFrames, FramesThatAreNoMapsAreLeftToTheUser) {
