@@ -77,8 +77,9 @@ Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out,
     result.digest = digest_of(*result.source);
   } else if (in.files.volume) {
     if (!(recipe.source.read == in.files.options))
-      return usage_error(kVolumeStage, "source: found a unit, precedence, background or frame by which the "
-                                       "volume was not read, expected it to be loaded again");
+      return usage_error(kVolumeStage,
+                         "source: found a unit, precedence, background or frame by which the "
+                         "volume was not read, expected it to be loaded again");
     result.source = in.files.volume;
     result.digest = in.files.digest;
     say(in.files.remarks, kVolumeStage, ctx);
