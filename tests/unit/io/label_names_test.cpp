@@ -22,7 +22,7 @@ const std::vector<LabelInfo> kInfos{{1, "Herz \"wand\", links/", {1, 0, 0}},
                                     {2, "of no tetrahedron", {0, 1, 0}},
                                     {7, "*END, a=b <x>& --\xc3\xa4", {0, 0, 1}}};
 
-Bytes written(MeshFormat format, const std::vector<LabelInfo>& infos) {
+Bytes file_with_names(MeshFormat format, const std::vector<LabelInfo>& infos) {
   WriteMeshOptions options;
   options.infos = infos;
   const Result<std::vector<OutputFile>> files = write_tet_mesh(two_tets(), format, options);
@@ -31,7 +31,7 @@ Bytes written(MeshFormat format, const std::vector<LabelInfo>& infos) {
 }
 
 std::vector<LabelInfo> names_back(MeshFormat format, const std::vector<LabelInfo>& infos) {
-  const Bytes bytes = written(format, infos);
+  const Bytes bytes = file_with_names(format, infos);
   MeshArrays arrays;
   const Result<TetMesh> mesh = read_tet_mesh({"a", bytes, {}}, &arrays);
   EXPECT_TRUE(mesh) << mesh.error().message;
@@ -49,9 +49,9 @@ TEST(LabelNames, ComeBackFromFilesThatHoldThem) {
     EXPECT_EQ(back[1].name, kInfos[2].name);
     // From there to the others, as if they came from the volume.
     for (const MeshFormat other : {MeshFormat::kAbaqus, MeshFormat::kFebio, MeshFormat::kXdmf})
-      EXPECT_EQ(written(other, back), written(other, {kInfos[0], kInfos[2]}));
+      EXPECT_EQ(file_with_names(other, back), file_with_names(other, {kInfos[0], kInfos[2]}));
   }
-  const Bytes abaqus = written(MeshFormat::kAbaqus, names_back(MeshFormat::kMsh, kInfos));
+  const Bytes abaqus = file_with_names(MeshFormat::kAbaqus, names_back(MeshFormat::kMsh, kInfos));
   const std::string text(abaqus.begin(), abaqus.end());
   EXPECT_NE(text.find("ELSET=Herz_wand_links_1\n"), std::string::npos);
   EXPECT_NE(text.find("ELSET=END_a_b_x_7\n"), std::string::npos);
@@ -85,7 +85,7 @@ TEST(LabelNames, OfOtherPeopleAreRead) {
 
 TEST(LabelNames, DoNotChangeFilesThatHaveNone) {
   for (const MeshFormat format : {MeshFormat::kVtu, MeshFormat::kXdmf})
-    EXPECT_EQ(written(format, {}), written(format, {{3, "of no tetrahedron", {0, 0, 0}}}));
+    EXPECT_EQ(file_with_names(format, {}), file_with_names(format, {{3, "of no tetrahedron", {0, 0, 0}}}));
 }
 
 }  // namespace

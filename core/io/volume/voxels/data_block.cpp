@@ -9,7 +9,7 @@
 namespace voxtet {
 namespace {
 
-constexpr std::int64_t kMostFiles = 20000;
+constexpr std::int64_t kMostFiles = 20000, kMostNumber = 1000000000;
 
 /// Reads the file beside the header that a field names.
 Result<Bytes> read_sibling(const VolumeFile& file, const std::string& stage, const std::string& field,
@@ -105,7 +105,7 @@ Result<std::vector<std::string>> names_of_pattern(const std::string& stage, cons
   std::vector<std::int64_t> numbers{1, 0, 1};
   for (std::size_t n = 1; n < std::min<std::size_t>(words.size(), 4); ++n) {
     const std::optional<std::int64_t> number = parse_integer(words[n]);
-    if (!number || *number < 0) return refused();
+    if (!number || *number < 0 || *number > kMostNumber) return refused();
     numbers[n - 1] = *number;
   }
   if (words.size() < 3) numbers[1] = numbers[0] + slices - 1;
