@@ -87,9 +87,14 @@ class SessionBinding {
   std::string defaults() const { return recipe_to_json(Recipe{}).dump(); }
   std::string report() const { return report_json(session_).dump(); }
 
-  std::string load_volume(const std::string& name, const val& bytes, const val& siblings) {
+  /// `source`: JSON of the recipe's source, of which how the file is read counts.
+  std::string load_volume(const std::string& name, const val& bytes, const val& siblings,
+                          const std::string& source) {
     const HeldFile file(name, bytes, siblings);
-    if (Status loaded = session_.load_volume(file.volume_file()); !loaded) return reply(loaded.error());
+    const Result<Recipe> recipe = parse_recipe(json{{"source", json::parse(source, nullptr, false)}});
+    if (!recipe) return reply(recipe.error());
+    if (Status loaded = session_.load_volume(file.volume_file(), recipe->source.read); !loaded)
+      return reply(loaded.error());
     RunContext ctx = context();
     if (Status ran = session_.run(Stage::kVolume, ctx); !ran) return reply(ran.error());
     return reply(volume_json(session_));

@@ -13,6 +13,7 @@ const simpleTypes = {
   vec3: 'Vec3',
   labels: 'number[]',
   label_groups: 'number[][]',
+  names: 'string[]',
 };
 
 /** Fields by their paths -> objects in objects; a field is a leaf. */

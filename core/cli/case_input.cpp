@@ -22,16 +22,16 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-using Load = Status (Session::*)(const VolumeFile&);
-
-Status load_file(const std::string& path, Load load, Session& session) {
+/// Reads a file and gives it to `load`, a function of VolumeFile.
+template <class Load>
+Status load_file(const std::string& path, Load load) {
   Result<Bytes> bytes = read_file(path);
   if (!bytes) return bytes.error();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const SiblingReader sibling = [folder](const std::string& name) {
     return read_file((folder / name).string());
   };
-  return (session.*load)({file_name(path), *bytes, sibling});
+  return load(VolumeFile{file_name(path), *bytes, sibling});
 }
 
 /// "a=b" -> {a, b}. Errors: kUsage.
@@ -85,9 +85,12 @@ Status load_side_files(const Recipe& recipe, const CaseOptions& options, Session
   for (const MaskSize& mask : recipe.sizing.masks) masks.push_back((folder / mask.name).string());
   for (const ImageSize& image : recipe.sizing.images) images.push_back((folder / image.name).string());
   for (const std::string& path : masks)
-    if (Status loaded = load_file(path, &Session::load_mask, session); !loaded) return loaded;
+    if (Status loaded = load_file(path, [&](const auto& file) { return session.load_mask(file); }); !loaded)
+      return loaded;
   for (const std::string& path : images)
-    if (Status loaded = load_file(path, &Session::load_size_image, session); !loaded) return loaded;
+    if (Status loaded = load_file(path, [&](const auto& file) { return session.load_size_image(file); });
+        !loaded)
+      return loaded;
   return std::monostate{};
 }
 
@@ -108,6 +111,7 @@ Result<LabelGroup> group_of_all(const Recipe& recipe, Session& session) {
 
 Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options) {
   nlohmann::json json = recipe_to_json(recipe);
+  put_read_options(options.read, json["source"]);
   if (!options.labels.empty()) json["labels"] = options.labels;
   if (!options.transfer.empty()) json["transfer"]["labels"] = options.transfer;
   if (merges_all(options) && options.merge.size() > 1)
@@ -222,13 +226,17 @@ Status open_case(const CaseOptions& options, Session& session) {
     if (is_case_file(options.input))
       path = (std::filesystem::path(options.input).parent_path() / path).string();
   }
+  const bool is_volume = !path.empty() && !recipe->source.file;
+  if (is_volume) recipe->source.file = FileSource{file_name(path), {}};
+  Result<Recipe> changed = with_options(*recipe, options);
+  if (!changed) return changed.error();
   if (!path.empty()) {
-    if (Status loaded = load_file(path, &Session::load_volume, session); !loaded) return loaded;
-    if (!recipe->source.file) recipe->source = session.recipe().source;
+    const ReadOptions& read = changed->source.read;
+    const auto load = [&](const auto& file) { return session.load_volume(file, read); };
+    if (Status loaded = load_file(path, load); !loaded) return loaded;
+    if (is_volume) changed->source = session.recipe().source;
   }
   if (Status loaded = load_side_files(*recipe, options, session); !loaded) return loaded;
-  Result<Recipe> changed = with_options(std::move(recipe).value(), options);
-  if (!changed) return changed.error();
   if (merges_all(options)) {
     Result<LabelGroup> group = group_of_all(*changed, session);
     if (!group) return group.error();

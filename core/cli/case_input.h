@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/check_outputs.h"
+#include "cli/read_options.h"
 #include "pipeline/session.h"
 #include "types/result.h"
 
@@ -22,6 +23,7 @@ struct CaseOptions {
   std::vector<std::string> mask_edges;   ///< --mask-edge 1=0.8, of every --mask
   std::vector<std::string> size_images;  ///< --size-image
   std::vector<std::string> set;          ///< --set path=value
+  ReadOptionTexts read;
 };
 
 /// The files that the options name, and those that their case file names.

@@ -41,6 +41,7 @@ int convert_mesh(const ConvertOptions& wanted, const Output& output) {
   for (const std::string& name : arrays.left_out)
     print_warning(in + ": left out the array " + name + ", expected a finite number for each cell");
   WriteMeshOptions options;
+  options.infos = std::move(arrays.infos);
   for (Field& field : arrays.cell_data) {
     if (field.components == 1 || has_place_for(field.on, field.components, *format))
       options.cell_data.push_back(std::move(field));
@@ -66,6 +67,7 @@ void add_convert_command(CLI::App& command, ConvertOptions& wanted, Output& outp
   command.add_option("--values", wanted.values, "openCARP's values at the mesh's points, .dat or .igb")
       ->check(kNotEmpty);
   command.add_option("--time", wanted.time_ms, "time of the frame of an .igb, ms; the last if absent");
+  add_read_options(command, wanted.read);
   command.add_option("--space", output.lps_or_ras, "patient space written")
       ->check(CLI::IsMember({"ras", "lps"}));
 }
@@ -78,10 +80,13 @@ int run_convert(const ConvertOptions& wanted, const Output& output) {
   if (mesh_format_of(in).ok()) return convert_mesh(wanted, output);
   if (!wanted.values.empty())
     return fail(usage_error("cli", "--values: found the volume " + in + ", expected a mesh file"));
-  std::vector<std::string> warnings;
-  Result<LabelVolume> volume = read_volume_file(in, &warnings);
+  const Result<ReadOptions> read = read_options_of(wanted.read);
+  if (!read) return fail(read.error());
+  ReadRemarks remarks;
+  Result<LabelVolume> volume = read_volume_file(in, *read, &remarks);
   if (!volume) return fail(volume.error());
-  for (const std::string& warning : warnings) print_warning(warning);
+  for (const std::string& warning : remarks.warnings) print_warning(warning);
+  for (const std::string& note : remarks.notes) print_note(note);
   if (!is_nifti_name(out))
     return fail({ErrorCode::kUsage, "cli", out + ": a volume is written as .nii or .nii.gz", {}});
   Result<Bytes> bytes = write_nifti(*volume, out.ends_with(".gz"));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "cli/read_options.h"
 
 namespace voxtet {
 
@@ -13,6 +14,7 @@ struct ConvertOptions {
   std::string in, out;
   std::vector<std::string> values;  ///< files of values at the mesh's points, .dat or .igb
   std::optional<double> time_ms;    ///< of the frame of an .igb; none: the last
+  ReadOptionTexts read;             ///< of a volume
 };
 
 void add_convert_command(CLI::App& command, ConvertOptions& wanted, Output& output);

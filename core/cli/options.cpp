@@ -40,6 +40,7 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
   command.add_option("--mask", options.masks, "label volume painted over the input, sized by --mask-edge");
   command.add_option("--mask-edge", options.mask_edges, "edge length inside a label of the masks, as 1=0.8");
   command.add_option("--size-image", options.size_images, "NIfTI image of edge lengths, mm");
+  add_read_options(command, options.read);
   command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");
   command.add_flag("--json", output.as_json, "print the report as JSON");
   command.add_option("--time-limit", output.time_limit_s, "give up after so many seconds")

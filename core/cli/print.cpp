@@ -67,6 +67,10 @@ void print_warning(const std::string& message) {
   std::fprintf(stderr, "warning: %s\n", message.c_str());
 }
 
+void print_note(const std::string& message) {
+  std::fprintf(stderr, "note: %s\n", message.c_str());
+}
+
 RunContext printing_context(double time_limit_s, int threads) {
   RunContext ctx;
   ctx.threads = threads;

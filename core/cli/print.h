@@ -15,6 +15,8 @@ RunContext printing_context(double time_limit_s, int threads);
 
 /// A line of warning on standard error.
 void print_warning(const std::string& message);
+/// The same of something that is not wrong.
+void print_note(const std::string& message);
 
 /// Prints the error and returns its exit code.
 int fail(const Error& error);

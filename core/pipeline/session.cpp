@@ -31,43 +31,46 @@ void collect(Stage stage, const Recipe& recipe, const LoadedFiles& files, std::v
 
 }  // namespace
 
-Status Session::load_volume(const VolumeFile& file) {
-  std::vector<std::string> warnings;
+Status Session::load_volume(const VolumeFile& file, const ReadOptions& options) {
+  ReadRemarks remarks;
   if (is_mesh_name(file.name)) {
-    Result<OpenedMesh> mesh = open_mesh(file, warnings);
+    Result<OpenedMesh> mesh = open_mesh(file, remarks.warnings);
     if (!mesh) return mesh.error();
     files_.volume = std::make_shared<const LabelVolume>(voxels_of(mesh->mesh));
     files_.digest = digest_of(*mesh);
     files_.mesh = std::make_shared<const OpenedMesh>(std::move(mesh).value());
   } else {
-    Result<LabelVolume> read = read_volume(file, &warnings);
+    Result<LabelVolume> read = read_volume(file, options, &remarks);
     if (!read) return read.error();
     files_.volume = std::make_shared<const LabelVolume>(std::move(read).value());
     files_.digest = digest_of(*files_.volume);
     files_.mesh.reset();
   }
-  files_.warnings = std::move(warnings);
+  files_.options = options;
+  files_.remarks = std::move(remarks);
   recipe_.source = {};
   recipe_.source.file = FileSource{file.name, files_.digest};
+  recipe_.source.read = options;
   files_changed();
   return std::monostate{};
 }
 
 Status Session::load_mask(const VolumeFile& file) {
-  std::vector<std::string> warnings;
-  Result<LabelVolume> read = read_volume(file, &warnings);
+  ReadRemarks remarks;
+  Result<LabelVolume> read = read_volume(file, {}, &remarks);
   if (!read) return read.error();
   std::string digest = digest_of(*read);
-  files_.masks[file.name] = {std::move(read).value(), std::move(digest), std::move(warnings)};
+  files_.masks[file.name] = {std::move(read).value(), std::move(digest), std::move(remarks)};
   files_changed();
   return std::monostate{};
 }
 
 Status Session::load_size_image(const VolumeFile& file) {
-  Result<ScalarVolume> read = read_scalar_volume(file);
+  ReadRemarks remarks;
+  Result<ScalarVolume> read = read_scalar_volume(file, &remarks);
   if (!read) return read.error();
   std::string digest = digest_of(*read);
-  files_.images[file.name] = {std::move(read).value(), std::move(digest), {}};
+  files_.images[file.name] = {std::move(read).value(), std::move(digest), std::move(remarks)};
   files_changed();
   return std::monostate{};
 }

@@ -39,11 +39,11 @@ class Session {
   /// `spare_bytes`: memory for results that the current recipe does not need.
   explicit Session(std::size_t spare_bytes = kSpareBytes) : store_(spare_bytes) {}
 
-  /// Takes the volume of a file, or a mesh of tetrahedra that was made elsewhere (stages/opened_mesh.h): then
-  /// kOptimise gives that mesh, with the labels that the recipe keeps, the stages that would make one have no
-  /// place, and the evidence is of the mesh alone. The recipe's source becomes that file. Nothing changes on
-  /// failure.
-  Status load_volume(const VolumeFile& file);
+  /// Takes the volume of a file, read by these options; the recipe's source becomes that file with them. Or a
+  /// mesh of tetrahedra that was made elsewhere (stages/opened_mesh.h): then kOptimise gives that mesh, with
+  /// the labels that the recipe keeps, the stages that would make one have no place, and the evidence is of
+  /// the mesh alone. Nothing changes on failure.
+  Status load_volume(const VolumeFile& file, const ReadOptions& options = {});
 
   /// Takes a file that an entry of sizing.masks or sizing.images refers to by its name; the recipe stays as
   /// it is. A file of the same name is replaced.
@@ -54,7 +54,7 @@ class Session {
   const OpenedMesh* opened_mesh() const { return voxtet::opened_mesh(recipe_, files_); }
 
   /// Replaces the recipe and ends a run that is under way. A `file` source keeps the volume that load_volume
-  /// gave, and must match its digest.
+  /// gave, and must match its digest; a run refuses it where it was read by other options.
   Status set_recipe(const Recipe& recipe);
   const Recipe& recipe() const { return recipe_; }
 

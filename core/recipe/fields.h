@@ -54,9 +54,29 @@ void visit_fields(V& v, FileSource& p) {
 }
 
 template <class V>
+void visit_fields(V& v, ReadOptions& p) {
+  v.choice({"unit", "", 0, 0, "Unit of the file's lengths, whatever it says; file: as it says."}, p.unit,
+           Choices<LengthUnit>{{"file", LengthUnit::kOfFile},
+                               {"m", LengthUnit::kMetre},
+                               {"cm", LengthUnit::kCentimetre},
+                               {"mm", LengthUnit::kMillimetre},
+                               {"um", LengthUnit::kMicrometre},
+                               {"nm", LengthUnit::kNanometre}});
+  v.field({"precedence", "", 0, 0,
+           "Segments by name or label: where segments overlap the first of these wins, and else the last of "
+           "the file."},
+          p.precedence);
+  v.field({"background", "", -2147483648.0, 4294967295.0, "Value of the file that is its background."},
+          p.background);
+  v.field({"frame", "", -1, 65535, "Frame of a file with several, counted from 0; -1: none is chosen."},
+          p.frame);
+}
+
+template <class V>
 void visit_fields(V& v, Source& p) {
   v.optional_group({"phantom", "", 0, 0, "A parametric body, generated."}, p.phantom);
   v.optional_group({"file", "", 0, 0, "A file that the user holds."}, p.file);
+  visit_fields(v, p.read);
 }
 
 template <class V>

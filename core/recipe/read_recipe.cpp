@@ -153,6 +153,17 @@ class Reader {
     if (!found.is_string()) expected(path, found, "a text");
     value = found.get<std::string>();
   }
+  /// Numbers count as their digits: labels stand beside names.
+  static void read(const FieldInfo&, const std::string& path, const json& found,
+                   std::vector<std::string>& value) {
+    check_list(path, found);
+    value.clear();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (!found[i].is_string() && !found[i].is_number_unsigned())
+        expected(path + "[" + std::to_string(i) + "]", found[i], "a text or a label");
+      value.push_back(found[i].is_string() ? found[i].get<std::string>() : found[i].dump());
+    }
+  }
   static void read(const FieldInfo& info, const std::string& path, const json& found,
                    Eigen::Vector3d& value) {
     if (!found.is_array() || found.size() != 3) expected(path, found, "three numbers");

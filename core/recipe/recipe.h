@@ -22,6 +22,7 @@
 #include "tetra/fill/fill_tets.h"
 #include "tetra/optimise/optimise_tets.h"
 #include "transfer/transfer_labels.h"
+#include "types/read_options.h"
 #include "types/result.h"
 #include "types/stimulus.h"
 #include "volume/prepare_volume.h"
@@ -35,10 +36,11 @@ struct FileSource {
   std::string sha256;  ///< empty: any file of that name
 };
 
-/// Where the labels come from. At most one is set.
+/// Where the labels come from. At most one of phantom and file is set.
 struct Source {
   std::optional<PhantomParams> phantom;
   std::optional<FileSource> file;
+  ReadOptions read;  ///< how the file is read; of its fields each is one of `source`
 };
 
 /// Limits on what meshing may need. A case whose forecast is above one is refused before meshing. 0: no

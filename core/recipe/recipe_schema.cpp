@@ -22,6 +22,9 @@ const char* type_name(const Eigen::Vector3d&) {
 const char* type_name(const std::vector<Label>&) {
   return "labels";
 }
+const char* type_name(const std::vector<std::string>&) {
+  return "names";
+}
 const char* type_name(const std::vector<LabelGroup>&) {
   return "label_groups";
 }

@@ -73,12 +73,15 @@ class InflateSource : public ByteSource {
     return ended_ ? 0 : static_cast<std::uint64_t>(left_.size()) * 1032 + (1U << MAX_WBITS);
   }
   bool compressed() const override { return true; }
+  std::uint64_t padding() const override { return padding_; }
 
  private:
   std::string name() const { return gzip_ ? "gzip" : "zlib"; }
 
   Status next_member() {
-    if (left_.empty()) {
+    if (std::all_of(left_.begin(), left_.end(), [](std::uint8_t byte) { return byte == 0; })) {
+      padding_ = left_.size();
+      left_ = {};
       ended_ = true;
       return std::monostate{};
     }
@@ -93,6 +96,7 @@ class InflateSource : public ByteSource {
   z_stream stream_{};
   bool gzip_ = false;
   bool ended_ = false;
+  std::uint64_t padding_ = 0;
 };
 
 }  // namespace

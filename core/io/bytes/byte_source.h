@@ -40,6 +40,8 @@ class ByteSource {
   /// Upper bound of the bytes that can still come, so that memory can be allocated for them.
   virtual std::uint64_t at_most_left() const = 0;
   virtual bool compressed() const = 0;
+  /// Zero bytes that stood behind the end of the data, once that has been reached.
+  virtual std::uint64_t padding() const { return 0; }
 };
 
 /// Reads and drops `count` bytes. Errors: kBadInput if the data end before; the message names `what`.
@@ -49,7 +51,8 @@ Status skip_bytes(ByteSource& source, std::uint64_t count, const std::string& wh
 std::unique_ptr<ByteSource> make_memory_source(std::span<const std::uint8_t> bytes);
 
 /// Inflates gzip (one or more members) or zlib data, told apart by their headers, and verifies every checksum
-/// and length. Bytes after the end of the compressed data are an error, a missing trailer too.
+/// and length. Bytes other than zero after the end of the compressed data are an error, a missing trailer
+/// too.
 std::unique_ptr<ByteSource> make_inflate_source(std::span<const std::uint8_t> bytes);
 
 /// Deflates into one gzip member with neither name nor time, the same bytes on every platform.

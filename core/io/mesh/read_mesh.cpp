@@ -24,8 +24,8 @@ bool contains_early(std::string_view text, std::string_view word) {
 Result<TetMesh> read_tet_mesh(const VolumeFile& file, MeshArrays* arrays) {
   const std::string_view text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
   if (contains_early(text, "<VTKFile")) return read_vtu(file, arrays);
-  if (text.substr(0, 11) == "$MeshFormat") return read_msh(file);
-  if (contains_early(text, "MeshVersionFormatted")) return read_medit(file);
+  if (text.substr(0, 11) == "$MeshFormat") return read_msh(file, arrays);
+  if (contains_early(text, "MeshVersionFormatted")) return read_medit(file, arrays);
   if (const Result<MeshFormat> format = mesh_format_of(file.name);
       format.ok() && *format == MeshFormat::kCarp)
     return read_carp(file, arrays);

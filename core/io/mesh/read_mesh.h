@@ -20,7 +20,8 @@ namespace voxtet {
 /// (openCARP: the name; what is missing comes from `file.sibling`). Strict: cut files, indices out of range
 /// and numbers that are not finite are errors; memory is allocated only for what the bytes can hold.
 /// `arrays`, where given, takes the other cell arrays of VTU and the fibres of an openCARP .lon (`fibre`,
-/// `sheet`); what else stands beside the files is not read. Errors: kBadInput naming file, line or field.
+/// `sheet`), and the names of labels that VTU, MSH and MEDIT hold; what else stands beside the files is not
+/// read. Errors: kBadInput naming file, line or field.
 Result<TetMesh> read_tet_mesh(const VolumeFile& file, MeshArrays* arrays = nullptr);
 /// `path` may also be a.carp, for a.elem with a.pts.
 Result<TetMesh> read_tet_mesh_file(const std::string& path, MeshArrays* arrays = nullptr);

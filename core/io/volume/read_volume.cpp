@@ -11,9 +11,11 @@
 #include "io/bytes/byte_source.h"
 #include "io/bytes/files.h"
 #include "io/bytes/header_text.h"
-#include "io/volume/read_metaimage.h"
-#include "io/volume/read_nifti.h"
-#include "io/volume/read_nrrd.h"
+#include "io/volume/formats/read_metaimage.h"
+#include "io/volume/formats/read_mgh.h"
+#include "io/volume/formats/read_nifti.h"
+#include "io/volume/formats/read_nrrd.h"
+#include "io/volume/voxels/judge_volume.h"
 
 namespace voxtet {
 namespace {
@@ -28,17 +30,25 @@ bool is_gzipped(const VolumeFile& file) {
   return file.bytes.size() >= 2 && file.bytes[0] == 0x1f && file.bytes[1] == 0x8b;
 }
 
-/// The inflated bytes of a .nii.gz.
-Result<std::unique_ptr<ByteSource>> inflated_nifti(const VolumeFile& file) {
-  // A second source reads the volume, so that the look ahead needs no buffer.
-  std::array<std::uint8_t, kNiftiHeaderBytes> start{};
-  Result<std::size_t> got = make_inflate_source(file.bytes)->read(start);
+/// The first bytes of a compressed file. A second source reads the volume, so that the look ahead needs no
+/// buffer.
+Result<Bytes> inflated_start(const VolumeFile& file) {
+  Bytes start(kNiftiHeaderBytes);
+  const Result<std::size_t> got = make_inflate_source(file.bytes)->read(start);
   if (!got) return got.error();
-  if (!looks_like_nifti({start.data(), *got}))
-    return bad_input(kVolumeReader,
-                     "gzip data that hold no NIfTI header; expected .nii.gz (NRRD and MetaImage compress "
-                     "their voxels only, not the whole file)");
-  return make_inflate_source(file.bytes);
+  start.resize(*got);
+  return start;
+}
+
+Error unknown_gzip(const std::string& expected) {
+  return bad_input(kVolumeReader, "gzip data that hold no " + expected +
+                                      " header; expected .nii.gz (NRRD and MetaImage compress their voxels "
+                                      "only, not the whole file)");
+}
+
+bool looks_like_dicom(const VolumeFile& file) {
+  constexpr std::size_t kPreamble = 128;
+  return file.bytes.size() > kPreamble && starts_with(file.bytes.subspan(kPreamble), "DICM");
 }
 
 std::string start_of(const VolumeFile& file) {
@@ -46,31 +56,42 @@ std::string start_of(const VolumeFile& file) {
   return in_quotes({text, std::min<std::size_t>(file.bytes.size(), 16)});
 }
 
-Result<LabelVolume> read_any(const VolumeFile& file, std::vector<std::string>& warnings) {
+Result<LabelVolume> read_any(const VolumeFile& file, Reading& reading) {
   if (file.bytes.empty()) return bad_input(kVolumeReader, "the file is empty");
   if (is_gzipped(file)) {
-    const Result<std::unique_ptr<ByteSource>> source = inflated_nifti(file);
-    if (!source) return source.error();
-    return read_nifti(**source);
+    const Result<Bytes> start = inflated_start(file);
+    if (!start) return start.error();
+    const std::unique_ptr<ByteSource> source = make_inflate_source(file.bytes);
+    if (looks_like_nifti(*start)) return read_nifti(*source, reading);
+    if (looks_like_mgh(*start)) return read_mgh(*source, reading);
+    return unknown_gzip("NIfTI or MGH");
   }
-  if (starts_with(file.bytes, "NRRD")) return read_nrrd(file, warnings);
+  if (starts_with(file.bytes, "NRRD")) return read_nrrd(file, reading);
   if (looks_like_nifti(file.bytes.first(std::min(file.bytes.size(), kNiftiHeaderBytes))))
-    return read_nifti(*make_memory_source(file.bytes));
-  if (looks_like_metaimage(file.bytes)) return read_metaimage(file);
+    return read_nifti(*make_memory_source(file.bytes), reading);
+  if (looks_like_metaimage(file.bytes)) return read_metaimage(file, reading);
+  if (looks_like_mgh(file.bytes)) return read_mgh(*make_memory_source(file.bytes), reading);
+  if (looks_like_dicom(file))
+    return bad_input(kVolumeReader,
+                     "is a DICOM file; expected a volume of labels: open the segmentation (DICOM-SEG) in the "
+                     "app or in 3D Slicer and save it as .seg.nrrd, or convert it with dcmqi's "
+                     "segimage2itkimage; a series of images with dcm2niix");
   return bad_input(kVolumeReader,
                    "starts with " + start_of(file) +
-                       "; expected NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr) or MetaImage (.mha, .mhd)");
+                       "; expected NIfTI (.nii, .nii.gz), NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd) or MGH "
+                       "(.mgh, .mgz)");
 }
 
-Result<ScalarVolume> read_any_scalars(const VolumeFile& file) {
+Result<ScalarVolume> read_any_scalars(const VolumeFile& file, Reading& reading) {
   if (file.bytes.empty()) return bad_input(kVolumeReader, "the file is empty");
   if (is_gzipped(file)) {
-    const Result<std::unique_ptr<ByteSource>> source = inflated_nifti(file);
-    if (!source) return source.error();
-    return read_nifti_scalars(**source);
+    const Result<Bytes> start = inflated_start(file);
+    if (!start) return start.error();
+    if (!looks_like_nifti(*start)) return unknown_gzip("NIfTI");
+    return read_nifti_scalars(*make_inflate_source(file.bytes), reading);
   }
   if (looks_like_nifti(file.bytes.first(std::min(file.bytes.size(), kNiftiHeaderBytes))))
-    return read_nifti_scalars(*make_memory_source(file.bytes));
+    return read_nifti_scalars(*make_memory_source(file.bytes), reading);
   return bad_input(kVolumeReader, "starts with " + start_of(file) +
                                       "; expected an image of numbers as NIfTI (.nii, .nii.gz)");
 }
@@ -97,21 +118,34 @@ auto guarded(const std::string& name, Read read) -> decltype(read()) {
 
 }  // namespace
 
-Result<LabelVolume> read_volume(const VolumeFile& file, std::vector<std::string>* warnings) {
+Result<LabelVolume> read_volume(const VolumeFile& file, const ReadOptions& options, ReadRemarks* remarks) {
   return guarded(file.name, [&] {
-    std::vector<std::string> found;
-    Result<LabelVolume> volume = named(file.name, read_any(file, found));
-    if (volume && warnings)
-      for (const std::string& warning : found) warnings->push_back(file.name + ": " + warning);
+    Reading reading{options};
+    Result<LabelVolume> volume = named(file.name, read_any(file, reading));
+    if (volume && remarks) {
+      warn_of_unlikely(*volume, reading);
+      for (const std::string& warning : reading.remarks.warnings)
+        remarks->warnings.push_back(file.name + ": " + warning);
+      for (const std::string& note : reading.remarks.notes) remarks->notes.push_back(file.name + ": " + note);
+    }
     return volume;
   });
 }
 
-Result<ScalarVolume> read_scalar_volume(const VolumeFile& file) {
-  return guarded(file.name, [&] { return named(file.name, read_any_scalars(file)); });
+Result<ScalarVolume> read_scalar_volume(const VolumeFile& file, ReadRemarks* remarks) {
+  return guarded(file.name, [&] {
+    const ReadOptions options;
+    Reading reading{options};
+    Result<ScalarVolume> volume = named(file.name, read_any_scalars(file, reading));
+    if (volume && remarks)
+      for (const std::string& warning : reading.remarks.warnings)
+        remarks->warnings.push_back(file.name + ": " + warning);
+    return volume;
+  });
 }
 
-Result<LabelVolume> read_volume_file(const std::string& path, std::vector<std::string>* warnings) {
+Result<LabelVolume> read_volume_file(const std::string& path, const ReadOptions& options,
+                                     ReadRemarks* remarks) {
   return guarded(path, [&]() -> Result<LabelVolume> {
     const std::filesystem::path place(path);
     const Result<Bytes> bytes = read_file(path);
@@ -119,7 +153,7 @@ Result<LabelVolume> read_volume_file(const std::string& path, std::vector<std::s
     return read_volume(
         {path, *bytes,
          [&](const std::string& name) { return read_file((place.parent_path() / name).string()); }},
-        warnings);
+        options, remarks);
   });
 }
 

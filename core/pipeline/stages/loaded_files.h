@@ -8,6 +8,7 @@
 
 #include "pipeline/stages/opened_mesh.h"
 #include "types/label_volume.h"
+#include "types/read_options.h"
 #include "types/scalar_volume.h"
 
 namespace voxtet {
@@ -17,7 +18,7 @@ template <class Volume>
 struct SideVolume {
   Volume volume;
   std::string digest;
-  std::vector<std::string> warnings;  ///< of its reader
+  ReadRemarks remarks;
 };
 
 struct LoadedFiles {
@@ -25,7 +26,8 @@ struct LoadedFiles {
   /// Null: an image was loaded. Else no stage makes a mesh, and `volume` is voxels_of() this one.
   std::shared_ptr<const OpenedMesh> mesh;
   std::string digest;                                      ///< of the mesh, else of the volume
-  std::vector<std::string> warnings;                       ///< of its reader
+  ReadOptions options;                                     ///< by which it was read
+  ReadRemarks remarks;                                     ///< of its reader
   std::map<std::string, SideVolume<LabelVolume>> masks;    ///< by the file's name
   std::map<std::string, SideVolume<ScalarVolume>> images;  ///< by the file's name
 };

@@ -51,7 +51,12 @@ std::vector<LayeredWall> layered(const Walls& walls, const std::vector<std::size
   return out;
 }
 
-/// Another file may have the same labels, but other names, colours and warnings.
+void say(const ReadRemarks& remarks, const char* stage, const RunContext& ctx) {
+  for (const std::string& warning : remarks.warnings) ctx.warn(stage, warning);
+  for (const std::string& note : remarks.notes) ctx.note(stage, note);
+}
+
+/// Another file may have the same labels, but other names, colours and remarks.
 void add_volume(const LoadedFiles& files, const Recipe& recipe, std::string& key) {
   if (recipe.source.phantom || !files.volume) return;
   key += files.digest;
@@ -59,7 +64,8 @@ void add_volume(const LoadedFiles& files, const Recipe& recipe, std::string& key
     key += "\n" + std::to_string(info.label) + " " + info.name;
     for (const float part : info.colour) key += " " + std::to_string(part);
   }
-  for (const std::string& warning : files.warnings) key += "\n" + warning;
+  for (const auto* lines : {&files.remarks.warnings, &files.remarks.notes})
+    for (const std::string& line : *lines) key += "\n" + line;
 }
 
 Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
@@ -70,9 +76,13 @@ Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out,
     result.source = std::make_shared<const LabelVolume>(std::move(made).value());
     result.digest = digest_of(*result.source);
   } else if (in.files.volume) {
+    if (!(recipe.source.read == in.files.options))
+      return usage_error(kVolumeStage,
+                         "source: found a unit, precedence, background or frame by which the "
+                         "volume was not read, expected it to be loaded again");
     result.source = in.files.volume;
     result.digest = in.files.digest;
-    for (const std::string& warning : in.files.warnings) ctx.warn(kVolumeStage, warning);
+    say(in.files.remarks, kVolumeStage, ctx);
   } else if (recipe.source.file) {
     return Error{ErrorCode::kBadInput,
                  kVolumeStage,
@@ -136,7 +146,7 @@ Status run_sizing(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   for (const MaskSize& mask : recipe.sizing.masks)
     if (const auto found = in.files.masks.find(mask.name);
         found != in.files.masks.end() && warned.insert(mask.name).second)
-      for (const std::string& warning : found->second.warnings) ctx.warn(kSizingStage, warning);
+      say(found->second.remarks, kSizingStage, ctx);
   return put(
       build_sizing_field_of(in.files, recipe.sizing, volume_of(in), in.get<SurfaceMesh>(Stage::kSmooth),
                             in.get<WallsResult>(Stage::kWalls).walls, ctx),
@@ -293,7 +303,8 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .name = kVolumeStage,
        .title = "Volume",
        .inputs = {},
-       .reads = {"source.phantom", "labels", "merge", "volume"},
+       .reads = {"source.phantom", "source.unit", "source.precedence", "source.background", "source.frame",
+                 "labels", "merge", "volume"},
        .add_files = add_volume,
        .run = run_volume,
        .counts = counts<VolumeResult>,

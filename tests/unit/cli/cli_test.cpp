@@ -123,7 +123,7 @@ std::string two_segments(int inner, int outer) {
   return text;
 }
 
-TEST_F(CliTest, WarnsOfOverlappingSegmentsAndRefusesLostOnes) {
+TEST_F(CliTest, WarnsOfOverlappingSegmentsAndOfLostOnes) {
   write("kept.seg.nrrd", two_segments(1, 0));
   write("lost.seg.nrrd", two_segments(0, 1));
   const std::string warning =
@@ -144,8 +144,9 @@ TEST_F(CliTest, WarnsOfOverlappingSegmentsAndRefusesLostOnes) {
     EXPECT_TRUE(errors.say("inner (label 2)"));
   }
   test::CaughtErrors errors;
-  EXPECT_EQ(run({"mesh", at("lost.seg.nrrd"), "--edge-mm", "2"}), kExitBadInput);
-  EXPECT_TRUE(errors.say("segment inner (label 1) loses all of its 8 voxels to outer (label 2)"));
+  EXPECT_EQ(run({"mesh", at("lost.seg.nrrd"), "--until", "volume"}), kExitOk);
+  EXPECT_TRUE(
+      errors.say("SEGMENT LOST: segment inner (label 1) loses all of its 8 voxels to outer (label 2)"));
 }
 
 TEST_F(CliTest, MergesAllLabelsOrGroups) {

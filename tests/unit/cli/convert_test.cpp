@@ -8,6 +8,7 @@
 #include "io/bytes/files.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/write_igb.h"
+#include "io/volume/read_volume.h"
 #include "support/printed.h"
 #include "unit/cli/cli_fixture.h"
 
@@ -78,6 +79,60 @@ TEST_F(ConvertTest, RefusesValuesOfAnotherMesh) {
     EXPECT_EQ(run(words), code) << said;
     EXPECT_TRUE(errors.say(said)) << said;
   }
+}
+
+/// 2 x 2 x 2 voxels of bytes with what a header says besides.
+std::string nrrd_text(const std::string& fields, const std::string& data) {
+  return "NRRD0004\ntype: uchar\nencoding: raw\n" + fields + "\n" + data;
+}
+
+class ReadOptionsTest : public CliTest {
+ protected:
+  /// The labels of a volume file, and its spacing.
+  std::vector<Label> labels(const std::string& name) const {
+    const Result<LabelVolume> volume = read_volume_file(at(name));
+    EXPECT_TRUE(volume.ok()) << volume.error().message;
+    return volume ? volume->labels : std::vector<Label>{};
+  }
+};
+
+TEST_F(ReadOptionsTest, SayHowAVolumeIsConvertedAndMeshed) {
+  write("a.nrrd", nrrd_text("dimension: 3\nsizes: 2 2 2\nspacings: 5 5 5\n", "\1\1\1\1\1\1\1\2"));
+  ASSERT_EQ(run({"convert", at("a.nrrd"), at("b.nii"), "--unit", "cm", "--background", "1"}), kExitOk);
+  EXPECT_EQ(labels("b.nii"), (std::vector<Label>{0, 0, 0, 0, 0, 0, 0, 2}));
+  EXPECT_DOUBLE_EQ(read_volume_file(at("b.nii"))->spacing_mm()[0], 50);
+  write("f.nrrd", nrrd_text("dimension: 4\nsizes: 2 2 2 2\nkinds: domain domain domain list\n",
+                            "\1\1\1\1\1\1\1\1\2\2\2\2\2\2\2\3"));
+  EXPECT_EQ(run({"convert", at("f.nrrd"), at("c.nii")}), kExitBadInput);
+  ASSERT_EQ(run({"convert", at("f.nrrd"), at("c.nii"), "--frame", "1"}), kExitOk);
+  EXPECT_EQ(labels("c.nii"), (std::vector<Label>{2, 2, 2, 2, 2, 2, 2, 3}));
+  EXPECT_EQ(run({"convert", at("a.nrrd"), at("d.nii"), "--unit", "ly"}), kExitUsage);
+
+  ASSERT_EQ(run({"mesh", at("a.nrrd"), "--until", "volume", "--unit", "cm", "--background", "2", "--report",
+                 at("report.json")}),
+            kExitOk);
+  const nlohmann::json source = read_json("report.json")["recipe"]["source"];
+  EXPECT_EQ(source["unit"], "cm");
+  EXPECT_EQ(source["background"], 2);
+  // The case of the report reads it in the same way.
+  write("case.json", nlohmann::json{{"source", source}}.dump());
+  EXPECT_EQ(run({"mesh", at("case.json"), "--until", "volume"}), kExitOk);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--until", "volume", "--unit", "mm"}), kExitBadInput);
+}
+
+TEST_F(ReadOptionsTest, SayWhichSegmentWins) {
+  write("a.seg.nrrd",
+        nrrd_text("dimension: 4\nsizes: 2 2 2 2\nkinds: list domain domain domain\nSegment0_Name:=in, side\n"
+                  "Segment0_Layer:=0\nSegment1_Name:=out\nSegment1_Layer:=1\n",
+                  "\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1\1"));
+  ASSERT_EQ(run({"convert", at("a.seg.nrrd"), at("b.nii")}), kExitOk);
+  EXPECT_EQ(labels("b.nii"), std::vector<Label>(8, 2));
+  ASSERT_EQ(run({"convert", at("a.seg.nrrd"), at("b.nii"), "--precedence", "1,out"}), kExitOk);
+  EXPECT_EQ(labels("b.nii"), std::vector<Label>(8, 1));
+  EXPECT_EQ(run({"convert", at("a.seg.nrrd"), at("b.nii"), "--precedence", "inside"}), kExitUsage);
+  EXPECT_EQ(
+      run({"mesh", at("a.seg.nrrd"), "--until", "volume", "--set", R"(source.precedence=["in, side"])"}),
+      kExitOk);
 }
 
 }  // namespace

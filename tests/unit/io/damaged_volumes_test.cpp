@@ -178,6 +178,13 @@ TEST(DamagedVolumes, SurvivesSeededMutationsOfSmallFiles) {
   const Bytes labels = packed<std::uint8_t>(sample_labels(false), false);
   NiftiFile second;
   second.version = 2;
+  NiftiFile maps;
+  maps.dim = {4, 3, 2, 1, 2, 1, 1, 1};
+  maps.data = Bytes{1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1};
+  Bytes mgh(284, 0);
+  for (const auto& [at, value] :
+       {std::pair(3, 1), std::pair(7, 3), std::pair(11, 2), std::pair(15, 2), std::pair(19, 1)})
+    mgh[static_cast<std::size_t>(at)] = static_cast<std::uint8_t>(value);
   const std::vector<Bytes> seeds{
       NiftiFile{}.bytes(),
       second.bytes(),
@@ -190,7 +197,11 @@ TEST(DamagedVolumes, SurvivesSeededMutationsOfSmallFiles) {
           "NRRD0001\ntype: float\ndimension: 3\nsizes: 2 2 1\nspacings: 1 1 2\nencoding: ascii\n\n1 2 3 4\n"),
       bytes_of_text("NDims = 3\nDimSize = 3 2 2\nElementType = MET_UCHAR\nElementSpacing = 1 1 2\n"
                     "CompressedData = True\nElementDataFile = LOCAL\n") +
-          zlib_packed(labels)};
+          zlib_packed(labels),
+      maps.bytes(),
+      bytes_of_text("NDims = 3\nDimSize = 3 2 2\nElementType = MET_UCHAR\nElementDataFile = LIST\na\nb\n"),
+      bytes_of_text("NDims = 3\nDimSize = 3 2 2\nElementType = MET_UCHAR\nElementDataFile = s%02d 1 2 1\n"),
+      mgh + labels};
   const std::vector<std::string> words{
       "0",    "-1", "4294967296", "nan", "1e308", "none", ")",      "\n",
       "\n\n", "=",  ":=",         "\"",  "LOCAL", "gzip", "double", "99999999999999999999"};

@@ -86,8 +86,10 @@ TEST(ReadNifti, ReadsOneFrameOfFourDimensionsAndSkipsExtensions) {
   file.dim[0] = 4;
   file.vox_offset = 352 + 64;
   expect_volume(read(file.bytes()), sample_labels(false), kSform);
-  file.dim[4] = 2;
-  expect_refused(file.bytes(), "dim[4] is 2");
+  file.dim = {4, 3, 2, 1, 2, 1, 1, 1};
+  expect_refused(file.bytes(), "dim[4] is 2; expected one label a voxel: choose a frame with --frame 0 to 1");
+  file.dim = {5, 3, 1, 1, 2, 2, 1, 1};
+  expect_refused(file.bytes(), "dim[4] is 2 and dim[5] is 2");
 }
 
 TEST(ReadNifti, NamesTheFirstVoxelThatIsNoLabel) {
@@ -100,14 +102,15 @@ TEST(ReadNifti, NamesTheFirstVoxelThatIsNoLabel) {
     return file.bytes();
   };
   expect_refused(with(1.5F), "voxel (2, 0, 1) has the value 1.5; expected labels");
-  expect_refused(with(-1), "voxel (2, 0, 1) has the value -1");
-  expect_refused(with(65536), "voxel (2, 0, 1) has the value 65536");
+  expect_refused(with(-1),
+                 "voxel (2, 0, 1) has the value -1; expected labels, whole numbers from 0 to 65535: "
+                 "if -1 is the background, say it with --background -1 (source.background)");
   expect_refused(with(std::numeric_limits<float>::quiet_NaN()), "voxel (2, 0, 1) has the value nan");
   file.datatype = 1280;
   file.bitpix = 64;
   file.data = packed<std::uint64_t>(sample_labels(false), false);
   std::fill_n(file.data.begin() + 8, 8, 0xff);
-  expect_refused(file.bytes(), "voxel (1, 0, 0) has the value 18446744073709551615");
+  expect_refused(file.bytes(), "voxel (1, 0, 0) has the value 1.84467441e+19");
 }
 
 TEST(ReadNifti, RefusesBadFieldsByName) {
@@ -120,7 +123,7 @@ TEST(ReadNifti, RefusesBadFieldsByName) {
     }
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  refused("dim[0] is 2", [](NiftiFile& f) { f.dim[0] = 2; });
+  refused("dim[0] is 2: the file holds one slice", [](NiftiFile& f) { f.dim[0] = 2; });
   refused("dim[0] is 8", [](NiftiFile& f) { f.dim[0] = 8; });
   refused("dim holds the extent 0", [](NiftiFile& f) { f.dim[2] = 0; });
   refused("dim holds the extent -3", [](NiftiFile& f) { f.dim[1] = -3; });
@@ -170,7 +173,7 @@ TEST(ReadNifti, RefusesDamagedGzip) {
   length[length.size() - 2] ^= 1;
   expect_refused(length, "gzip data are damaged: incorrect length check");
   expect_refused(whole + bytes_of_text("x"), "1 bytes follow the end of the gzip data");
-  expect_refused(*gzip_bytes(bytes_of_text("something else")), "gzip data that hold no NIfTI header");
+  expect_refused(*gzip_bytes(bytes_of_text("something else")), "gzip data that hold no NIfTI or MGH header");
 }
 
 TEST(ReadNifti, ReadsSeveralGzipMembers) {
@@ -178,6 +181,13 @@ TEST(ReadNifti, ReadsSeveralGzipMembers) {
   const auto middle = whole.begin() + 200;
   const Bytes both = *gzip_bytes(Bytes(whole.begin(), middle)) + *gzip_bytes(Bytes(middle, whole.end()));
   expect_volume(read(both), sample_labels(false), kSform);
+}
+
+TEST(ReadVolume, SaysWhatToConvertDicomWith) {
+  Bytes dicom(132, 0);
+  std::copy_n("DICM", 4, dicom.begin() + 128);
+  expect_refused(dicom + Bytes(200, 1),
+                 "is a DICOM file; expected a volume of labels: open the segmentation");
 }
 
 TEST(ReadVolume, RefusesWhatItDoesNotKnow) {

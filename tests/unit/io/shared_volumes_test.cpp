@@ -25,16 +25,6 @@ TEST(SharedVolumes, TheSameHeartInThreeFormatsIsTheSameVolume) {
   }
 }
 
-TEST(SharedVolumes, ASegmentThatLaterOnesCoverIsRefused) {
-  const std::string path = shared_data("cases/layers_rev.seg.nrrd");
-  if (path.empty()) GTEST_SKIP() << "the shared data folder is absent";
-  const Result<LabelVolume> volume = read_volume_file(path);
-  ASSERT_FALSE(volume.ok());
-  EXPECT_NE(volume.error().message.find("inner (label 1) loses all of its 280 voxels to outer (label 2)"),
-            std::string::npos)
-      << volume.error().message;
-}
-
 TEST(SharedVolumes, HoldTheLabelCountsOfTheirIndex) {
   const std::map<std::string, std::map<Label, std::size_t>> expected{
       {"biv_ed_oblique_sax.mha", {{1, 8227}, {2, 2876}, {3, 11059}, {4, 10741}}},

@@ -94,6 +94,53 @@ TEST(Session, WarnsOfWhatTheReaderFoundAsLongAsTheFileIsTheSource) {
             std::vector<std::string>{"sizing: mask.nrrd: segment scar (label 2) has no voxels"});
 }
 
+/// Two boxes in layers of their own, the later one over the whole of the earlier one.
+Bytes layered_boxes() {
+  std::string text =
+      "NRRD0004\ntype: uchar\ndimension: 4\nsizes: 2 8 8 8\nencoding: raw\nspace: RAS\n"
+      "space directions: none (1,0,0) (0,1,0) (0,0,1)\nSegment0_Name:=inner\nSegment0_Layer:=0\n"
+      "Segment1_Name:=outer\nSegment1_Layer:=1\n\n";
+  for (int v = 0; v < 512; ++v) {
+    const auto inside = [v](int from, int to) {
+      for (const int i : {v % 8, v / 8 % 8, v / 64})
+        if (i < from || i >= to) return false;
+      return true;
+    };
+    text += static_cast<char>(inside(3, 5));
+    text += static_cast<char>(inside(1, 7));
+  }
+  return {text.begin(), text.end()};
+}
+
+TEST(Session, ReadsAVolumeByTheOptionsOfItsSource) {
+  const Bytes file = layered_boxes();
+  const auto voxels_of_inner = [](const Session& session) {
+    const std::vector<Label>& labels = session.source_volume()->labels;
+    return std::count(labels.begin(), labels.end(), Label{1});
+  };
+  Session session;
+  RunContext ctx;
+  ASSERT_TRUE(session.load_volume({"a.seg.nrrd", file, {}}).ok());
+  ASSERT_TRUE(session.run(Stage::kVolume, ctx).ok());
+  EXPECT_EQ(voxels_of_inner(session), 0);
+  EXPECT_NE(session.warnings()[0].find("SEGMENT LOST: segment inner"), std::string::npos);
+  Recipe recipe = session.recipe();
+  recipe.source.file->sha256.clear();
+  recipe.source.read.precedence = {"inner"};
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  const Status stale = session.run(Stage::kVolume, ctx);
+  ASSERT_FALSE(stale.ok());
+  EXPECT_EQ(stale.error().code, ErrorCode::kUsage);
+  EXPECT_EQ(
+      stale.error().message,
+      "source: found a unit, precedence, background or frame by which the volume was not read, expected it "
+      "to be loaded again");
+  ASSERT_TRUE(session.load_volume({"a.seg.nrrd", file, {}}, recipe.source.read).ok());
+  ASSERT_TRUE(session.run(Stage::kVolume, ctx).ok());
+  EXPECT_EQ(voxels_of_inner(session), 8);
+  EXPECT_EQ(session.recipe().source.read, recipe.source.read);
+}
+
 TEST(Session, MeshesThickSlicesInterpolatedAndMeasuresAgainstTheSlices) {
   Session session;
   Recipe recipe = small_case();

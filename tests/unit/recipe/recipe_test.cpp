@@ -125,6 +125,22 @@ TEST(ParseRecipe, ReadsFormerNamesAndWritesThoseOfToday) {
             "lookup: found beside transfer, which is its name today; expected one of them");
 }
 
+TEST(ParseRecipe, ReadsHowAVolumeIsRead) {
+  const auto read = parse_recipe(std::string_view(
+      R"({"source": {"unit": "um", "precedence": ["inner", 3], "background": -1, "frame": 2}})"));
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->source.read, (ReadOptions{LengthUnit::kMicrometre, {"inner", "3"}, -1, 2}));
+  EXPECT_EQ(parse_recipe(recipe_to_json(*read))->source.read, read->source.read);
+  EXPECT_FALSE(recipe_to_json(Recipe{}, true).contains("source"));
+  const auto message = [](std::string_view text) { return parse_recipe(text).error().message; };
+  EXPECT_EQ(message(R"({"source": {"unit": "inch"}})"),
+            R"(source.unit: found "inch", expected one of file, m, cm, mm, um, nm)");
+  EXPECT_EQ(message(R"({"source": {"precedence": [true]}})"),
+            "source.precedence[0]: found true, expected a text or a label");
+  EXPECT_EQ(message(R"({"source": {"frame": -2}})"),
+            "source.frame: found -2, expected a whole number from -1 to 65535");
+}
+
 TEST(RecipeSchema, DescribesEveryFieldOfTheRecipe) {
   std::vector<std::string> paths;
   const json schema = recipe_schema();

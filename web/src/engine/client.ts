@@ -32,8 +32,13 @@ import {
   type EngineSetup,
   type Generation,
 } from './generation';
+import { recipeDefaults } from './generated';
 import { OpenedFiles, sideKey } from './opened_files';
 import type { RecipeReply, RunHandlers, SimulationHandlers } from './handlers';
+
+/** How a file is read, as the engine is told: the source of a recipe without the file itself. */
+const readOptions = (source: Partial<Recipe['source']>): string =>
+  JSON.stringify({ ...recipeDefaults.source, ...source, phantom: undefined, file: undefined });
 
 const cancelled = () => failure('cancelled', 'The run was cancelled.');
 
@@ -68,12 +73,13 @@ export class EngineClient {
     return this.runningJobs > 0;
   }
 
-  /** Reads a label volume. On failure the earlier volumes stay. */
-  openVolume(file: VolumeFile): Promise<VolumeSummary> {
+  /** Reads a label volume, as the source of a recipe says where there is one. On failure the earlier volumes stay. */
+  openVolume(file: VolumeFile, source: Partial<Recipe['source']> = {}): Promise<VolumeSummary> {
     return this.job(async (generation) => {
       generation.volume = null;
-      const summary = await this.answer(generation, 'volume', generation.api.loadVolume(file));
-      generation.volume = summary.digest;
+      const options = readOptions(source);
+      const summary = await this.answer(generation, 'volume', generation.api.loadVolume(file, options));
+      generation.volume = summary.digest + options;
       this.files.keepVolume(summary.digest, file);
       return summary;
     });
@@ -125,7 +131,7 @@ export class EngineClient {
     };
     const reply = await this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(loose)));
     for (const half of [reply.recipe, reply.minimal] as { source: { file: object } }[]) {
-      half.source = { file: { ...half.source.file, sha256: digest } };
+      half.source = { ...half.source, file: { ...half.source.file, sha256: digest } };
     }
     return reply;
   }
@@ -134,7 +140,7 @@ export class EngineClient {
    * Runs stage by stage up to `last`, so that each result is there as soon as it exists. A mesh that was made elsewhere
    * is measured at once.
    */
-  run(recipeJson: string, source: Recipe['source'], last: StageName, handlers: RunHandlers = {}) {
+  run(recipeJson: string, source: Partial<Recipe['source']>, last: StageName, handlers: RunHandlers = {}) {
     return this.job(async (generation) => {
       const accepted = await this.prepare(generation, recipeJson, source);
       let running: StageName | null = null;
@@ -168,7 +174,7 @@ export class EngineClient {
   }
 
   /** What meshing will take; with `elements` above 0 also the sizes that give so many. `signal` calls it off. */
-  forecast(recipeJson: string, source: Recipe['source'], elements = 0, signal?: AbortSignal) {
+  forecast(recipeJson: string, source: Partial<Recipe['source']>, elements = 0, signal?: AbortSignal) {
     return this.job(async (generation) => {
       if (signal?.aborted) throw cancelled();
       const end = () => generation.alive && this.replace(cancelled());
@@ -185,7 +191,7 @@ export class EngineClient {
   /** Computes on the mesh of this recipe; stages that the worker no longer holds run before. */
   simulate(
     recipeJson: string,
-    source: Recipe['source'],
+    source: Partial<Recipe['source']>,
     stage: SimulationName,
     handlers: SimulationHandlers,
   ): Promise<{ summary: SimulationSummary; found: FoundFields; told: Simulated }> {
@@ -209,7 +215,7 @@ export class EngineClient {
   /** Frames of a file with values at the points of the mesh of this recipe. */
   values(
     recipeJson: string,
-    source: Recipe['source'],
+    source: Partial<Recipe['source']>,
     file: VolumeFile,
     onFrame: (frame: Frame) => void,
   ): Promise<null> {
@@ -221,7 +227,7 @@ export class EngineClient {
   }
 
   /** The fibres that this recipe asks for. A simulation under way has made them, and is asked between two parts. */
-  async fibres(recipeJson: string, source: Recipe['source']): Promise<FibreArrays | null> {
+  async fibres(recipeJson: string, source: Partial<Recipe['source']>): Promise<FibreArrays | null> {
     const now = this.generation;
     if (now.simulation) return this.answer(now, 'fibres', now.api.fibres());
     return this.job(async (generation) => {
@@ -248,7 +254,7 @@ export class EngineClient {
   /** Files of the mesh of this recipe. */
   exportMesh(
     recipeJson: string,
-    source: Recipe['source'],
+    source: Partial<Recipe['source']>,
     format: ExportFormat,
     space: Space,
     name: string,
@@ -271,9 +277,10 @@ export class EngineClient {
     return performance.now() - begin;
   }
 
-  private async prepare(generation: Generation, recipeJson: string, source: Recipe['source']) {
+  private async prepare(generation: Generation, recipeJson: string, source: Partial<Recipe['source']>) {
     const digest = source.file?.sha256;
-    if (digest && generation.volume !== digest) {
+    const options = readOptions(source);
+    if (digest && generation.volume !== digest + options) {
       const file = this.files.volume(digest);
       if (!file) {
         throw failure(
@@ -282,8 +289,8 @@ export class EngineClient {
           'volume',
         );
       }
-      await this.answer(generation, 'volume', generation.api.loadVolume(file));
-      generation.volume = digest;
+      await this.answer(generation, 'volume', generation.api.loadVolume(file, options));
+      generation.volume = digest + options;
     }
     const accepted = await this.answer(generation, 'recipe', generation.api.setRecipe(recipeJson));
     const { masks, images } = accepted.recipe.sizing;
@@ -303,7 +310,7 @@ export class EngineClient {
   private async remesh(
     generation: Generation,
     recipeJson: string,
-    source: Recipe['source'],
+    source: Partial<Recipe['source']>,
     { onProgress }: RunHandlers = {},
   ): Promise<void> {
     await this.prepare(generation, recipeJson, source);

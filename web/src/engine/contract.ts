@@ -215,7 +215,8 @@ export type FoundFields = StageArrays['quality'];
 /** What the worker answers; every call is one message there and one back. */
 export interface EngineApi {
   start(module: WebAssembly.Module, scriptUrl: string, lock: string): Promise<EngineInfo>;
-  loadVolume(file: VolumeFile): Reply<VolumeSummary>;
+  /** `source`: that of a recipe as JSON, of which counts how the file is read. */
+  loadVolume(file: VolumeFile, source: string): Reply<VolumeSummary>;
   /** Takes a file that the recipe's sizing.masks or sizing.images name. */
   loadSideVolume(kind: SideKind, file: VolumeFile): Reply<SideSummary>;
   setRecipe(json: string): Reply<{ recipe: Recipe; minimal: Record<string, unknown> }>;

@@ -43,6 +43,14 @@ export interface RecipeFields {
       /** Digest of its voxels and affine, or of its mesh; empty accepts any. */
       sha256: string;
     };
+    /** Unit of the file's lengths, whatever it says; file: as it says. */
+    unit: 'file' | 'm' | 'cm' | 'mm' | 'um' | 'nm';
+    /** Segments by name or label: where segments overlap the first of these wins, and else the last of the file. */
+    precedence: string[];
+    /** Value of the file that is its background. */
+    background: number;
+    /** Frame of a file with several, counted from 0; -1: none is chosen. */
+    frame: number;
   };
   /** Labels to mesh; none: all. */
   labels: number[];
@@ -368,7 +376,12 @@ export interface RecipeFields {
 
 /** The recipe before anybody has changed it. */
 export const recipeDefaults = {
-  "source": {},
+  "source": {
+    "unit": "file",
+    "precedence": [],
+    "background": 0,
+    "frame": -1
+  },
   "labels": [],
   "merge": [],
   "volume": {
@@ -522,6 +535,10 @@ export const stageSpecs = [
     "inputs": [],
     "reads": [
       "source.phantom",
+      "source.unit",
+      "source.precedence",
+      "source.background",
+      "source.frame",
       "labels",
       "merge",
       "volume"

@@ -30,7 +30,7 @@ export interface Generation {
   waiting: Set<(error: EngineError) => void>;
   end(error: EngineError): void;
   alive: boolean;
-  /** Digest of the file volume that this worker holds. */
+  /** Digest of the file volume that this worker holds, and how it was read. */
   volume: string | null;
   /** What it holds of each kind beside it, by name. */
   sides: Map<string, Side>;

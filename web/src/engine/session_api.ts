@@ -28,7 +28,7 @@ type Held = View | Int32Array | Float64Array;
 export interface Session {
   schema(): string;
   defaults(): string;
-  loadVolume(name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
+  loadVolume(name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>, source: string): string;
   loadSideVolume(kind: string, name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
   setRecipe(json: string): string;
   begin(stage: string): string;
@@ -145,8 +145,8 @@ function fibresOf(session: Session): FibreArrays | null {
 export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
   const runs = new PartedRuns(session);
   return {
-    loadVolume: (file) =>
-      guarded('volume', () => JSON.parse(session.loadVolume(file.name, file.bytes, file.siblings))),
+    loadVolume: ({ name, bytes, siblings }, source) =>
+      guarded('volume', () => JSON.parse(session.loadVolume(name, bytes, siblings, source))),
 
     loadSideVolume: (kind, { name, bytes, siblings }) =>
       guarded('sizing', () => JSON.parse(session.loadSideVolume(kind, name, bytes, siblings))),

@@ -66,7 +66,7 @@ function handing(onFrame: (frame: Frame) => Promise<void>): typeof onFrame {
 
 const api: EngineApi = {
   start,
-  loadVolume: (file) => current().loadVolume(file),
+  loadVolume: (file, source) => current().loadVolume(file, source),
   loadSideVolume: (kind, file) => current().loadSideVolume(kind, file),
   setRecipe: (json) => current().setRecipe(json),
   run: (stage, onProgress) => releasing(current().run(stage, onProgress), onProgress),

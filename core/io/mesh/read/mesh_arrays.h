@@ -1,10 +1,11 @@
-// Values on tetrahedra that a file has besides their labels.
+// What a file has besides tetrahedra and their labels: values, and the names of labels.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "types/field.h"
+#include "types/label_volume.h"
 
 namespace voxtet {
 
@@ -12,6 +13,7 @@ struct MeshArrays {
   std::vector<Field> cell_data;  ///< as many values as the mesh has tetrahedra
   /// Names of arrays of VTU whose values are not one finite number each, or that a piece lacks.
   std::vector<std::string> left_out;
+  std::vector<LabelInfo> infos;  ///< names of labels, ascending by label; those that files make up are none
 };
 
 }  // namespace voxtet

@@ -153,6 +153,15 @@ Label checked_label(MeshCursor& cursor, std::int64_t value, std::uint64_t tet_nu
   return 0;
 }
 
+void add_label_name(std::int64_t label, std::string_view name, std::vector<LabelInfo>& infos) {
+  if (label < 1 || label > std::numeric_limits<Label>::max()) return;
+  if (trimmed(name).empty() || name == "label " + std::to_string(label)) return;
+  const auto place = std::lower_bound(infos.begin(), infos.end(), label,
+                                      [](const LabelInfo& info, std::int64_t l) { return info.label < l; });
+  if (place != infos.end() && place->label == label) return;
+  infos.insert(place, {static_cast<Label>(label), std::string(name), {-1.F, -1.F, -1.F}});
+}
+
 Result<TetMesh> finish_mesh(MeshCursor& cursor, TetMesh mesh, bool lps) {
   if (cursor.ok() && mesh.tets.empty()) cursor.fail("no linear tetrahedra, expected at least one");
   if (!cursor.ok()) return cursor.error();

@@ -89,6 +89,10 @@ class MeshCursor {
 /// 65535.
 Label checked_label(MeshCursor& cursor, std::int64_t value, std::uint64_t tet_number, const char* what);
 
+/// Adds the name that a file gives a label, in the order of labels. Not where the number is no label, has a
+/// name already, or has the name that writers make up for one without ("label 5").
+void add_label_name(std::int64_t label, std::string_view name, std::vector<LabelInfo>& infos);
+
 /// Ends a reader: checks that there are tetrahedra, and turns LPS coordinates to RAS.
 Result<TetMesh> finish_mesh(MeshCursor& cursor, TetMesh mesh, bool lps);
 

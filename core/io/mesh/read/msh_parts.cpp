@@ -1,6 +1,9 @@
 #include "io/mesh/read/msh_parts.h"
 
 #include <algorithm>
+#include <string>
+
+#include "io/bytes/header_text.h"
 
 namespace voxtet {
 namespace {
@@ -78,6 +81,17 @@ int msh_corners(MeshCursor& in, std::int64_t type) {
     if (entry.type == type) return entry.corners;
   if (in.ok()) in.fail("element type " + std::to_string(type) + " is not known");
   return 0;
+}
+
+void read_msh_names(MeshCursor& in, MshFile& file) {
+  // A line each: dimension, number, name in quotes. The first is their count.
+  while (in.ok() && !in.at_end() && in.peek_word() != "$EndPhysicalNames") {
+    const std::string_view line = in.rest_of_line();
+    const std::size_t open = line.find('"'), close = line.rfind('"');
+    const std::vector<std::string> words = words_of(line.substr(0, std::min(open, line.size())));
+    if (words.size() != 2 || words[0] != "3" || close <= open) continue;
+    add_label_name(parse_integer(words[1]).value_or(0), line.substr(open + 1, close - open - 1), file.infos);
+  }
 }
 
 void read_msh41_entities(MeshCursor& in, MshFile& file) {

@@ -22,8 +22,10 @@ struct MshFile {
   std::vector<std::uint64_t> tet_tags;
   std::vector<std::array<std::uint64_t, 4>> tets;  ///< node tags
   std::vector<Label> labels;
+  std::vector<LabelInfo> infos;  ///< the named groups of volumes
 };
 
+void read_msh_names(MeshCursor& in, MshFile& file);
 void read_msh41_entities(MeshCursor& in, MshFile& file);
 void read_msh41_nodes(MeshCursor& in, MshFile& file);
 void read_msh41_elements(MeshCursor& in, MshFile& file);

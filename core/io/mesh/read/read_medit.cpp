@@ -56,9 +56,26 @@ bool says_lps(std::span<const std::uint8_t> bytes) {
   return text.substr(0, text.find("\nVertices")).find("\n# space LPS\n") != std::string_view::npos;
 }
 
+/// "# tetrahedra 1 LV myocardium", as write_medit writes them.
+std::vector<LabelInfo> names_of(std::span<const std::uint8_t> bytes) {
+  std::vector<LabelInfo> infos;
+  std::size_t at = 0;
+  bool ended = false;
+  while (const auto line = next_line(bytes, at, ended)) {
+    if (*line == "Vertices") break;
+    constexpr std::string_view kName = "# tetrahedra ";
+    if (!line->starts_with(kName)) continue;
+    const std::string_view rest = line->substr(kName.size());
+    const std::size_t space = rest.find(' ');
+    if (space != std::string_view::npos)
+      add_label_name(parse_integer(rest.substr(0, space)).value_or(0), rest.substr(space + 1), infos);
+  }
+  return infos;
+}
+
 }  // namespace
 
-Result<TetMesh> read_medit(const VolumeFile& file) {
+Result<TetMesh> read_medit(const VolumeFile& file, MeshArrays* arrays) {
   MeshCursor in(file.bytes, file.name, "read_medit", '#');
   TetMesh mesh;
   in.expect("MeshVersionFormatted");
@@ -83,6 +100,7 @@ Result<TetMesh> read_medit(const VolumeFile& file) {
     }
   }
   check_corners(in, mesh);
+  if (arrays) arrays->infos = names_of(file.bytes);
   return finish_mesh(in, std::move(mesh), says_lps(file.bytes));
 }
 

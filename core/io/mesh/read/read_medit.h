@@ -9,7 +9,7 @@
 namespace voxtet {
 
 /// Vertices and Tetrahedra; other sections are skipped, End is required. A comment line "# space LPS" is
-/// obeyed.
-Result<TetMesh> read_medit(const VolumeFile& file);
+/// obeyed, and those of names ("# tetrahedra 1 LV"), which `arrays` takes where it is given.
+Result<TetMesh> read_medit(const VolumeFile& file, MeshArrays* arrays);
 
 }  // namespace voxtet

@@ -31,6 +31,8 @@ void read_section(MeshCursor& in, MshFile& file, std::string_view section) {
       file.lps = in.rest_of_line() == "space LPS" || file.lps;
     }
     in.expect("$EndComments");
+  } else if (section == "$PhysicalNames") {
+    read_msh_names(in, file);
   } else if (section == "$Entities" && file.version == 41) {
     read_msh41_entities(in, file);
   } else if (section == "$Nodes") {
@@ -114,13 +116,14 @@ TetMesh assemble(MeshCursor& in, const MshFile& file) {
 
 }  // namespace
 
-Result<TetMesh> read_msh(const VolumeFile& volume_file) {
+Result<TetMesh> read_msh(const VolumeFile& volume_file, MeshArrays* arrays) {
   MeshCursor in(volume_file.bytes, volume_file.name, "read_msh");
   MshFile file;
   in.expect("$MeshFormat");
   read_format(in, file);
   while (in.ok() && !in.at_end()) read_section(in, file, in.word("a section"));
   TetMesh mesh = in.ok() ? assemble(in, file) : TetMesh{};
+  if (arrays) arrays->infos = std::move(file.infos);
   return finish_mesh(in, std::move(mesh), file.lps);
 }
 

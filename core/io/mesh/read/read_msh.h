@@ -10,6 +10,7 @@ namespace voxtet {
 
 /// Points ascend by node tag, tetrahedra by element tag. The label is the (first) physical group. Elements of
 /// other types are skipped; unknown sections too. A $Comments section "space LPS" is obeyed.
-Result<TetMesh> read_msh(const VolumeFile& file);
+/// `arrays`, where given, takes the names of the physical groups.
+Result<TetMesh> read_msh(const VolumeFile& file, MeshArrays* arrays);
 
 }  // namespace voxtet

@@ -163,12 +163,41 @@ bool says_lps(const VtuDocument& document) {
   return false;
 }
 
+/// The names of labels that write_vtu() put into field data; none where they are not as it writes them.
+std::vector<LabelInfo> names_in(const VtuDocument& document) {
+  const VtuArrays arrays(document);
+  const auto values_of = [&](std::string_view name) -> std::vector<std::int64_t> {
+    for (const VtuArray& array : document.field_data) {
+      if (array.name != name) continue;
+      const auto values = arrays.integers(array, static_cast<std::uint64_t>(std::max<std::int64_t>(
+                                                     0, parse_integer(array.tuples).value_or(0))));
+      if (values) return *values;
+    }
+    return {};
+  };
+  const std::vector<std::int64_t> labels = values_of(kLabelValues), bytes = values_of(kLabelNames);
+  std::vector<LabelInfo> infos;
+  auto begin = bytes.begin();
+  for (const std::int64_t label : labels) {
+    const auto end = std::find(begin, bytes.end(), 0);
+    if (end == bytes.end()) break;
+    std::string name;
+    for (auto byte = begin; byte != end; ++byte) name += static_cast<char>(*byte);
+    add_label_name(label, name, infos);
+    begin = end + 1;
+  }
+  return infos;
+}
+
 Result<TetMesh> read_document(const VtuDocument& document, MeshArrays* arrays) {
   if (Status status = VtuArrays(document).check(); !status.ok()) return status.error();
   PieceReader reader(document);
   for (const VtuPiece& piece : document.pieces)
     if (Status status = reader.read(piece); !status.ok()) return status.error();
-  if (arrays) *arrays = reader.arrays();
+  if (arrays) {
+    *arrays = reader.arrays();
+    arrays->infos = names_in(document);
+  }
   return std::move(reader.mesh);
 }
 

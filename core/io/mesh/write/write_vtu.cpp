@@ -1,6 +1,9 @@
 #include "io/mesh/write/write_vtu.h"
 
+#include <algorithm>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "io/bytes/byte_writer.h"
 #include "io/mesh/shared/mesh_groups.h"
@@ -13,16 +16,20 @@ constexpr std::uint8_t kVtkTriangle = 5;
 /// The XML part; declares the appended arrays in the order in which their bytes must follow.
 class VtuHeader {
  public:
-  VtuHeader(PatientSpace space, std::size_t points, std::size_t cells, const std::string& note = "") {
+  /// `names`: of the labels, as arrays of field data.
+  VtuHeader(PatientSpace space, std::size_t points, std::size_t cells, const std::string& names,
+            const std::string& note = "") {
     xml_ = "<?xml version=\"1.0\"?>\n<!-- " + coordinates_note(space) + note +
            " -->\n"
            "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\">\n"
            "<UnstructuredGrid>\n";
+    std::string field_data = names;
     if (space == PatientSpace::kLps)
-      xml_ +=
-          "<FieldData>\n<DataArray type=\"Int8\" Name=\"space\" NumberOfTuples=\"3\" format=\"ascii\">"
-          "76 80 83</DataArray>\n</FieldData>\n";
+      field_data +=
+          "<DataArray type=\"Int8\" Name=\"space\" NumberOfTuples=\"3\" format=\"ascii\">"
+          "76 80 83</DataArray>\n";
+    if (!field_data.empty()) xml_ += "<FieldData>\n" + field_data + "</FieldData>\n";
     xml_ += "<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" +
             std::to_string(cells) + "\">\n";
   }
@@ -46,6 +53,36 @@ class VtuHeader {
   std::string xml_;
   std::size_t offset_ = 0;
 };
+
+std::string ascii_array(const std::string& type, std::string_view name, const std::vector<int>& values) {
+  std::string text;
+  for (const int value : values) text += (text.empty() ? "" : " ") + std::to_string(value);
+  return "<DataArray type=\"" + type + "\" Name=\"" + std::string(name) + "\" NumberOfTuples=\"" +
+         std::to_string(values.size()) + "\" format=\"ascii\">" + text + "</DataArray>\n";
+}
+
+/// The labels that have a name, and the bytes of the names with a zero behind each: meshio reads no texts.
+std::string name_arrays(const std::vector<Label>& labels, const std::vector<LabelInfo>& infos) {
+  std::vector<int> values, bytes;
+  for (const LabelInfo& info : infos) {
+    if (info.name.empty() || !std::binary_search(labels.begin(), labels.end(), info.label)) continue;
+    values.push_back(info.label);
+    for (const char c : info.name)
+      if (c != '\0') bytes.push_back(static_cast<unsigned char>(c));
+    bytes.push_back(0);
+  }
+  if (values.empty()) return {};
+  return ascii_array("Int32", kLabelValues, values) + ascii_array("UInt8", kLabelNames, bytes);
+}
+
+/// All labels on the two sides of triangles, ascending.
+std::vector<Label> labels_of(const SurfaceMesh& surface) {
+  std::vector<Label> labels;
+  for (const Sides& pair : group_faces(surface.sides).pairs)
+    labels.insert(labels.end(), pair.begin(), pair.end());
+  std::sort(labels.begin(), labels.end());
+  return labels;
+}
 
 template <std::size_t kCorners>
 void declare_grid(VtuHeader& header, std::size_t points, std::size_t cells) {
@@ -95,7 +132,8 @@ constexpr const char* kFooter = "\n</AppendedData>\n</VTKFile>\n";
 }  // namespace
 
 Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
-  VtuHeader header(options.space, mesh.points.size(), mesh.tets.size());
+  VtuHeader header(options.space, mesh.points.size(), mesh.tets.size(),
+                   name_arrays(group_tets(mesh.labels).labels, options.infos));
   declare_grid<4>(header, mesh.points.size(), mesh.tets.size());
   header.open("CellData Scalars=\"label\"");
   header.array("Int32", "label", 4 * mesh.tets.size());
@@ -119,6 +157,7 @@ Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
 Bytes write_vtu(const SurfaceMesh& surface, const WriteMeshOptions& options) {
   const bool named = !options.surfaces.empty();
   VtuHeader header(options.space, surface.points.size(), surface.triangles.size(),
+                   name_arrays(labels_of(surface), options.infos),
                    named ? "; surface " + set_legend(options.surfaces) : "");
   declare_grid<3>(header, surface.points.size(), surface.triangles.size());
   header.open("CellData Scalars=\"label_behind\"");

@@ -39,6 +39,20 @@ std::string data_item(const Hdf5Array& array, const std::string& file) {
          "\" Format=\"HDF\">" + file + ":/" + array.name + "</DataItem>\n";
 }
 
+/// "; label 1 LV myocardium, 2 RV", for a comment; nothing where no label has a name.
+std::string label_note(const TetMesh& mesh, const std::vector<LabelInfo>& infos) {
+  const std::vector<Label> labels = group_tets(mesh.labels).labels;
+  const std::vector<std::string> names = group_names(labels, infos);
+  std::string note;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const std::string number = std::to_string(labels[i]);
+    if (names[i] != "label " + number) note += (note.empty() ? "; label " : ", ") + number + " " + names[i];
+  }
+  // No comment may hold two hyphens.
+  for (std::size_t at = 0; (at = note.find("--", at)) != std::string::npos;) note.insert(at + 1, " ");
+  return note;
+}
+
 constexpr std::size_t kGridArrays = 2;
 
 std::vector<std::uint64_t> shape_of(const Field& field) {
@@ -136,8 +150,9 @@ Result<std::vector<OutputFile>> write_xdmf(const TetMesh& mesh, const WriteMeshO
                  {}};
   const std::vector<Hdf5Array> arrays = arrays_of(mesh, options);
   std::vector<OutputFile> files{
-      {".xdmf", write_description({"mesh", coordinates_note(options.space), options.name + ".h5",
-                                   "Tetrahedron", arrays, arrays.size() - options.point_data.size()})},
+      {".xdmf", write_description({"mesh", coordinates_note(options.space) + label_note(mesh, options.infos),
+                                   options.name + ".h5", "Tetrahedron", arrays,
+                                   arrays.size() - options.point_data.size()})},
       {".h5", write_numbers(mesh, options, arrays)}};
   if (!options.surfaces.empty()) write_surfaces(mesh, options, files);
   return files;

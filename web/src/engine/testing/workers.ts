@@ -41,9 +41,9 @@ export class Workers {
         session = createSessionApi(instance);
         return { schema: JSON.parse(instance.schema()), defaults: JSON.parse(instance.defaults()) };
       },
-      loadVolume: (file) => {
+      loadVolume: (file, source) => {
         this.loads++;
-        return session.loadVolume(file);
+        return session.loadVolume(file, source);
       },
       loadSideVolume: (kind, file) => {
         this.sideLoads++;

@@ -44,7 +44,7 @@ function OfferDialog() {
       'Curvature',
       sizing.curvature.map(({ edges_per_turn }) => `${edges_per_turn} edges to a turn`).join('; '),
     ]);
-  const sideFiles = filesOf({ ...offer.recipe, source: {} });
+  const sideFiles = filesOf({ ...offer.recipe, source: { ...source, file: undefined } });
   if (sideFiles.length > 0)
     rows.push([
       'Size files',

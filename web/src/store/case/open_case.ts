@@ -95,18 +95,21 @@ export function takeVolume(summary: VolumeSummary, fileName: string): void {
     );
     return;
   }
-  const source = { file: { name: fileName, sha256: summary.digest } };
-  amendRecipe((draft) => void (draft.source = source));
+  const file = { name: fileName, sha256: summary.digest };
+  amendRecipe((draft) => void (draft.source.file = file));
   // It is the promised volume, under whatever name.
   const promise = expectation.value;
-  if (promise) expectation.value = { ...promise, recipe: { ...promise.recipe, source } };
+  if (promise) {
+    const source = { ...promise.recipe.source, file };
+    expectation.value = { ...promise, recipe: { ...promise.recipe, source } };
+  }
   showVolume(summary);
 }
 
 function beginCase(summary: VolumeSummary, fileName: string): void {
   if (!defaults.value) return;
   const fresh = structuredClone(defaults.value);
-  const source = { file: { name: fileName, sha256: summary.digest } };
+  const source = { ...fresh.source, file: { name: fileName, sha256: summary.digest } };
   leaveCase();
   engine.files.forgetVolumes(summary.digest);
   notices.value = notices.value.filter(({ tone }) => tone !== 'error');

@@ -9,11 +9,12 @@ import { announcement, tell } from '../notices';
 import { activity, endStages } from '../run/stages';
 import { previewSoon } from '../run/run_stages';
 import { areValues, openValues } from '../run/values';
+import { recipe } from './recipe';
 import { awaitedSides, type SideFile } from './side_files';
 import { openSideFile } from './size_files';
 import { unpackZip } from './zip';
 
-const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|hdr|elem|vtu|msh|mesh)$/i;
+const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|mgh|mgz|hdr|elem|vtu|msh|mesh)$/i;
 
 /** DICOM files say so after 128 bytes of anything. */
 async function isDicom(file: File): Promise<boolean> {
@@ -160,7 +161,7 @@ async function readVolume(files: readonly File[]): Promise<void> {
     if (!newest()) return;
     endStages();
     if (engine.busy) await engine.cancel();
-    const summary = await engine.openVolume(file);
+    const summary = await engine.openVolume(file, awaitedFile.value ? recipe.value?.source : {});
     if (newest()) takeVolume(summary, files[0].name);
   } catch (error) {
     tellError(error);

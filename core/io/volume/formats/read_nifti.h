@@ -6,6 +6,7 @@
 #include <span>
 
 #include "io/bytes/byte_source.h"
+#include "io/volume/voxels/reading.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/scalar_volume.h"
@@ -18,15 +19,13 @@ inline constexpr std::size_t kNiftiHeaderBytes = 540;
 /// Whether `start` carries the header size or the magic of NIfTI (of ANALYZE too), in either byte order.
 bool looks_like_nifti(std::span<const std::uint8_t> start);
 
-/// Three dimensions, or more of extent 1. Affine: the sform when its code is > 0, else the qform when its
-/// code is > 0, else pixdim centred on the image with x to the left (as nibabel does); lengths in the unit of
-/// xyzt_units, mm when that is unknown. Labels are scl_slope * stored + scl_inter unless the slope is 0 or
-/// not finite. Header extensions are skipped. Data that are longer than the header says are an error, like
-/// shorter ones. Pairs of .hdr and .img, complex, RGB and 128-bit voxels are refused. Errors: kBadInput
-/// naming the header field.
-Result<LabelVolume> read_nifti(ByteSource& source);
+/// Three dimensions, or more of extent 1, of which one may hold frames (merge_frames.h). The affine is that
+/// of nifti_affine(). Labels are scl_slope * stored + scl_inter unless the slope is 0 or not finite. Header
+/// extensions are skipped. Data that are longer than the header says are an error, like shorter ones. Pairs
+/// of .hdr and .img, complex, RGB and 128-bit voxels are refused. Errors: kBadInput naming the header field.
+Result<LabelVolume> read_nifti(ByteSource& source, Reading& reading);
 
-/// The same for a scalar image.
-Result<ScalarVolume> read_nifti_scalars(ByteSource& source);
+/// The same for a scalar image of one frame.
+Result<ScalarVolume> read_nifti_scalars(ByteSource& source, Reading& reading);
 
 }  // namespace voxtet

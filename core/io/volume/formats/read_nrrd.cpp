@@ -1,4 +1,4 @@
-#include "io/volume/read_nrrd.h"
+#include "io/volume/formats/read_nrrd.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,12 @@
 #include <string_view>
 
 #include "io/bytes/header_text.h"
-#include "io/volume/data_block.h"
-#include "io/volume/nrrd_header.h"
-#include "io/volume/nrrd_segments.h"
+#include "io/volume/formats/nrrd_geometry.h"
+#include "io/volume/formats/nrrd_header.h"
+#include "io/volume/formats/nrrd_segments.h"
+#include "io/volume/voxels/collect_labels.h"
+#include "io/volume/voxels/data_block.h"
+#include "io/volume/voxels/merge_frames.h"
 
 namespace voxtet {
 namespace {
@@ -87,56 +90,72 @@ Result<VoxelLayout> layout_of(const NrrdHeader& header, const NrrdGeometry& geom
   layout.type = *type;
   layout.big_endian = *big;
   for (std::size_t d = 0; d < 3; ++d) layout.size[d] = geometry.sizes[geometry.axes[d]];
-  if (geometry.list_axis) layout.layers = geometry.sizes[*geometry.list_axis];
+  if (geometry.list_axis) {
+    const std::int64_t count = geometry.sizes[*geometry.list_axis];
+    (*geometry.list_axis == 0 ? layout.layers : layout.frames) = count;
+    layout.frames_said =
+        "sizes has " + std::to_string(count) +
+        (*geometry.list_axis == 0 ? " values a voxel, but no Segment keys say what they are"
+                                  : " frames along axis " + std::to_string(*geometry.list_axis));
+  }
   if (Status good = check_extents(layout, "sizes"); !good) return good.error();
   return layout;
 }
 
-Result<std::vector<Label>> read_values(const VolumeFile& file, const NrrdHeader& header, Packing packing,
-                                       const VoxelLayout& layout) {
-  const Result<std::int64_t> lines = skip_of(header, "lineskip", 0);
-  if (!lines) return lines.error();
-  const Result<std::int64_t> bytes = skip_of(header, "byteskip", -1);
-  if (!bytes) return bytes.error();
-  const DataBlock block{packing, *lines, *bytes, "byte skip"};
-  const std::span<const std::uint8_t> behind = file.bytes.subspan(header.data_at);
+/// The files that the header names beside it; nothing where the data follow it.
+Result<std::optional<DataFiles>> data_files_of(const NrrdHeader& header, const VoxelLayout& layout,
+                                               std::span<const std::uint8_t> behind) {
   const std::string* name = header.find("datafile");
-  if (name == nullptr) return read_data_block(behind, block, layout);
-
-  if (name->starts_with("LIST") || name->find('%') != std::string::npos)
-    return bad_nrrd("data file is " + in_quotes(*name) + "; expected the name of one file");
+  if (name == nullptr) return std::optional<DataFiles>();
+  DataFiles files{"data file", {*name}};
+  if (header.has_list()) {
+    files.names = names_of_lines(behind);
+    return std::optional(files);
+  }
   if (!behind.empty())
     return bad_nrrd(std::to_string(behind.size()) +
                     " bytes follow the header although data file names another file");
-  const Result<Bytes> sibling = read_sibling(file, kNrrdReader, "data file", *name);
-  if (!sibling) return sibling.error();
-  return read_data_block(*sibling, block, layout);
+  if (name->find('%') != std::string::npos) {
+    Result<std::vector<std::string>> names =
+        names_of_pattern(kNrrdReader, files.field, *name, layout.size[2] * layout.frames);
+    if (!names) return names.error();
+    files.names = std::move(names).value();
+  }
+  return std::optional(files);
 }
 
 }  // namespace
 
-Result<LabelVolume> read_nrrd(const VolumeFile& file, std::vector<std::string>& warnings) {
+Result<LabelVolume> read_nrrd(const VolumeFile& file, Reading& reading) {
   const Result<NrrdHeader> header = parse_nrrd_header(file.bytes);
   if (!header) return header.error();
-  const Result<NrrdGeometry> geometry = nrrd_geometry(*header);
+  const Result<NrrdGeometry> geometry = nrrd_geometry(*header, reading);
   if (!geometry) return geometry.error();
   const Result<Packing> packing = packing_of(*header);
   if (!packing) return packing.error();
   const Result<VoxelLayout> layout = layout_of(*header, *geometry, *packing);
   if (!layout) return layout.error();
-  const Result<std::vector<NrrdSegment>> segments = parse_segments(header->key_values, layout->layers);
+  const Result<std::vector<NrrdSegment>> segments =
+      parse_segments(header->key_values, layout->layers, reading);
   if (!segments) return segments.error();
-  if (layout->layers > 1 && segments->empty())
-    return bad_nrrd("sizes has " + std::to_string(layout->layers) +
-                    " values a voxel, but no Segment keys say what they are; expected one label a voxel");
+  const Result<std::int64_t> lines = skip_of(*header, "lineskip", 0);
+  if (!lines) return lines.error();
+  const Result<std::int64_t> skip = skip_of(*header, "byteskip", -1);
+  if (!skip) return skip.error();
+  const std::span<const std::uint8_t> behind = file.bytes.subspan(header->data_at);
+  const Result<std::optional<DataFiles>> files = data_files_of(*header, *layout, behind);
+  if (!files) return files.error();
 
-  Result<std::vector<Label>> labels = read_values(file, *header, *packing, *layout);
+  const DataBlock block{*packing, *lines, *skip, "byte skip"};
+  const auto feed = [&](ValueSink& sink) {
+    return *files ? read_data_files(file, **files, block, *layout, sink, reading)
+                  : read_data_block(behind, block, *layout, sink, reading);
+  };
+  const bool layered = layout->layers > 1 && !segments->empty();
+  Result<std::vector<Label>> labels =
+      layered ? read_segments(*layout, *segments, feed, reading) : read_labels(*layout, reading, feed);
   if (!labels) return labels.error();
-  if (layout->layers > 1) {
-    labels = flatten_layers(*labels, layout->layers, *segments, layout->size, warnings);
-    if (!labels) return labels.error();
-  }
-  warn_of_empty_segments(*labels, *segments, warnings);
+  if (!layered) warn_of_empty_segments(*labels, *segments, reading);
   LabelVolume volume = make_volume(*layout, geometry->index_to_mm, std::move(*labels));
   for (const NrrdSegment& segment : *segments) volume.infos.push_back(segment.info);
   std::sort(volume.infos.begin(), volume.infos.end(),

@@ -1,58 +1,15 @@
-#include "io/volume/nrrd_header.h"
+#include "io/volume/formats/nrrd_geometry.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
 #include "io/bytes/header_text.h"
+#include "io/volume/voxels/length_unit.h"
+#include "io/volume/voxels/voxel_layout.h"
 
 namespace voxtet {
 namespace {
-
-constexpr std::array<const char*, 29> kKnownFields{
-    "content",        "number",         "type",       "dimension",
-    "blocksize",      "encoding",       "endian",     "datafile",
-    "lineskip",       "byteskip",       "min",        "max",
-    "oldmin",         "oldmax",         "sizes",      "spacings",
-    "thicknesses",    "axismins",       "axismaxs",   "centers",
-    "centerings",     "labels",         "units",      "kinds",
-    "space",          "spacedimension", "spaceunits", "spaceorigin",
-    "spacedirections"};
-constexpr std::array<const char*, 2> kIgnoredFields{"measurementframe", "sampleunits"};
-
-std::string without_spaces(std::string_view text) {
-  std::string name = lower_case(text);
-  name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
-  return name;
-}
-
-std::string unescaped(std::string_view text) {
-  std::string plain;
-  for (std::size_t n = 0; n < text.size(); ++n) {
-    const bool escape = text[n] == '\\' && n + 1 < text.size() && (text[n + 1] == 'n' || text[n + 1] == '\\');
-    if (escape) ++n;
-    plain += escape && text[n] == 'n' ? '\n' : text[n];
-  }
-  return plain;
-}
-
-Status parse_line(std::string_view line, NrrdHeader& header) {
-  const std::size_t colon = line.find(':');
-  if (colon == std::string_view::npos || colon + 1 >= line.size() ||
-      (line[colon + 1] != '=' && line[colon + 1] != ' '))
-    return bad_nrrd("the header line " + in_quotes(line) + " is neither \"field: value\" nor \"key:=value\"");
-  if (line[colon + 1] == '=') {
-    header.key_values[unescaped(line.substr(0, colon))] = unescaped(line.substr(colon + 2));
-    return std::monostate{};
-  }
-  const std::string name = without_spaces(line.substr(0, colon));
-  if (std::find(kKnownFields.begin(), kKnownFields.end(), name) == kKnownFields.end() &&
-      std::find(kIgnoredFields.begin(), kIgnoredFields.end(), name) == kIgnoredFields.end())
-    return bad_nrrd("unknown field " + in_quotes(line.substr(0, colon)));
-  if (!header.fields.emplace(name, trimmed(line.substr(colon + 1))).second)
-    return bad_nrrd("the field " + in_quotes(line.substr(0, colon)) + " is given twice");
-  return std::monostate{};
-}
 
 /// "(1,0,0) none (0, 1, 0)" -> one vector an axis, nothing for "none".
 using Vectors = std::vector<std::optional<Eigen::Vector3d>>;
@@ -96,10 +53,11 @@ Result<Eigen::Vector3d> signs_of(const NrrdHeader& header) {
 }
 
 /// Quoted strings of `field`, each as mm per unit; one where the field is absent.
-Result<std::vector<double>> mm_per_unit(const NrrdHeader& header, const std::string& field,
-                                        std::size_t count) {
+Result<std::vector<double>> mm_per_unit(const NrrdHeader& header, const std::string& field, std::size_t count,
+                                        Reading& reading) {
+  const std::optional<double> asked = mm_per_unit_of(reading.options);
   const std::string* text = header.find(field);
-  if (text == nullptr) return std::vector<double>(count, 1.0);
+  if (asked || text == nullptr) return std::vector<double>(count, asked.value_or(1));
   std::vector<double> scales;
   std::string_view rest = *text;
   while (!(rest = trimmed(rest)).empty()) {
@@ -108,16 +66,13 @@ Result<std::vector<double>> mm_per_unit(const NrrdHeader& header, const std::str
       return bad_nrrd(field + " is " + in_quotes(*text) + "; expected strings in quotes");
     const std::string_view unit = trimmed(rest.substr(1, close - 1));
     rest.remove_prefix(close + 1);
-    if (unit == "mm" || unit == "millimeter" || unit.empty() || unit == "???" || unit == "none")
-      scales.push_back(1);
-    else if (unit == "m" || unit == "meter")
-      scales.push_back(1000);
-    else if (unit == "cm")
-      scales.push_back(10);
-    else if (unit == "um" || unit == "\xc2\xb5m" || unit == "micron")
-      scales.push_back(0.001);
-    else
-      return bad_nrrd(field + " holds the unit " + in_quotes(unit) + "; expected mm, m, cm or um");
+    const bool unknown = unit.empty() || unit == "???" || unit == "none";
+    const std::optional<double> mm = unknown ? 1 : mm_per_length_unit(unit);
+    if (!mm)
+      return bad_nrrd(field + " holds the unit " + in_quotes(unit) + "; expected mm, m, cm or um, or " +
+                      kSayUnit);
+    if (!unknown) reading.said_mm = *mm;
+    scales.push_back(*mm);
   }
   if (scales.size() != count)
     return bad_nrrd(field + " has " + std::to_string(scales.size()) + " units; expected " +
@@ -127,35 +82,35 @@ Result<std::vector<double>> mm_per_unit(const NrrdHeader& header, const std::str
 
 /// Per axis: true or false where the kind says spatial or not, nothing where it says neither.
 Result<std::vector<std::optional<bool>>> spatial_kinds(const NrrdHeader& header, std::size_t dimension) {
-  constexpr std::array<std::string_view, 29> other{"time",
-                                                   "list",
-                                                   "point",
-                                                   "vector",
-                                                   "covariant-vector",
-                                                   "normal",
-                                                   "stub",
-                                                   "scalar",
-                                                   "complex",
-                                                   "2-vector",
-                                                   "3-color",
-                                                   "rgb-color",
-                                                   "hsv-color",
-                                                   "xyz-color",
-                                                   "4-color",
-                                                   "rgba-color",
-                                                   "3-vector",
-                                                   "3-gradient",
-                                                   "3-normal",
-                                                   "4-vector",
-                                                   "quaternion",
-                                                   "2d-symmetric-matrix",
-                                                   "2d-masked-symmetric-matrix",
-                                                   "2d-matrix",
-                                                   "2d-masked-matrix",
-                                                   "3d-symmetric-matrix",
-                                                   "3d-masked-symmetric-matrix",
-                                                   "3d-matrix",
-                                                   "3d-masked-matrix"};
+  constexpr std::array<std::string_view, 29> kOther{"time",
+                                                    "list",
+                                                    "point",
+                                                    "vector",
+                                                    "covariant-vector",
+                                                    "normal",
+                                                    "stub",
+                                                    "scalar",
+                                                    "complex",
+                                                    "2-vector",
+                                                    "3-color",
+                                                    "rgb-color",
+                                                    "hsv-color",
+                                                    "xyz-color",
+                                                    "4-color",
+                                                    "rgba-color",
+                                                    "3-vector",
+                                                    "3-gradient",
+                                                    "3-normal",
+                                                    "4-vector",
+                                                    "quaternion",
+                                                    "2d-symmetric-matrix",
+                                                    "2d-masked-symmetric-matrix",
+                                                    "2d-matrix",
+                                                    "2d-masked-matrix",
+                                                    "3d-symmetric-matrix",
+                                                    "3d-masked-symmetric-matrix",
+                                                    "3d-matrix",
+                                                    "3d-masked-matrix"};
   std::vector<std::optional<bool>> spatial(dimension);
   const std::string* text = header.find("kinds");
   if (text == nullptr) return spatial;
@@ -166,7 +121,7 @@ Result<std::vector<std::optional<bool>>> spatial_kinds(const NrrdHeader& header,
     const std::string kind = lower_case(words[axis]);
     if (kind == "domain" || kind == "space")
       spatial[axis] = true;
-    else if (std::find(other.begin(), other.end(), kind) != other.end())
+    else if (std::find(kOther.begin(), kOther.end(), kind) != kOther.end())
       spatial[axis] = false;
     else if (kind != "none" && kind != "???")
       return bad_nrrd("kinds holds the unknown kind " + in_quotes(words[axis]));
@@ -187,15 +142,15 @@ Result<std::size_t> find_list_axis(const std::vector<std::optional<bool>>& spati
   if (!found && sizes.back() == 1) found = sizes.size() - 1;
   if (!found)
     return bad_nrrd("dimension is 4, but no axis is marked as a list of layers; expected three spatial axes");
-  if (*found != 0 && sizes[*found] != 1)
+  if (*found != 0 && *found + 1 != sizes.size() && sizes[*found] != 1)
     return bad_nrrd("sizes has " + std::to_string(sizes[*found]) + " frames along axis " +
-                    std::to_string(*found) + "; expected 1, or layers along the first axis");
+                    std::to_string(*found) + "; expected them along the first axis or the last");
   return *found;
 }
 
 Result<Vectors> directions_from_spacings(const NrrdHeader& header, std::size_t dimension,
-                                         const std::vector<std::optional<bool>>& spatial) {
-  const Result<std::vector<double>> scales = mm_per_unit(header, "units", dimension);
+                                         const std::vector<std::optional<bool>>& spatial, Reading& reading) {
+  const Result<std::vector<double>> scales = mm_per_unit(header, "units", dimension, reading);
   if (!scales) return scales.error();
   std::vector<double> spacings(dimension, 1.0);
   if (const std::string* text = header.find("spacings"); text != nullptr) {
@@ -219,9 +174,9 @@ Result<Vectors> directions_from_spacings(const NrrdHeader& header, std::size_t d
 /// One vector in mm an axis, in the file's own space.
 Result<Vectors> directions_of(const NrrdHeader& header, std::size_t dimension,
                               std::vector<std::optional<bool>>& spatial,
-                              const std::vector<double>& space_scales) {
+                              const std::vector<double>& space_scales, Reading& reading) {
   const std::string* text = header.find("spacedirections");
-  if (text == nullptr) return directions_from_spacings(header, dimension, spatial);
+  if (text == nullptr) return directions_from_spacings(header, dimension, spatial, reading);
   auto directions = parse_vectors(*text);
   if (!directions || directions->size() != dimension)
     return bad_nrrd("space directions is " + in_quotes(*text) + "; expected " + std::to_string(dimension) +
@@ -248,8 +203,9 @@ Result<std::vector<std::int64_t>> sizes_of(const NrrdHeader& header) {
   const std::string* sizes = header.find("sizes");
   if (dimension == nullptr) return bad_nrrd("the header has no dimension");
   if (sizes == nullptr) return bad_nrrd("the header has no sizes");
+  if (*dimension == "2") return one_slice(kNrrdReader, "dimension", in_quotes(*dimension));
   if (*dimension != "3" && *dimension != "4")
-    return bad_nrrd("dimension is " + in_quotes(*dimension) + "; expected 3, or 4 with layers or one frame");
+    return bad_nrrd("dimension is " + in_quotes(*dimension) + "; expected 3, or 4 with layers or frames");
   const std::size_t count = *dimension == "3" ? 3 : 4;
   const auto extents = parse_integers(*sizes);
   if (!extents || extents->size() != count)
@@ -260,32 +216,14 @@ Result<std::vector<std::int64_t>> sizes_of(const NrrdHeader& header) {
 
 }  // namespace
 
-Result<NrrdHeader> parse_nrrd_header(std::span<const std::uint8_t> bytes) {
-  NrrdHeader header;
-  bool ended = false;
-  const auto magic = next_line(bytes, header.data_at, ended);
-  if (!magic || magic->size() != 8 || !magic->starts_with("NRRD000") || (*magic)[7] < '1' ||
-      (*magic)[7] > '5')
-    return bad_nrrd("the first line is " + in_quotes(magic.value_or("")) + "; expected NRRD0001 to NRRD0005");
-  while (const auto line = next_line(bytes, header.data_at, ended)) {
-    if (!ended) return bad_nrrd("the header is truncated inside the line " + in_quotes(*line));
-    if (line->empty()) return header;
-    if (line->front() == '#') continue;
-    if (Status parsed = parse_line(*line, header); !parsed) return parsed.error();
-  }
-  // Only a header that names its data file may end with its own file.
-  if (header.find("datafile") == nullptr) return bad_nrrd("the header is truncated: no empty line ends it");
-  return header;
-}
-
-Result<NrrdGeometry> nrrd_geometry(const NrrdHeader& header) {
+Result<NrrdGeometry> nrrd_geometry(const NrrdHeader& header, Reading& reading) {
   NrrdGeometry geometry;
   const Result<std::vector<std::int64_t>> sizes = sizes_of(header);
   if (!sizes) return sizes.error();
   geometry.sizes = *sizes;
   const Result<Eigen::Vector3d> signs = signs_of(header);
   if (!signs) return signs.error();
-  const Result<std::vector<double>> space_scales = mm_per_unit(header, "spaceunits", 3);
+  const Result<std::vector<double>> space_scales = mm_per_unit(header, "spaceunits", 3, reading);
   if (!space_scales) return space_scales.error();
   Result<std::vector<std::optional<bool>>> spatial = spatial_kinds(header, sizes->size());
   if (!spatial) return spatial.error();
@@ -294,7 +232,7 @@ Result<NrrdGeometry> nrrd_geometry(const NrrdHeader& header) {
     if (!list) return list.error();
     (*spatial)[*list] = false;
   }
-  const Result<Vectors> directions = directions_of(header, sizes->size(), *spatial, *space_scales);
+  const Result<Vectors> directions = directions_of(header, sizes->size(), *spatial, *space_scales, reading);
   if (!directions) return directions.error();
   if (sizes->size() == 4) {
     const Result<std::size_t> list = find_list_axis(*spatial, *sizes);

@@ -2,16 +2,13 @@
 // Format: G. Kindlmann, "Definition of NRRD File Format", teem.sourceforge.net/nrrd/format.html.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "io/bytes/byte_source.h"
-#include "io/volume/data_block.h"
 #include "types/result.h"
 
 namespace voxtet {
@@ -31,19 +28,14 @@ struct NrrdHeader {
     const auto at = fields.find(name);
     return at == fields.end() ? nullptr : &at->second;
   }
+  /// Whether the names of data files follow, one a line, to the end of the file.
+  bool has_list() const {
+    const std::string* name = find("datafile");
+    return name != nullptr && (*name == "LIST" || name->starts_with("LIST "));
+  }
 };
 
 /// Errors: kBadInput for an unknown or repeated field, or a header without an end.
 Result<NrrdHeader> parse_nrrd_header(std::span<const std::uint8_t> bytes);
-
-/// Where the voxels are: which axes of the file are spatial, and the affine in RAS, mm.
-struct NrrdGeometry {
-  std::vector<std::int64_t> sizes;
-  std::array<std::size_t, 3> axes{};     ///< the spatial axes of the file
-  std::optional<std::size_t> list_axis;  ///< the other one of a four-dimensional file
-  Eigen::Matrix4d index_to_mm = Eigen::Matrix4d::Identity();
-};
-
-Result<NrrdGeometry> nrrd_geometry(const NrrdHeader& header);
 
 }  // namespace voxtet

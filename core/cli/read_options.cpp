@@ -1,0 +1,35 @@
+#include "cli/read_options.h"
+
+#include <nlohmann/json.hpp>
+
+#include "recipe/recipe.h"
+
+namespace voxtet {
+
+void add_read_options(CLI::App& command, ReadOptionTexts& options) {
+  command.add_option("--unit", options.unit,
+                     "unit of the volume's lengths, whatever it says: m, cm, mm, um, nm");
+  command
+      .add_option("--precedence", options.precedence,
+                  "segments by name or label: the first wins where segments overlap, as inner,outer")
+      ->delimiter(',');
+  command.add_option("--background", options.background, "the volume's value of the background, as -1");
+  command.add_option("--frame", options.frame, "frame of a volume with several, counted from 0");
+}
+
+void put_read_options(const ReadOptionTexts& options, nlohmann::json& source) {
+  if (!options.unit.empty()) source["unit"] = options.unit;
+  if (!options.precedence.empty()) source["precedence"] = options.precedence;
+  if (options.background) source["background"] = *options.background;
+  if (options.frame) source["frame"] = *options.frame;
+}
+
+Result<ReadOptions> read_options_of(const ReadOptionTexts& options) {
+  nlohmann::json recipe{{"source", nlohmann::json::object()}};
+  put_read_options(options, recipe["source"]);
+  const Result<Recipe> parsed = parse_recipe(recipe);
+  if (!parsed) return parsed.error();
+  return parsed->source.read;
+}
+
+}  // namespace voxtet
