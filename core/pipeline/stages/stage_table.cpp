@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/digest.h"
+#include "geometry/topology/cut_faces.h"
 #include "phantom/make_phantom.h"
 #include "pipeline/results/describe_results.h"
 #include "pipeline/results/stage_results.h"
@@ -39,8 +40,23 @@ Status put(Result<T>&& result, StageOutput& out) {
   return std::monostate{};
 }
 
-const LabelVolume& volume_of(const StageInputs& in) {
-  return *in.get<VolumeResult>(Stage::kVolume).prepared.prepared;
+/// How far faces of a cut may be off its plane.
+constexpr double kFlatVoxels = 0.05;
+
+using BuiltSurface = Built<SurfaceMesh>;
+using BuiltTets = Built<TetMesh>;
+
+const PreparedVolume& prepared_of(const StageInputs& in) {
+  return in.get<VolumeResult>(Stage::kVolume).prepared;
+}
+
+/// With what is beyond cuts.
+BuiltSurface built(SurfaceMesh surface, const CutPlanes& cuts) {
+  if (cuts.empty()) return {std::move(surface), {}};
+  flatten_cuts(surface, cuts);
+  BuiltSurface out{without_beyond(surface, cuts), {}};
+  out.whole = std::move(surface);
+  return out;
 }
 
 std::vector<LayeredWall> layered(const Walls& walls, const std::vector<std::size_t>& numbers,
@@ -90,17 +106,27 @@ Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out,
 }
 
 Status run_surface(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
-  const LabelVolume& volume = volume_of(in);
+  const PreparedVolume& volume = prepared_of(in);
   if (recipe.surface.method == ExtractMethod::kMarchingCubes)
-    if (const std::size_t labels = count_labels(volume).size(); labels > 1)
+    if (const std::size_t labels = count_labels(*volume.meshed).size(); labels > 1)
       return usage_error(kSurfaceStage,
                          "surface.method: found marching_cubes for " + std::to_string(labels) +
-                             " labels, expected auto or marching_tets, or all labels merged to one");
-  return put(extract_surface(volume, recipe.surface, ctx), out);
+                             " labels, expected auto or marching_tets, or all labels merged to one" +
+                             (volume.cuts.empty() ? "" : " and no volume.flat_border"));
+  Result<SurfaceMesh> surface = extract_surface(*volume.meshed, recipe.surface, ctx);
+  if (!surface) return surface.error();
+  settle_cuts(*surface, *volume.meshed, volume.cuts);
+  out.put(built(std::move(surface).value(), volume.cuts));
+  return std::monostate{};
 }
 
 Status run_smooth(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
-  return put(smooth_surface(in.get<SurfaceMesh>(Stage::kSurface), volume_of(in), recipe.smooth, ctx), out);
+  const PreparedVolume& volume = prepared_of(in);
+  Result<SurfaceMesh> surface = smooth_surface(in.get<BuiltSurface>(Stage::kSurface).as_built(),
+                                               *volume.meshed, recipe.smooth, ctx, volume.cuts);
+  if (!surface) return surface.error();
+  out.put(built(std::move(surface).value(), volume.cuts));
+  return std::monostate{};
 }
 
 Status run_walls(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
@@ -110,7 +136,7 @@ Status run_walls(const StageInputs& in, const Recipe& recipe, StageOutput& out, 
   for (const ThicknessSize& rule : recipe.sizing.thickness) {
     const std::string name = "sizing.thickness[" + std::to_string(walls.size()) + "]";
     Result<WallField> wall =
-        measure_wall({*volume.anatomy, *volume.prepared, in.get<SurfaceMesh>(Stage::kSmooth)},
+        measure_wall({*volume.anatomy, *volume.prepared, in.get<BuiltSurface>(Stage::kSmooth).mesh},
                      {rule.wall, rule.inner, rule.layering == Layering::kExact}, name, ctx);
     if (!wall) return wall.error();
     walls.push_back(std::move(wall).value());
@@ -137,17 +163,17 @@ Status run_sizing(const StageInputs& in, const Recipe& recipe, StageOutput& out,
     if (const auto found = in.files.masks.find(mask.name);
         found != in.files.masks.end() && warned.insert(mask.name).second)
       for (const std::string& warning : found->second.warnings) ctx.warn(kSizingStage, warning);
-  return put(
-      build_sizing_field_of(in.files, recipe.sizing, volume_of(in), in.get<SurfaceMesh>(Stage::kSmooth),
-                            in.get<WallsResult>(Stage::kWalls).walls, ctx),
-      out);
+  return put(build_sizing_field_of(in.files, recipe.sizing, *prepared_of(in).prepared,
+                                   in.get<BuiltSurface>(Stage::kSmooth).mesh,
+                                   in.get<WallsResult>(Stage::kWalls).walls, ctx),
+             out);
 }
 
 Status run_layers(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext&) {
   LayersResult result{in.share<WallsResult>(Stage::kWalls), {}, {}};
   for (std::size_t w = 0; w < result.walls->walls.size(); ++w)
     if (recipe.sizing.thickness[w].layering == Layering::kExact) result.exact.push_back(w);
-  const LabelVolume& volume = volume_of(in);
+  const LabelVolume& volume = *prepared_of(in).prepared;
   result.layers = WallLayers(volume, layered(result.walls->walls, result.exact, recipe));
   if (result.layers.lacks_labels())
     return usage_error(
@@ -166,46 +192,47 @@ Status run_layers(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   return std::monostate{};
 }
 
-using LayeredSurface = Layered<SurfaceMesh>;
-using LayeredTets = Layered<TetMesh>;
+bool has_sheets(const BuiltSurface& surface, const WallLayers& layers) {
+  const std::vector<Sides>& sides = surface.as_built().sides;
+  return std::any_of(sides.begin(), sides.end(), [&](const Sides& of) { return layers.is_layer(of[0]); });
+}
 
 Status run_remesh(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const PreparedVolume& volume = prepared_of(in);
   const WallLayers& layers = in.get<LayersResult>(Stage::kLayers).layers;
   Result<SurfaceMesh> surface =
-      remesh_surface(volume_of(in), in.get<SurfaceMesh>(Stage::kSmooth), in.get<SizingField>(Stage::kSizing),
-                     recipe.remesh, ctx, layers);
+      remesh_surface(*volume.meshed, in.get<BuiltSurface>(Stage::kSmooth).as_built(),
+                     in.get<SizingField>(Stage::kSizing), recipe.remesh, ctx, layers);
   if (!surface) return surface.error();
+  BuiltSurface result = built(std::move(surface).value(), volume.cuts);
   // The method adapt may have had to help out, without sheets.
-  if (std::none_of(surface->sides.begin(), surface->sides.end(),
-                   [&](const Sides& sides) { return layers.is_layer(sides[0]); })) {
-    out.put(LayeredSurface{std::move(surface).value(), {}});
-    return std::monostate{};
+  if (has_sheets(result, layers)) {
+    if (!result.whole) result.whole = result.mesh;
+    result.mesh = without_beyond(merge_layers(*result.whole, layers), volume.cuts);
   }
-  LayeredSurface result{merge_layers(*surface, layers), {}};
-  result.with_layers = std::move(surface).value();
   out.put(std::move(result));
   return std::monostate{};
 }
 
 Status run_tetra(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
-  const LayeredSurface& surface = in.get<LayeredSurface>(Stage::kRemesh);
-  const SizingField& sizing = in.get<SizingField>(Stage::kSizing);
+  const CutPlanes& cuts = prepared_of(in).cuts;
+  const BuiltSurface& surface = in.get<BuiltSurface>(Stage::kRemesh);
   const WallLayers& layers = in.get<LayersResult>(Stage::kLayers).layers;
-  Result<TetMesh> filled = surface.with_layers
-                               ? fill_tets(*surface.with_layers, sizing, recipe.tetra, ctx, layers)
-                               : fill_tets(surface.mesh, sizing, recipe.tetra, ctx);
+  const WallLayers laid = has_sheets(surface, layers) ? layers : WallLayers();
+  Result<TetMesh> filled =
+      fill_tets(surface.as_built(), in.get<SizingField>(Stage::kSizing), recipe.tetra, ctx, laid);
   if (!filled) {
     Error error = filled.error();
     error.where.stage = name_of(Stage::kRemesh);
     error.where.on = On::kTriangles;
-    if (surface.with_layers)
-      error.where.elements = merged_triangles(error.where.elements, *surface.with_layers, layers);
+    error.where.elements = shown_triangles(merged_triangles(error.where.elements, surface.as_built(), laid),
+                                           merge_layers(surface.as_built(), laid), cuts);
     return error;
   }
-  LayeredTets result;
-  if (surface.with_layers) {
-    result.mesh = merge_layers(*filled, layers);
-    result.with_layers = std::move(filled).value();
+  BuiltTets result;
+  if (surface.whole) {
+    result.mesh = without_beyond(merge_layers(*filled, laid), cuts);
+    result.whole = std::move(filled).value();
   } else {
     result.mesh = std::move(filled).value();
   }
@@ -213,24 +240,39 @@ Status run_tetra(const StageInputs& in, const Recipe& recipe, StageOutput& out, 
   return std::monostate{};
 }
 
+/// Flat cuts, and nothing beyond them.
+TetMesh cut_off(TetMesh mesh, const CutPlanes& cuts, double voxel_mm, RunContext& ctx) {
+  if (cuts.empty()) return mesh;
+  if (const double off = flatten_cuts(mesh, cuts); off > kFlatVoxels * voxel_mm)
+    ctx.warn(kOptimiseStage,
+             "volume.flat_border: faces of a cut are up to " + std::to_string(off) + " mm off its plane");
+  return without_beyond(std::move(mesh), cuts);
+}
+
 Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   if (const OpenedMesh* opened = opened_mesh(recipe, in.files)) {
     out.put(mesh_of_labels(opened->mesh, recipe.labels, recipe.merge));
     return std::monostate{};
   }
-  const LayeredTets& tets = in.get<LayeredTets>(Stage::kTetra);
-  const SurfaceMesh& smooth = in.get<SurfaceMesh>(Stage::kSmooth);
+  const PreparedVolume& volume = prepared_of(in);
+  const SurfaceMesh& smooth = in.get<BuiltSurface>(Stage::kSmooth).as_built();
   const SizingField& sizing = in.get<SizingField>(Stage::kSizing);
-  if (!tets.with_layers) return put(optimise_tets(tets.mesh, smooth, sizing, recipe.optimise, ctx), out);
+  const BuiltSurface& adapted = in.get<BuiltSurface>(Stage::kRemesh);
   const auto& [walls, exact, layers] = in.get<LayersResult>(Stage::kLayers);
-  const SurfaceMesh reference =
-      with_layers(smooth, *in.get<LayeredSurface>(Stage::kRemesh).with_layers, layers);
-  Result<TetMesh> optimised =
-      optimise_tets(*tets.with_layers, reference, sizing, recipe.optimise, ctx, layers);
+  const bool sheets = has_sheets(adapted, layers);
+  Result<TetMesh> optimised = optimise_tets(in.get<BuiltTets>(Stage::kTetra).as_built(),
+                                            sheets ? with_layers(smooth, adapted.as_built(), layers) : smooth,
+                                            sizing, recipe.optimise, ctx, sheets ? layers : WallLayers());
   if (!optimised) return optimised.error();
+  TetMesh mesh =
+      cut_off(std::move(optimised).value(), volume.cuts, volume.meshed->smallest_spacing_mm(), ctx);
+  if (!sheets) {
+    out.put(std::move(mesh));
+    return std::monostate{};
+  }
   const std::vector<std::size_t> worked_on = recipe.optimise.rounds > 0 ? exact : std::vector<std::size_t>{};
-  return put(deepen_walls(merge_layers(std::move(optimised).value(), layers),
-                          layered(walls->walls, worked_on, recipe), sizing, ctx),
+  return put(deepen_walls(merge_layers(std::move(mesh), layers), layered(walls->walls, worked_on, recipe),
+                          sizing, ctx),
              out);
 }
 
@@ -248,12 +290,11 @@ Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out
   for (std::size_t w = 0; w < all.size(); ++w)
     if (recipe.sizing.thickness[w].layers > 0) counted.push_back(w);
   const std::vector<LayeredWall> walls = layered(all, counted, recipe);
-  Result<QualityReport> report =
-      measure_quality(in.get<TetMesh>(Stage::kOptimise),
-                      {volume_of(in), *in.get<VolumeResult>(Stage::kVolume).prepared.selected,
-                       in.get<SurfaceMesh>(Stage::kSmooth), in.get<LayeredSurface>(Stage::kRemesh).mesh,
-                       in.get<SizingField>(Stage::kSizing), walls},
-                      recipe.quality, ctx);
+  Result<QualityReport> report = measure_quality(
+      in.get<TetMesh>(Stage::kOptimise),
+      {*prepared_of(in).prepared, *prepared_of(in).selected, in.get<BuiltSurface>(Stage::kSmooth).mesh,
+       in.get<BuiltSurface>(Stage::kRemesh).mesh, in.get<SizingField>(Stage::kSizing), walls},
+      recipe.quality, ctx);
   if (!report) {
     Error error = report.error();
     error.where.stage = name_of(Stage::kOptimise);
@@ -305,18 +346,18 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .inputs = {Stage::kVolume},
        .reads = {"surface"},
        .run = run_surface,
-       .counts = counts<SurfaceMesh>,
-       .arrays = arrays<SurfaceMesh>,
-       .digest = digest<SurfaceMesh>},
+       .counts = counts<BuiltSurface>,
+       .arrays = arrays<BuiltSurface>,
+       .digest = digest<BuiltSurface>},
       {.stage = Stage::kSmooth,
        .name = kSmoothStage,
        .title = "Smoothed surface",
        .inputs = {Stage::kVolume, Stage::kSurface},
        .reads = {"smooth"},
        .run = run_smooth,
-       .counts = counts<SurfaceMesh>,
-       .arrays = arrays<SurfaceMesh>,
-       .digest = digest<SurfaceMesh>},
+       .counts = counts<BuiltSurface>,
+       .arrays = arrays<BuiltSurface>,
+       .digest = digest<BuiltSurface>},
       {.stage = Stage::kWalls,
        .name = kWallsStage,
        .title = "Walls",
@@ -349,19 +390,19 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .inputs = {Stage::kVolume, Stage::kSmooth, Stage::kSizing, Stage::kLayers},
        .reads = {"remesh"},
        .run = run_remesh,
-       .counts = counts<LayeredSurface>,
-       .arrays = arrays<LayeredSurface>,
-       .digest = digest<LayeredSurface>},
+       .counts = counts<BuiltSurface>,
+       .arrays = arrays<BuiltSurface>,
+       .digest = digest<BuiltSurface>},
       {.stage = Stage::kTetra,
        .name = kTetraStage,
        .title = "Filled tetrahedra",
        .shown = false,
-       .inputs = {Stage::kSizing, Stage::kLayers, Stage::kRemesh},
+       .inputs = {Stage::kVolume, Stage::kSizing, Stage::kLayers, Stage::kRemesh},
        .reads = {"tetra"},
        .run = run_tetra,
-       .counts = counts<LayeredTets>,
-       .arrays = arrays<LayeredTets>,
-       .digest = digest<LayeredTets>},
+       .counts = counts<BuiltTets>,
+       .arrays = arrays<BuiltTets>,
+       .digest = digest<BuiltTets>},
       {.stage = Stage::kOptimise,
        .name = kOptimiseStage,
        .title = "Tetrahedra",
