@@ -53,7 +53,6 @@ const PreparedVolume& prepared_of(const StageInputs& in) {
 /// With what is beyond cuts.
 BuiltSurface built(SurfaceMesh surface, const CutPlanes& cuts) {
   if (cuts.empty()) return {std::move(surface), {}};
-  flatten_cuts(surface, cuts);
   BuiltSurface out{without_beyond(surface, cuts), {}};
   out.whole = std::move(surface);
   return out;
@@ -125,6 +124,7 @@ Status run_smooth(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   Result<SurfaceMesh> surface = smooth_surface(in.get<BuiltSurface>(Stage::kSurface).as_built(),
                                                *volume.meshed, recipe.smooth, ctx, volume.cuts);
   if (!surface) return surface.error();
+  flatten_cuts(*surface, volume.cuts);
   out.put(built(std::move(surface).value(), volume.cuts));
   return std::monostate{};
 }
@@ -202,7 +202,7 @@ Status run_remesh(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   const WallLayers& layers = in.get<LayersResult>(Stage::kLayers).layers;
   Result<SurfaceMesh> surface =
       remesh_surface(*volume.meshed, in.get<BuiltSurface>(Stage::kSmooth).as_built(),
-                     in.get<SizingField>(Stage::kSizing), recipe.remesh, ctx, layers);
+                     in.get<SizingField>(Stage::kSizing), recipe.remesh, ctx, layers, volume.cuts);
   if (!surface) return surface.error();
   BuiltSurface result = built(std::move(surface).value(), volume.cuts);
   // The method adapt may have had to help out, without sheets.
@@ -229,6 +229,7 @@ Status run_tetra(const StageInputs& in, const Recipe& recipe, StageOutput& out, 
                                            merge_layers(surface.as_built(), laid), cuts);
     return error;
   }
+  flatten_cuts(*filled, cuts);
   BuiltTets result;
   if (surface.whole) {
     result.mesh = without_beyond(merge_layers(*filled, laid), cuts);
@@ -260,9 +261,10 @@ Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& ou
   const BuiltSurface& adapted = in.get<BuiltSurface>(Stage::kRemesh);
   const auto& [walls, exact, layers] = in.get<LayersResult>(Stage::kLayers);
   const bool sheets = has_sheets(adapted, layers);
-  Result<TetMesh> optimised = optimise_tets(in.get<BuiltTets>(Stage::kTetra).as_built(),
-                                            sheets ? with_layers(smooth, adapted.as_built(), layers) : smooth,
-                                            sizing, recipe.optimise, ctx, sheets ? layers : WallLayers());
+  Result<TetMesh> optimised =
+      optimise_tets(in.get<BuiltTets>(Stage::kTetra).as_built(),
+                    sheets ? with_layers(smooth, adapted.as_built(), layers) : smooth, sizing,
+                    recipe.optimise, ctx, sheets ? layers : WallLayers(), volume.cuts);
   if (!optimised) return optimised.error();
   TetMesh mesh =
       cut_off(std::move(optimised).value(), volume.cuts, volume.meshed->smallest_spacing_mm(), ctx);
