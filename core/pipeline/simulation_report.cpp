@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
 #include "physics/tissue/conducting_points.h"
@@ -14,7 +16,7 @@ using nlohmann::json;
 
 struct Finite {
   std::size_t count = 0;
-  double sum = 0, largest = 0;
+  double sum = 0, smallest = std::numeric_limits<double>::infinity(), largest = 0;
 };
 
 Finite finite_of(const std::vector<float>& values) {
@@ -23,6 +25,7 @@ Finite finite_of(const std::vector<float>& values) {
     if (!std::isfinite(value)) continue;
     ++found.count;
     found.sum += value;
+    found.smallest = std::min(found.smallest, static_cast<double>(value));
     found.largest = std::max(found.largest, static_cast<double>(value));
   }
   return found;
@@ -37,6 +40,21 @@ double last_stimulus_ms(const std::vector<Stimulus>& stimuli, double end_ms) {
   return last;
 }
 
+/// Of each beat the part of the conducting points that has it, and its first and last activation.
+json beats_json(const std::vector<Field>& fields, double conducting) {
+  json beats = json::array();
+  const Field* field = find_field(fields, "activation_ms");
+  for (int next = 2; field; ++next) {
+    const Finite times = finite_of(field->values);
+    if (times.count > 0)
+      beats.push_back({{"activated", static_cast<double>(times.count) / conducting},
+                       {"first_ms", times.smallest},
+                       {"last_ms", times.largest}});
+    field = find_field(fields, "activation_" + std::to_string(next) + "_ms");
+  }
+  return beats;
+}
+
 json monodomain_json(const Trajectory& result, const Recipe& recipe, double conducting) {
   const auto values = [&](const char* name) { return finite_of(find_field(result.fields, name)->values); };
   const Finite activated = values("activation_ms"), durations = values("apd_ms"),
@@ -48,6 +66,7 @@ json monodomain_json(const Trajectory& result, const Recipe& recipe, double cond
            {"activated", static_cast<double>(activated.count) / conducting},
            {"total_activation_ms", activated.largest},
            {"most_activations", values("activations").largest},
+           {"beats", beats_json(result.fields, conducting)},
            {"last_stimulus_ms", paced},
            {"last_activation_ms", last.largest},
            {"lasted_ms", std::max(0.0, last.largest - paced)}};

@@ -5,6 +5,7 @@ import { writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
+import { noValue } from '../src/engine/contract';
 import { decodeFragment } from '../src/link/codec';
 import { expect, idle, openAndRun, pixels, smallHeart, test } from './support';
 
@@ -51,17 +52,22 @@ async function listen(page: Page): Promise<void> {
   });
 }
 
-const wave = ['activation_ms', 'repolarisation_ms', 'apd_ms', 'last_activation_ms', 'activations'];
-
-/** SHA-256 of all frames, if any were told, and then of these fields, as they were found last. */
-function digestInPage(page: Page, fields: string[]): Promise<string> {
-  return page.evaluate(async (names) => {
-    const { frames, found } = (window as unknown as { told: Told }).told;
-    const last = names.map((name) => found.at(-1)![name]);
-    const all = await new Blob([...frames, ...last] as Float32Array<ArrayBuffer>[]).arrayBuffer();
-    const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', all));
-    return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
-  }, fields);
+/** SHA-256 of all frames, if any were told, and of what was found last, from this field on; NaN where points have none. */
+function digestInPage(page: Page, firstField: string): Promise<string> {
+  return page.evaluate(
+    async ([first, none]) => {
+      const { frames, found } = (window as unknown as { told: Told }).told;
+      const last = Object.entries(found.at(-1)!);
+      const gap = Math.fround(none);
+      const own = last
+        .slice(last.findIndex(([name]) => name === first))
+        .map(([, values]) => values.map((value) => (value === gap ? NaN : value)));
+      const all = await new Blob([...frames, ...own] as Float32Array<ArrayBuffer>[]).arrayBuffer();
+      const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', all));
+      return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+    },
+    [firstField, noValue] as const,
+  );
 }
 
 function digestUnderNode(path: string, stage: string): string {
@@ -77,30 +83,39 @@ function digestUnderNode(path: string, stage: string): string {
 const colourBy = (page: Page) => page.getByLabel('Colour by');
 const player = (page: Page) => page.locator('.player');
 
-test('a link brings a simulation: its activation map and its wave have the bytes of the command line', async ({
+test('a link brings a simulation: its activation map and its two waves have the bytes of the command line', async ({
   page,
 }, testInfo) => {
   await listen(page);
-  await openAndRun(page, heart);
+  const [apex] = heart.physics.stimuli;
+  const monodomain = { ...heart.physics.monodomain, end_ms: 1400 };
+  const stimuli = [{ ...apex, count: 2, interval_ms: 700 }];
+  const twice = { ...heart, physics: { ...heart.physics, stimuli, monodomain } };
+  await openAndRun(page, twice);
   const path = testInfo.outputPath('case.json');
-  writeFileSync(path, JSON.stringify(heart));
+  writeFileSync(path, JSON.stringify(twice));
   await page.getByTestId('activation-map').click();
   await expect(page.locator('.legend')).toContainText('Activation time, eikonal');
   await idle(page);
-  expect(await digestInPage(page, ['eikonal_ms'])).toBe(digestUnderNode(path, 'eikonal'));
+  expect(await digestInPage(page, 'eikonal_ms')).toBe(digestUnderNode(path, 'eikonal'));
 
   await page.getByTestId('simulate-wave').click();
   await expect(player(page)).toHaveAttribute('data-state', 'done');
   await idle(page);
-  await expect(player(page)).toHaveAttribute('data-frames', '71');
+  await expect(player(page)).toHaveAttribute('data-frames', '141');
   await expect(page.locator('.legend')).toContainText('Membrane voltage');
-  expect(await digestInPage(page, wave)).toBe(digestUnderNode(path, 'monodomain'));
+  expect(await digestInPage(page, 'activation_ms')).toBe(digestUnderNode(path, 'monodomain'));
   // What was found stands in the menu beside what is played.
   await colourBy(page).selectOption({ label: 'Activation time' });
-  await expect(page.locator('.legend')).toContainText('Activation time');
-  await colourBy(page).selectOption({ label: 'Action potential duration' });
+  await expect(page.locator('.legend')).toContainText('Activation time ms');
+  const beat = page.getByLabel('Beat', { exact: true });
+  await beat.fill('2');
+  await expect(page.locator('.legend')).toContainText('Activation time (beat 2) ms, lines every');
+  await expect(colourBy(page)).toHaveValue('activation_2_ms');
   const { violations } = await new AxeBuilder({ page }).analyze();
   expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
+  await colourBy(page).selectOption({ label: 'Action potential duration' });
+  await expect(beat).toHaveCount(0);
 });
 
 test('a simulation is set up by hand: scar conducts nothing, a stimulus off the heart is told', async ({
@@ -201,7 +216,7 @@ test('a click on the heart excites it while its wave is computed, and the case g
 
   const path = testInfo.outputPath('case.json');
   writeFileSync(path, JSON.stringify(await decodeFragment(await page.evaluate(() => location.hash))));
-  expect(await digestInPage(page, wave)).toBe(digestUnderNode(path, 'monodomain'));
+  expect(await digestInPage(page, 'activation_ms')).toBe(digestUnderNode(path, 'monodomain'));
 });
 
 test('the phase of a wave is played, and a second wave is compared with the pinned one', async ({ page }) => {

@@ -26,12 +26,22 @@ void ActivationLog::record(double begin_ms, double step_ms, const Eigen::VectorX
     }
 }
 
-std::vector<float> ActivationLog::activation(std::size_t points, int k) const {
-  std::vector<float> times(points, kNever);
-  std::vector<int> seen(points, 0);
-  for (const Crossing& found : activations_)
-    if (seen[found.point]++ == k) times[found.point] = found.time_ms;
-  return times;
+std::vector<ActivationLog::Beat> ActivationLog::beats(std::size_t points, std::size_t most) const {
+  const std::vector<float> none(points, kNever);
+  std::vector<Beat> beats{{none, none}};
+  std::vector<std::size_t> count(points, 0);
+  for (const Crossing& found : activations_) {
+    const std::size_t k = count[found.point]++;
+    if (k >= most) continue;
+    if (k == beats.size()) beats.push_back({none, none});
+    beats[k].activated_ms[found.point] = found.time_ms;
+  }
+  std::vector<std::size_t> repolarised(points, 0);
+  for (const Crossing& found : repolarisations_)
+    for (std::size_t& k = repolarised[found.point];
+         k < beats.size() && found.time_ms > beats[k].activated_ms[found.point]; ++k)
+      beats[k].repolarised_ms[found.point] = found.time_ms;
+  return beats;
 }
 
 std::vector<float> ActivationLog::last_activation(std::size_t points) const {
@@ -44,15 +54,6 @@ std::vector<float> ActivationLog::activation_counts(std::size_t points) const {
   std::vector<float> counts(points, 0);
   for (const Crossing& found : activations_) ++counts[found.point];
   return counts;
-}
-
-std::vector<float> ActivationLog::repolarisation(std::size_t points, int k) const {
-  const std::vector<float> activated = activation(points, k);
-  std::vector<float> times(points, kNever);
-  for (const Crossing& found : repolarisations_)
-    if (found.time_ms > activated[found.point] && !(times[found.point] >= 0))
-      times[found.point] = found.time_ms;
-  return times;
 }
 
 }  // namespace voxtet

@@ -34,12 +34,16 @@ class ActivationLog {
   const std::vector<Crossing>& activations() const { return activations_; }  ///< in the order of their steps
   const std::vector<Crossing>& repolarisations() const { return repolarisations_; }
 
-  /// The k-th activation of each of `points` points, from 0; NaN where there are fewer.
-  std::vector<float> activation(std::size_t points, int k) const;
+  /// A time for each point, NaN where there is none.
+  struct Beat {
+    std::vector<float> activated_ms;
+    std::vector<float> repolarised_ms;  ///< the first time after the activation
+  };
+  /// The first, second, ... activation of each of `points` points: as many beats as a point has at most, but
+  /// at least one and no more than `most`.
+  std::vector<Beat> beats(std::size_t points, std::size_t most) const;
   std::vector<float> last_activation(std::size_t points) const;
   std::vector<float> activation_counts(std::size_t points) const;
-  /// The first repolarisation after the k-th activation.
-  std::vector<float> repolarisation(std::size_t points, int k) const;
 
  private:
   std::vector<Crossing> activations_, repolarisations_;

@@ -304,19 +304,29 @@ Field Monodomain::voltage() const {
 
 std::vector<Field> Monodomain::activation_fields() const {
   const std::size_t count = points().size();
-  const std::vector<float> activated = log_.activation(count, 0), repolarised = log_.repolarisation(count, 0);
+  const std::vector<ActivationLog::Beat> beats = log_.beats(count, kMostBeats);
+  const auto& [activated, repolarised] = beats[0];
   std::vector<float> duration(count);
   for (std::size_t i = 0; i < count; ++i) duration[i] = repolarised[i] - activated[i];
-  const auto field = [&](const char* name, const char* title, const char* unit, Scale scale,
+  const auto field = [&](std::string name, std::string title, const char* unit, Scale scale,
                          const std::vector<float>& values) {
-    return Field{name, title, unit, On::kPoints, scale, 1, on_mesh(values, kNotConducting)};
+    return Field{
+        std::move(name), std::move(title), unit, On::kPoints, scale, 1, on_mesh(values, kNotConducting)};
   };
-  return {
+  std::vector<Field> fields{
       field("activation_ms", "Activation time", "ms", Scale::kSequential, activated),
       field("repolarisation_ms", "Repolarisation time", "ms", Scale::kSequential, repolarised),
       field("apd_ms", "Action potential duration", "ms", Scale::kSequential, duration),
       field("last_activation_ms", "Last activation", "ms", Scale::kSequential, log_.last_activation(count)),
       field("activations", "Number of activations", "1", Scale::kWhole, log_.activation_counts(count))};
+  for (std::size_t k = 1; k < beats.size(); ++k) {
+    const std::string beat = std::to_string(k + 1);
+    fields.push_back(field("activation_" + beat + "_ms", "Activation time (beat " + beat + ")", "ms",
+                           Scale::kSequential, beats[k].activated_ms));
+    fields.push_back(field("repolarisation_" + beat + "_ms", "Repolarisation time (beat " + beat + ")", "ms",
+                           Scale::kSequential, beats[k].repolarised_ms));
+  }
+  return fields;
 }
 
 std::vector<double> Monodomain::potentials_mv() const {

@@ -81,8 +81,11 @@ class Monodomain {
 
   /// Of each point of the whole mesh; NaN where nothing conducts.
   Field voltage() const;
+  /// A beat has two fields of its own: 3 MB at 400,000 points.
+  static constexpr std::size_t kMostBeats = 20;
   /// `activation_ms`, `repolarisation_ms` and `apd_ms` of the first beat, `last_activation_ms` and
-  /// `activations`, how often. NaN where there was none.
+  /// `activations`, how often; then `activation_2_ms`, `repolarisation_2_ms`, `activation_3_ms` ... of each
+  /// point's next beats, up to the greatest of `activations`, at most kMostBeats. NaN where there was none.
   std::vector<Field> activation_fields() const;
   const ActivationLog& log() const { return log_; }
   /// Potentials of the electrodes (mV) now, in the order of the parameters.

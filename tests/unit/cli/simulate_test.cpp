@@ -75,6 +75,22 @@ TEST_F(CliTest, SimulatesAWaveAndWritesWhatWasFound) {
   EXPECT_EQ(traces[10].substr(0, 3), "10,");
 }
 
+TEST_F(CliTest, SimulatesTwoBeatsAndWritesTheTimesOfBoth) {
+  json paced = ball();
+  paced["physics"]["stimuli"][0].update({{"count", 2}, {"interval_ms", 400}});
+  paced["physics"]["monodomain"].update({{"end_ms", 500}, {"electrodes", json::array()}});
+  write("paced.json", paced.dump());
+  ASSERT_EQ(run({"simulate", at("paced.json"), "-o", at("a.vtu"), "--report", at("r.json")}), kExitOk);
+  for (const char* name : {"activation_2_ms", "repolarisation_2_ms"})
+    EXPECT_NE(text_at(at("a.vtu")).find("Name=\"" + std::string(name) + "\""), std::string::npos) << name;
+  const json wave = read_json("r.json")["simulation"]["monodomain"];
+  ASSERT_EQ(wave["beats"].size(), 2U);
+  for (const json& beat : wave["beats"]) EXPECT_EQ(beat["activated"], 1);
+  EXPECT_EQ(wave["beats"][0]["last_ms"], wave["total_activation_ms"]);
+  EXPECT_GT(wave["beats"][1]["first_ms"], 400);
+  EXPECT_EQ(wave["beats"][1]["last_ms"], wave["last_activation_ms"]);
+}
+
 TEST_F(CliTest, SimulationsGoOnFromASavedState) {
   json first = ball();
   write("ball.json", first.dump());

@@ -110,6 +110,8 @@ export interface Simulated {
     total_activation_ms: number;
     mean_apd_ms?: number;
     most_activations: number;
+    /** Of the first, second ... activation of each point, 20 at most. */
+    beats: { activated: number; first_ms: number; last_ms: number }[];
     last_stimulus_ms: number;
     last_activation_ms: number;
     /** How long after the last stimulus a point was still activated. */

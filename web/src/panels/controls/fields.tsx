@@ -218,3 +218,27 @@ export function Segments<T extends string>(props: {
     </div>
   );
 }
+
+interface SliderProps {
+  name: string;
+  value: number;
+  onValue(value: number): void;
+  min?: number;
+  max?: number;
+  step?: number;
+}
+
+/** From 0 to 1 where nothing else is said. */
+export function Slider({ name, value, onValue, min = 0, max = 1, step = 0.005 }: SliderProps) {
+  return (
+    <input
+      type="range"
+      min={min}
+      max={max}
+      step={step}
+      value={value}
+      aria-label={name}
+      onInput={(event) => onValue(Number(event.currentTarget.value))}
+    />
+  );
+}

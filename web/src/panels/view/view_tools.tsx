@@ -3,7 +3,7 @@ import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
 import { fibresAreGiven, nameOf } from '../../store/case/input';
 import { recipe } from '../../store/case/recipe';
-import { simulatedFields } from '../../store/run/simulated_fields';
+import { beatShown, showBeat, simulatedFields } from '../../store/run/simulated_fields';
 import { shownResult } from '../../store/run/results';
 import { report } from '../../store/run/report';
 import {
@@ -24,16 +24,10 @@ import {
   type ColourBy,
   type SliceOverlay,
 } from '../../store/view';
-import { Segments } from '../controls/fields';
+import { Segments, Slider } from '../controls/fields';
 import { Icon } from '../controls/icons';
 import { fetched } from '../controls/fetched';
 import { ScaleStrip } from './view_cards';
-
-const cutAxes: [string, string, Vec3][] = [
-  ['R', 'Cut from right to left', [1, 0, 0]],
-  ['A', 'Cut from front to back', [0, 1, 0]],
-  ['S', 'Cut from head to feet', [0, 0, 1]],
-];
 
 /** Every field that the evidence has, and those that are played, in the engine's words. */
 function fieldOptions(): [ColourBy, string][] {
@@ -73,40 +67,22 @@ function ColourChoice() {
   );
 }
 
-function CutDirection() {
-  const { normal } = cut.value;
-  const axis = cutAxes.find(
-    ([, , direction]) =>
-      direction.every((part, i) => part === normal[i]) || direction.every((part, i) => -part === normal[i]),
-  );
+/** Which activation of each point, where some were activated again. */
+function BeatTool() {
+  const { beat, count } = beatShown.value;
+  if (count < 2) return null;
   return (
-    <div class="segments" role="group" aria-label="Direction of the cut">
-      {cutAxes.map(([name, title, direction]) => (
-        <button
-          type="button"
-          key={name}
-          title={title}
-          aria-label={title}
-          aria-pressed={axis?.[0] === name}
-          onClick={() => (cut.value = { ...cut.value, normal: direction })}
-        >
-          {name}
-        </button>
-      ))}
-      <button
-        type="button"
-        title="Cut facing me"
-        aria-pressed={!axis}
-        onClick={() => (command.value = { kind: 'cut_facing_me' })}
-      >
-        View
-      </button>
-    </div>
+    <label class="tool-field explode" title="Which activation of each point">
+      <span>Beat {beat}</span>
+      <Slider name="Beat" min={1} max={count} step={1} value={beat} onValue={showBeat} />
+    </label>
   );
 }
 
+const CutFields = fetched(() => import('./cut_fields').then((part) => part.CutFields));
+
 function CutTools({ onTets }: { onTets: boolean }) {
-  const { on, flat, normal, place } = cut.value;
+  const { on } = cut.value;
   return (
     <>
       <button
@@ -118,45 +94,7 @@ function CutTools({ onTets }: { onTets: boolean }) {
       >
         Cut
       </button>
-      {on && (
-        <div class="cut-tools">
-          {onTets && (
-            <Segments
-              label="What the cut leaves"
-              value={flat ? 'flat' : 'whole'}
-              options={[
-                ['whole', 'Whole', 'Tetrahedra stay whole'],
-                ['flat', 'Flat', 'The plane goes through tetrahedra'],
-              ]}
-              onChange={(kind) => (cut.value = { ...cut.value, flat: kind === 'flat' })}
-            />
-          )}
-          <CutDirection />
-          <input
-            type="range"
-            min={0}
-            max={1}
-            step={0.005}
-            value={place}
-            aria-label="Place of the cut"
-            onInput={(event) => (cut.value = { ...cut.value, place: Number(event.currentTarget.value) })}
-          />
-          <button
-            type="button"
-            class="tool"
-            title="Keep the other side"
-            onClick={() =>
-              (cut.value = {
-                ...cut.value,
-                normal: normal.map((part) => -part || 0) as Vec3,
-                place: 1 - place,
-              })
-            }
-          >
-            Flip
-          </button>
-        </div>
-      )}
+      {on && <CutFields onTets={onTets} />}
     </>
   );
 }
@@ -167,14 +105,12 @@ function ExplodeTool() {
   return (
     <label class="tool-field explode" title="Pull the labels apart">
       <span>Apart</span>
-      <input
-        type="range"
-        min={0}
+      <Slider
+        name="Pull the labels apart"
         max={1.5}
         step={0.02}
         value={explode.value}
-        aria-label="Pull the labels apart"
-        onInput={(event) => (explode.value = Number(event.currentTarget.value))}
+        onValue={(next) => (explode.value = next)}
       />
     </label>
   );
@@ -187,15 +123,10 @@ function PlaneTools() {
       {['i', 'j', 'k'].map((name, axis) => (
         <label key={name}>
           <span>{name}</span>
-          <input
-            type="range"
-            min={0}
-            max={1}
-            step={0.005}
+          <Slider
+            name={`Slice along image axis ${name}`}
             value={slicePlaces.value[axis]}
-            aria-label={`Slice along image axis ${name}`}
-            onInput={(event) => {
-              const place = Number(event.currentTarget.value);
+            onValue={(place) => {
               slicePlaces.value = slicePlaces.value.map((old, i) => (i === axis ? place : old)) as Vec3;
             }}
           />
@@ -244,6 +175,7 @@ export function ViewToolbar() {
         onChange={(next) => (layout.value = next)}
       />
       {!planes && <ColourChoice />}
+      {onTets && <BeatTool />}
       <button
         type="button"
         class="tool"

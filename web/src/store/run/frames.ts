@@ -46,14 +46,20 @@ export const playedFields = signal<readonly PlayedField[]>([]);
 const found = new Map<string, Float32Array>();
 export const foundFields = signal<readonly PlayedField[]>([]);
 
-/** Fields of the same names, of an earlier simulation, give way. */
+/** The field of another beat: `activation_ms`, `activation_2_ms`, `activation_3_ms` ... */
+export const ofBeat = (name: string, beat: number): string =>
+  name.replace(/(_\d+)?_ms$/, beat > 1 ? `_${beat}_ms` : '_ms');
+
+/** Fields of the same names, of an earlier simulation, give way, and with those of the first beat the later ones. */
 export function keepFound({ fields, values }: FoundFields): void {
   const fresh = fields
     .filter(({ name }) => !playedFields.peek().some(({ info }) => info.name === name))
     .map((info): PlayedField => ({ info, range: info.range ?? [0, 1] }));
-  for (const { info } of fresh) found.set(info.name, values[info.name]);
   const names = new Set(fresh.map(({ info }) => info.name));
-  foundFields.value = [...foundFields.peek().filter(({ info }) => !names.has(info.name)), ...fresh];
+  const stays = (name: string) => !names.has(name) && !names.has(ofBeat(name, 1));
+  for (const name of found.keys()) if (!stays(name)) found.delete(name);
+  for (const name of names) found.set(name, values[name]);
+  foundFields.value = [...foundFields.peek().filter(({ info }) => stays(info.name)), ...fresh];
 }
 
 /** The figures of the simulations of this mesh. */

@@ -1,15 +1,17 @@
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { noValue, type FieldInfo, type Recipe, type Report, type StageArrays } from '../../engine/contract';
-import { time } from '../view';
+import { colourBy, time } from '../view';
 import { pinRun, unpin } from './compare';
 import { forgetFound, forgetFrames, keepFound, keepFrame } from './frames';
 import { phaseDegrees } from './phase';
 import { meshedRecipe, report } from './report';
 import { keepResult, showResult } from './results';
 import {
+  beatShown,
   comparedFields,
   differenceFound,
   pinnedValues,
+  showBeat,
   simulatedFields,
   simulatedValues,
 } from './simulated_fields';
@@ -44,6 +46,7 @@ afterEach(() => {
   unpin();
   forgetFrames();
   forgetFound();
+  colourBy.value = 'label';
 });
 
 describe('the phase', () => {
@@ -80,6 +83,79 @@ describe('the phase', () => {
   it('is none without a voltage', () => {
     activated(1, 2, 3);
     expect(simulatedFields.value.map((field) => field.info.name)).toEqual(['activation_ms']);
+  });
+});
+
+/** So many activations of a point, each with its time of recovery, and two fields of no beat. */
+function beats(...times: number[]): void {
+  const later = times.slice(1).flatMap((_, i) => [`activation_${i + 2}_ms`, `repolarisation_${i + 2}_ms`]);
+  const names = ['activation_ms', 'repolarisation_ms', 'last_activation_ms', 'activations', ...later];
+  const value = (name: string) => times[Number(/_(\d+)_/.exec(name)?.[1] ?? 1) - 1];
+  keepFound({
+    fields: names.map((name) => info(name)),
+    values: Object.fromEntries(names.map((name) => [name, Float32Array.of(value(name))])),
+  });
+}
+const offered = () => simulatedFields.value.map((field) => field.info.name);
+
+describe('beats of a point', () => {
+  it('after the first are offered one at a time: the one that is shown', () => {
+    beats(10, 210, 410);
+    const first = ['activation_ms', 'repolarisation_ms', 'last_activation_ms', 'activations'];
+    expect(offered()).toEqual(first);
+    colourBy.value = 'activation_ms';
+    expect(beatShown.value).toEqual({ beat: 1, count: 3 });
+    showBeat(3);
+    expect(colourBy.value).toBe('activation_3_ms');
+    expect(beatShown.value).toEqual({ beat: 3, count: 3 });
+    expect(offered()).toEqual([...first, 'activation_3_ms']);
+    expect(simulatedValues(colourBy.value)?.[0]).toBe(410);
+    showBeat(1);
+    expect(colourBy.value).toBe('activation_ms');
+    expect(offered()).toEqual(first);
+  });
+
+  it('are none of what has only one', () => {
+    beats(10, 210);
+    for (const name of ['label', 'activations', 'last_activation_ms', 'edge_mm']) {
+      colourBy.value = name;
+      expect(beatShown.value.count).toBeLessThan(2);
+    }
+    beats(10);
+    colourBy.value = 'activation_ms';
+    expect(beatShown.value).toEqual({ beat: 1, count: 1 });
+  });
+
+  it('of an earlier simulation give way to a first beat, not to another later one', () => {
+    beats(10, 210, 410);
+    beats(20, 220);
+    colourBy.value = 'activation_ms';
+    expect(beatShown.value.count).toBe(2);
+    expect(simulatedValues('activation_3_ms')).toBeUndefined();
+    keepFound({ fields: [info('activation_2_ms')], values: { activation_2_ms: Float32Array.of(230) } });
+    expect(simulatedValues('activation_2_ms')?.[0]).toBe(230);
+    expect(simulatedValues('activation_ms')?.[0]).toBe(20);
+  });
+
+  it('are compared with those of a pinned run', () => {
+    beats(10, 210);
+    pinRun();
+    beats(11, 214, 420);
+    colourBy.value = 'difference_activation_ms';
+    expect(beatShown.value).toEqual({ beat: 1, count: 3 });
+    showBeat(2);
+    expect(colourBy.value).toBe('difference_activation_2_ms');
+    expect([...simulatedValues(colourBy.value)!]).toEqual([4]);
+    expect(offered()).toContain('difference_activation_2_ms');
+    expect(comparedFields.value.map((field) => field.info.name)).not.toContain('repolarisation_2_ms');
+    // The pinned run has no third beat.
+    showBeat(3);
+    expect(offered()).not.toContain('difference_activation_3_ms');
+  });
+
+  it('that stand alone, from a file, are offered always', () => {
+    keepFound({ fields: [info('activation_2_ms')], values: { activation_2_ms: Float32Array.of(230) } });
+    expect(offered()).toEqual(['activation_2_ms']);
   });
 });
 

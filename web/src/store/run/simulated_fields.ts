@@ -1,7 +1,7 @@
 /** All that a mesh can be coloured by of its simulations: what is played, what was found, and what comes of both. */
 import { computed } from '@preact/signals';
 import type { FieldInfo } from '../../engine/contract';
-import { time } from '../view';
+import { colourBy, time } from '../view';
 import { differencesOf, pinnedSimulation, type ValueDifferences } from './compare';
 import {
   foundFields,
@@ -9,6 +9,7 @@ import {
   frameAt,
   frameShown,
   keptSimulation,
+  ofBeat,
   playedFields,
   type PlayedField,
 } from './frames';
@@ -17,6 +18,26 @@ import { phaseDegrees, phaseDelayMs } from './phase';
 const voltage = 'voltage_mV';
 const phase = 'phase_deg';
 const differencePrefix = 'difference_';
+
+/** Which beat of how many the mesh is coloured by; fields that are of no beat are one of one. */
+export const beatShown = computed(() => {
+  const name = colourBy.value.replace(differencePrefix, '');
+  const first = ofBeat(name, 1);
+  const count = foundFields.value.filter(({ info }) => ofBeat(info.name, 1) === first).length;
+  return { beat: Number(/_(\d+)_ms$/.exec(name)?.[1] ?? 1), count };
+});
+
+export function showBeat(beat: number): void {
+  colourBy.value = ofBeat(colourBy.value, beat);
+}
+
+/** What was found, but of later beats only the one that is shown: there may be twenty. */
+const offeredFields = computed((): PlayedField[] =>
+  foundFields.value.filter(({ info: { name } }) => {
+    const first = ofBeat(name, 1);
+    return first === name || !foundValues(first) || colourBy.value.endsWith(name);
+  }),
+);
 
 const phaseField = computed((): PlayedField[] => {
   const played = playedFields.value.find(({ info }) => info.name === voltage);
@@ -35,7 +56,7 @@ export const comparedFields = computed((): { info: FieldInfo; played: boolean }[
   const played = playedFields.value.filter(
     ({ info }) => then.frames !== now.frames && then.frames.at(0)?.values[info.name],
   );
-  const found = foundFields.value.filter(({ info: { name } }) => {
+  const found = offeredFields.value.filter(({ info: { name } }) => {
     const before = then.found.get(name);
     return before && before !== foundValues(name);
   });
@@ -59,7 +80,7 @@ const differenceFields = computed((): PlayedField[] =>
 export const simulatedFields = computed((): PlayedField[] => [
   ...playedFields.value,
   ...phaseField.value,
-  ...foundFields.value,
+  ...offeredFields.value,
   ...differenceFields.value,
 ]);
 
