@@ -16,7 +16,7 @@ namespace {
 constexpr double kInPlane = 1e-5;
 constexpr int kCutHalvings = 6;
 /// Of the area or volume of an element that its points' way into their planes must leave.
-constexpr double kLeastPart = 0.1;
+constexpr double kLeastPart = 0.3;
 constexpr std::uint32_t kGone = 0xffffffffU;
 
 /// Whether a triangle bounds nothing but what is beyond; its label stands first, since it is the highest.
