@@ -121,13 +121,13 @@ const Walls& Session::walls() const {
   return found ? found->walls : none;
 }
 
-const SurfaceMesh* Session::remeshed() const {
-  const auto* found = result<Layered<SurfaceMesh>>(Stage::kRemesh);
+const SurfaceMesh* Session::surface_of(Stage stage) const {
+  const auto* found = result<Built<SurfaceMesh>>(stage);
   return found ? &found->mesh : nullptr;
 }
 
 const TetMesh* Session::filled() const {
-  const auto* found = result<Layered<TetMesh>>(Stage::kTetra);
+  const auto* found = result<Built<TetMesh>>(Stage::kTetra);
   return found ? &found->mesh : nullptr;
 }
 

@@ -93,11 +93,11 @@ class Session {
   /// The labels to be meshed, thick slices interpolated and small components removed: what the later stages
   /// see. Its axes are in the order of mesh_order(), not in that of the source.
   const LabelVolume* volume() const;
-  const SurfaceMesh* surface() const { return result<SurfaceMesh>(Stage::kSurface); }
-  const SurfaceMesh* smooth() const { return result<SurfaceMesh>(Stage::kSmooth); }
+  const SurfaceMesh* surface() const { return surface_of(Stage::kSurface); }
+  const SurfaceMesh* smooth() const { return surface_of(Stage::kSmooth); }
   const SizingField* sizing() const { return result<SizingField>(Stage::kSizing); }
   const Walls& walls() const;  ///< none before they are measured
-  const SurfaceMesh* remeshed() const;
+  const SurfaceMesh* remeshed() const { return surface_of(Stage::kRemesh); }
   const TetMesh* filled() const;
   /// The optimised tetrahedra. Until there are any, also if kOptimise failed, those that fill the surface.
   const TetMesh* mesh() const;
@@ -135,6 +135,7 @@ class Session {
     StageOutput output;
   };
 
+  const SurfaceMesh* surface_of(Stage stage) const;
   void files_changed();
   Status admit(const StageSpec& spec, RunContext& ctx);
   StageInputs results_for(const StageSpec& spec) const;

@@ -96,6 +96,9 @@ void visit_fields(V& v, VolumeParams& p) {
   v.field({"hole_voxels", "voxel", 0, 1e9,
            "Enclosed pieces of background with fewer voxels are filled; 0 keeps all."},
           p.hole_voxels);
+  v.field({"flat_border", "", 0, 0,
+           "Faces at which the image cuts a body off are flat, with a sharp rim and a name."},
+          p.flat_border);
 }
 
 template <class V>

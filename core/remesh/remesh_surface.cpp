@@ -10,7 +10,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "geometry/repair/undo_intersections.h"
 #include "geometry/topology/compare_topology.h"
+#include "geometry/topology/cut_faces.h"
 #include "geometry/topology/label_topology.h"
 #include "remesh/adapt/adapt_complex.h"
 #include "remesh/adapt/improve_surface.h"
@@ -196,6 +198,14 @@ Result<SurfaceMesh> improve(const SurfaceMesh& surface, const LabelVolume& volum
   return improved;
 }
 
+/// False when cancelled.
+bool flatten(SurfaceMesh& surface, const CutPlanes& cuts, RunContext& ctx) {
+  if (cuts.empty()) return true;
+  const std::vector<Eigen::Vector3d> before = surface.points;
+  flatten_cuts(surface, cuts);
+  return !undo_intersections(surface, before, ctx).cancelled;
+}
+
 /// The label field goes with the end of refinement: what comes after needs its memory.
 Result<SurfaceMesh> refine(const LabelVolume& volume, const SurfaceMesh& reference,
                            const TopologyLedger& wanted, const SizingField& sizing,
@@ -213,13 +223,14 @@ Result<SurfaceMesh> refine(const LabelVolume& volume, const SurfaceMesh& referen
 
 Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,
                               const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
-                              const WallLayers& layers) {
+                              const WallLayers& layers, const CutPlanes& cuts) {
   ctx.progress(kRemeshStage, 0);
   if (params.method == RemeshMethod::kAdapt) return adapt(volume, reference, sizing, params, ctx);
   const TopologyLedger wanted = label_topology(reference);
   RunContext first = ctx.part(0, kRefinementShare), then = ctx.part(kRefinementShare, 1);
   Result<SurfaceMesh> surface = refine(volume, reference, wanted, sizing, params, first, layers);
   if (!surface) return surface;
+  if (!flatten(*surface, cuts, ctx)) return cancelled_error(kRemeshStage);
   const TopologyLedger found = label_topology(merge_layers(*surface, layers));
   const std::string broken = broken_topology(wanted, found, params.keep_topology);
   if (broken.empty()) {
@@ -239,7 +250,7 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
 
 Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& reference,
                                    const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
-                                   const WallLayers& layers) {
+                                   const WallLayers& layers, const CutPlanes& cuts) {
   if (Status status = check_volume(volume); !status) return status.error();
   if (Status status = check_label_surface(reference, volume); !status) return status.error();
   if (Status status = check_parameters(sizing, params); !status) return status.error();
@@ -251,8 +262,9 @@ Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh&
                  {}};
   try {
     RunContext rising = ctx.part(0, 1);
-    Result<SurfaceMesh> surface = by_method(volume, reference, sizing, params, rising, layers);
+    Result<SurfaceMesh> surface = by_method(volume, reference, sizing, params, rising, layers, cuts);
     if (surface) {
+      if (!flatten(*surface, cuts, ctx)) return cancelled_error(kRemeshStage);
       warn_about_sizes(*surface, sizing, ctx);
       ctx.progress(kRemeshStage, 1);
     }

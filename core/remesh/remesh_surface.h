@@ -2,6 +2,7 @@
 #pragma once
 
 #include "remesh/remesh_params.h"
+#include "types/cut_plane.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"
@@ -20,12 +21,13 @@ namespace voxtet {
 /// used; a warning tells if and why the other method was the fallback.
 ///
 /// With `layers` the sheets between them are interfaces too; merge_layers() removes them. Only method
-/// delaunay makes them: a warning tells if the fallback was used, without sheets.
+/// delaunay makes them: a warning tells if the fallback was used, without sheets. Faces of `cuts` lie in
+/// their planes, unless the surface would then meet itself.
 ///
 /// Errors: kBadInput for malformed values; kUsage for layers with method adapt; kCancelled; kOutOfMemory;
 /// kInternal where the triangulation fails.
 Result<SurfaceMesh> remesh_surface(const LabelVolume& volume, const SurfaceMesh& label_surface,
                                    const SizingField& sizing, const RemeshParams& params, RunContext& ctx,
-                                   const WallLayers& layers = {});
+                                   const WallLayers& layers = {}, const CutPlanes& cuts = {});
 
 }  // namespace voxtet

@@ -1,11 +1,41 @@
 #include "volume/prepare_volume.h"
 
+#include <algorithm>
+#include <string>
+
 #include "types/stage_names.h"
+#include "volume/extend_cuts.h"
 #include "volume/interpolate_slices.h"
 #include "volume/mesh_order.h"
 #include "volume/remove_specks.h"
 
 namespace voxtet {
+namespace {
+
+void extend_body(PreparedVolume& out, RunContext& ctx) {
+  const LabelVolume& body = *out.prepared;
+  const CutFaces faces = find_cut_faces(body);
+  if (faces.none()) return;
+  out.cuts = planes_of(body, faces, *std::max_element(body.labels.begin(), body.labels.end()));
+  if (out.cuts.empty()) {
+    ctx.warn(kVolumeStage,
+             "volume.flat_border: the image cuts the body off, and its labels leave no numbers up to 65535 "
+             "for the faces there: they are rounded; give the labels lower numbers");
+    return;
+  }
+  std::string names;
+  for (const CutPlane& cut : out.cuts) names += (names.empty() ? "" : ", ") + cut.name;
+  ctx.note(kVolumeStage, "the image cuts the body off: flat faces " + names);
+  const auto share = [](LabelVolume volume) {
+    return std::make_shared<const LabelVolume>(std::move(volume));
+  };
+  const bool same = out.anatomy == out.prepared;
+  out.meshed = share(extended(body, faces, &out.cuts));
+  out.anatomy = share(extended(*out.anatomy, faces, nullptr, !same));
+  out.prepared = same ? out.anatomy : share(extended(body, faces));
+}
+
+}  // namespace
 
 Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& source,
                                       const std::vector<Label>& labels, const std::vector<LabelGroup>& merge,
@@ -17,7 +47,7 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
                  {}};
   Result<std::shared_ptr<const LabelVolume>> chosen = select_labels(source, labels, merge);
   if (!chosen) return chosen.error();
-  PreparedVolume out{*chosen, *chosen, source};
+  PreparedVolume out{*chosen, *chosen, source, {}, {}};
   if (const AxisOrder order = mesh_order(*out.selected); !order.is_identity()) {
     out.anatomy = std::make_shared<const LabelVolume>(reordered(*source, order));
     out.selected = out.prepared =
@@ -34,6 +64,8 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
   if (params.speck_voxels > 0 || params.hole_voxels > 0)
     out.prepared = std::make_shared<const LabelVolume>(
         remove_specks(*out.prepared, {params.speck_voxels, params.hole_voxels}, ctx));
+  out.meshed = out.prepared;
+  if (params.flat_border) extend_body(out, ctx);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "anatomy/facet_sets.h"
+#include "geometry/topology/cut_faces.h"
 
 namespace voxtet {
 namespace {
@@ -31,6 +32,17 @@ std::vector<Field> point_fields(const Session& session) {
   return fields;
 }
 
+/// Cuts, as far as none of their faces has a name.
+void add_cuts(const TetMesh& mesh, const CutPlanes& cuts, std::vector<NamedSet>& surfaces) {
+  std::vector<bool> named(mesh.faces.size(), false);
+  for (const NamedSet& set : surfaces)
+    for (const std::uint32_t face : set.members) named[face] = true;
+  for (NamedSet& set : cut_sets(mesh, cuts)) {
+    std::erase_if(set.members, [&](std::uint32_t face) { return named[face]; });
+    if (!set.members.empty()) surfaces.push_back(std::move(set));
+  }
+}
+
 /// Removes the fields that the format has no place for; returns their names.
 std::vector<std::string> leave_out(std::vector<Field>& fields, MeshFormat format) {
   std::vector<std::string> names;
@@ -53,6 +65,8 @@ Exported exported_fields(const Session& session, MeshFormat format, bool measure
     for (std::string& name : leave_out(*fields, format)) out.left_out.push_back(std::move(name));
   const auto* anatomy = session.result<AnatomyResult>(Stage::kAnatomy);
   if (anatomy && anatomy->surfaces) out.options.surfaces = facet_sets(*anatomy->surfaces);
+  add_cuts(*session.mesh(), session.result<VolumeResult>(Stage::kVolume)->prepared.cuts,
+           out.options.surfaces);
   if (!has_place_for_surfaces(format))
     for (NamedSet& set : std::exchange(out.options.surfaces, {})) out.left_out.push_back(std::move(set.name));
   return out;

@@ -48,15 +48,15 @@ void add_arrays(const T& result, StageArrays& out) {
 
 // Of a mesh with layers, others see only the mesh without them.
 template <class Mesh>
-nlohmann::json counts_of(const Layered<Mesh>& result) {
+nlohmann::json counts_of(const Built<Mesh>& result) {
   return counts_of(result.mesh);
 }
 template <class Mesh>
-void add_arrays(const Layered<Mesh>& result, StageArrays& out) {
+void add_arrays(const Built<Mesh>& result, StageArrays& out) {
   add_arrays(result.mesh, out);
 }
 template <class Mesh>
-std::string digest_of(const Layered<Mesh>& result) {
+std::string digest_of(const Built<Mesh>& result) {
   return digest_of(result.mesh);
 }
 

@@ -43,11 +43,14 @@ struct LayersResult {
   WallLayers layers;
 };
 
-/// A mesh of the volume's labels and, where layers are exact, the same mesh with a label for each layer.
+/// A mesh of the volume's labels and, where it was made with others that go in the end, the mesh with these:
+/// of the layers of walls that are exact, and of what is beyond cuts.
 template <class Mesh>
-struct Layered {
+struct Built {
   Mesh mesh;
-  std::optional<Mesh> with_layers;
+  std::optional<Mesh> whole;
+
+  const Mesh& as_built() const { return whole ? *whole : mesh; }
 };
 
 /// Empty where the recipe does not ask for it.
@@ -98,8 +101,8 @@ std::size_t memory_bytes(const TissueResult& result);
 std::size_t memory_bytes(const EikonalResult& result);
 std::size_t memory_bytes(const Trajectory& result);
 template <class Mesh>
-std::size_t memory_bytes(const Layered<Mesh>& result) {
-  return memory_bytes(result.mesh) + (result.with_layers ? memory_bytes(*result.with_layers) : 0);
+std::size_t memory_bytes(const Built<Mesh>& result) {
+  return memory_bytes(result.mesh) + (result.whole ? memory_bytes(*result.whole) : 0);
 }
 
 }  // namespace voxtet

@@ -20,6 +20,9 @@ class MoveLimits {
   /// `start`: vertices of an extracted surface in index space, exact to a small fraction of a voxel.
   MoveLimits(const std::vector<Eigen::Vector3d>& start, const VoxelRegions& regions, double reach);
 
+  /// From now on the vertex does not move along this axis.
+  void hold(std::size_t vertex, int axis) { kinds_[vertex] |= static_cast<std::uint8_t>(9U << axis); }
+
   struct Box {
     Eigen::Vector3d low, high;  ///< displacement from the start
   };

@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "geometry/elements/surface_measures.h"
 #include "geometry/repair/undo_intersections.h"
+#include "geometry/topology/cut_faces.h"
 #include "surface/smooth/bilaplacian.h"
 #include "surface/smooth/move_limits.h"
 #include "surface/smooth/shape_guard.h"
@@ -105,8 +106,9 @@ Result<RegionSides> find_region_sides(const SurfaceMesh& surface, const Points& 
 }
 
 /// The graph in which the vertices of thin regions are fixed: those whose volume is less than a sheet of four
-/// voxels' thickness has by its area.
-SurfaceGraph graph_of_thick(const CorrectionProblem& problem, SurfaceGraph graph) {
+/// voxels' thickness has by its area. What is beyond cuts is thin, but goes in the end.
+SurfaceGraph graph_of_thick(const CorrectionProblem& problem, const VoxelRegions& regions,
+                            const CutPlanes& cuts, SurfaceGraph graph) {
   std::vector<double> areas(problem.target.size(), 0);  // in voxels' faces
   for (std::size_t t = 0; t < problem.regions.size(); ++t) {
     const auto [a, b, c] = problem.surface.triangles[t];
@@ -114,12 +116,22 @@ SurfaceGraph graph_of_thick(const CorrectionProblem& problem, SurfaceGraph graph
     for (const std::uint32_t region : problem.regions[t]) areas[region] += area;
   }
   const auto is_thin = [&](std::uint32_t region) {
-    return region != VoxelRegions::kOutside && 2 * problem.target[region] < kThickVoxels * areas[region];
+    return region != VoxelRegions::kOutside && !is_beyond(cuts, regions.label(region)) &&
+           2 * problem.target[region] < kThickVoxels * areas[region];
   };
   for (std::size_t t = 0; t < problem.regions.size(); ++t)
     if (std::any_of(problem.regions[t].begin(), problem.regions[t].end(), is_thin))
       for (const std::uint32_t v : problem.surface.triangles[t]) graph.kinds[v] = VertexKind::kFixed;
   return graph;
+}
+
+void hold_in_planes(const SurfaceMesh& surface, const CutPlanes& cuts, MoveLimits& limits) {
+  if (cuts.empty()) return;
+  const std::vector<std::uint8_t> of_points =
+      cuts_of_points(surface.points.size(), surface.triangles, surface.sides, cuts);
+  for (std::size_t v = 0; v < of_points.size(); ++v)
+    for (std::size_t c = 0; c < cuts.size(); ++c)
+      if ((of_points[v] >> c & 1) != 0) limits.hold(v, cuts[c].axis);
 }
 
 /// Smoothing, and the guard after every few steps, so that a surface held at a voxel centre stays smooth
@@ -151,7 +163,7 @@ void correct_guarded(const CorrectionProblem& problem, const VoxelRegions& regio
 }
 
 Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume& volume,
-                                   const SmoothParams& params, RunContext& ctx) {
+                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts) {
   const Eigen::Matrix3d to_mm = volume.linear();
   const Eigen::Matrix3d to_index = to_mm.inverse();
   const Eigen::Vector3d origin = volume.origin();
@@ -163,15 +175,16 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   const Result<RegionSides> sides = find_region_sides(surface, start, regions, volume.size, ctx.threads);
   if (!sides) return sides.error();
   const SurfaceGraph graph = build_surface_graph(surface);
-  const MoveLimits limits(start, regions, params.max_move_voxels);
+  MoveLimits limits(start, regions, params.max_move_voxels);
+  hold_in_planes(surface, cuts, limits);
   const double orientation = to_mm.determinant() < 0 ? -1 : 1;
   const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
   Points x = start;
   if (!smooth_guarded(problem, regions, graph, params, ctx.part(0, kTurnShare), x))
     return cancelled_error(kSmoothStage);
   // Surfaces of several labels have edges half as long, over which steps reach half as far.
-  if (label == kBackground && !smooth_guarded(problem, regions, graph_of_thick(problem, graph), params,
-                                              ctx.part(kTurnShare, 2 * kTurnShare), x))
+  if (label == kBackground && !smooth_guarded(problem, regions, graph_of_thick(problem, regions, cuts, graph),
+                                              params, ctx.part(kTurnShare, 2 * kTurnShare), x))
     return cancelled_error(kSmoothStage);
   if (params.keep_volume) correct_guarded(problem, regions, graph, ctx, x);
 
@@ -187,11 +200,11 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
 }  // namespace
 
 Result<SurfaceMesh> smooth_surface(const SurfaceMesh& surface, const LabelVolume& volume,
-                                   const SmoothParams& params, RunContext& ctx) {
+                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts) {
   if (const Status status = check_input(surface, volume, params); !status) return status.error();
   if (params.iterations == 0) return surface;
   try {
-    return smooth_checked(surface, volume, params, ctx);
+    return smooth_checked(surface, volume, params, ctx, cuts);
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::kOutOfMemory,
                    "not enough memory to smooth " + std::to_string(surface.triangles.size()) + " triangles");

@@ -1,6 +1,7 @@
 // Staircase removal that keeps shape, volume and labels.
 #pragma once
 
+#include "types/cut_plane.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"
@@ -34,10 +35,12 @@ struct SmoothParams {
 /// - Triangles and sides are those of the input.
 /// Volumes are met to about 1e-4 of a region unless the first three guarantees prevent it.
 ///
+/// Vertices of cuts stay in their planes; `cuts` are in the grid of the volume.
+///
 /// `volume` is the volume the surface was extracted from. About linear time; identical for any ctx.threads.
 /// Errors: kUsage for parameters out of range, kBadInput for an empty surface, a triangle whose points are
 /// missing, or one whose two labels do not meet there in the volume.
 Result<SurfaceMesh> smooth_surface(const SurfaceMesh& surface, const LabelVolume& volume,
-                                   const SmoothParams& params, RunContext& ctx);
+                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts = {});
 
 }  // namespace voxtet

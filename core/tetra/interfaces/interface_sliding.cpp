@@ -69,13 +69,14 @@ bool is_connected(std::vector<std::array<std::uint32_t, 2>> interfaces) {
 
 InterfaceSlider::InterfaceSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
                                  const SizingField& sizing, double envelope, const WallLayers& layers,
-                                 const VolumeKeeper& volumes)
+                                 const CutPlanes& cuts, const VolumeKeeper& volumes)
     : complex_(complex),
       smoother_(smoother),
       reference_(reference),
       sizing_(sizing),
       envelope_(envelope),
       layers_(layers),
+      cuts_(cuts),
       volumes_(volumes) {
   for (std::uint32_t v = 0; v < complex.point_count(); ++v) start_.push_back(complex.point(v));
   held_.assign(start_.size(), 0);
@@ -134,7 +135,7 @@ bool InterfaceSlider::is_of_layers(const BoundaryKind& kind) const {
 bool InterfaceSlider::keeps_offset(const BoundaryKind& kind) const {
   if (is_of_layers(kind)) return layers_.parent(kind[0][0]) != layers_.parent(kind[0][1]);
   return !std::all_of(kind.begin(), kind.end(), [this](const Sides& sides) {
-    return volumes_.allows(sides[0], volumes_.off_mm3(sides[0])) &&
+    return !is_beyond(cuts_, sides[0]) && volumes_.allows(sides[0], volumes_.off_mm3(sides[0])) &&
            volumes_.allows(sides[1], volumes_.off_mm3(sides[1]));
   });
 }

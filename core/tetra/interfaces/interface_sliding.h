@@ -10,6 +10,7 @@
 #include "tetra/interfaces/volume_keeper.h"
 #include "tetra/mesh/tet_complex.h"
 #include "tetra/operations/vertex_smoothing.h"
+#include "types/cut_plane.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 #include "walls/wall_layers.h"
@@ -22,10 +23,10 @@ class InterfaceSlider {
  public:
   /// `reference` is the label surface; its sides are those of the interfaces. `envelope`: how far from it
   /// vertices may go, as a part of the target edge length. Vertices must stay as far from the label surface
-  /// as they were where a label would not keep its volume by `volumes`, and on the boundary of `layers`, but
-  /// not on the sheets between them.
+  /// as they were where a label would not keep its volume by `volumes`, on `cuts`, and on the boundary of
+  /// `layers`, but not on the sheets between them.
   InterfaceSlider(TetComplex& complex, VertexSmoother& smoother, const SurfaceMesh& reference,
-                  const SizingField& sizing, double envelope, const WallLayers& layers,
+                  const SizingField& sizing, double envelope, const WallLayers& layers, const CutPlanes& cuts,
                   const VolumeKeeper& volumes);
 
   /// Finds the label surface near these vertices. Needed before they, or others among them, slide.
@@ -56,6 +57,7 @@ class InterfaceSlider {
   const SizingField& sizing_;
   double envelope_;
   const WallLayers& layers_;
+  const CutPlanes& cuts_;
   const VolumeKeeper& volumes_;
   std::vector<Point> start_;                    ///< first place of each vertex of the original mesh
   std::vector<std::uint32_t> interface_count_;  ///< interfaces at each of them when it was approached

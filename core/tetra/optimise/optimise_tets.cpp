@@ -43,14 +43,15 @@ constexpr int kSlidingTrials = 4;
 class Optimiser {
  public:
   Optimiser(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
-            const OptimiseParams& params, const WallLayers& layers, const RunContext& ctx)
+            const OptimiseParams& params, const WallLayers& layers, const CutPlanes& cuts,
+            const RunContext& ctx)
       : complex_(std::move(mesh)),
         guard_(sizing),
         smoother_(complex_, guard_),
         size_smoother_(complex_, guard_),
         inserter_(complex_, guard_),
         volumes_(complex_, layers),
-        slider_(complex_, smoother_, reference, sizing, params.slide, layers, volumes_),
+        slider_(complex_, smoother_, reference, sizing, params.slide, layers, cuts, volumes_),
         flipper_(complex_, reference, sizing, guard_, params.slide, volumes_),
         compound_(complex_, guard_, smoother_, inserter_, slider_, counts_),
         params_(params),
@@ -273,10 +274,11 @@ class Optimiser {
 }  // namespace
 
 Result<TetMesh> optimise_tets(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
-                              const OptimiseParams& params, RunContext& ctx, const WallLayers& layers) {
+                              const OptimiseParams& params, RunContext& ctx, const WallLayers& layers,
+                              const CutPlanes& cuts) {
   if (params.rounds < 1 || mesh.tets.empty()) return mesh;
   try {
-    Optimiser optimiser(std::move(mesh), reference, sizing, params, layers, ctx);
+    Optimiser optimiser(std::move(mesh), reference, sizing, params, layers, cuts, ctx);
     if (!optimiser.run()) return cancelled_error(kOptimiseStage);
     return optimiser.release();
   } catch (const std::bad_alloc&) {

@@ -3,6 +3,7 @@
 // Roundtable (2007).
 #pragma once
 
+#include "types/cut_plane.h"
 #include "types/result.h"
 #include "types/run_context.h"
 #include "types/sizing_field.h"
@@ -37,9 +38,12 @@ struct OptimiseParams {
 /// inserted. All volumes stay positive, by exact predicates. In layers, vertices are inserted only where tets
 /// stay below 25 degrees after everything else.
 ///
+/// Faces of `cuts` stay as far from the label surface as they are.
+///
 /// `reference` is the label surface, with the sides of the mesh's faces. ctx.note says what was done. Errors:
 /// kCancelled; kOutOfMemory.
 Result<TetMesh> optimise_tets(TetMesh mesh, const SurfaceMesh& reference, const SizingField& sizing,
-                              const OptimiseParams& params, RunContext& ctx, const WallLayers& layers = {});
+                              const OptimiseParams& params, RunContext& ctx, const WallLayers& layers = {},
+                              const CutPlanes& cuts = {});
 
 }  // namespace voxtet

@@ -34,7 +34,7 @@ struct Workshop {
         smoother(complex, guard),
         inserter(complex, guard),
         volumes(complex, layers, 1),
-        slider(complex, smoother, reference, sizing, envelope, layers, volumes),
+        slider(complex, smoother, reference, sizing, envelope, layers, cuts, volumes),
         improver(complex, guard, smoother, inserter, slider, counts) {
     std::vector<std::uint32_t> all(complex.point_count());
     for (std::uint32_t v = 0; v < all.size(); ++v) all[v] = v;
@@ -59,6 +59,7 @@ struct Workshop {
 
   SurfaceMesh reference;
   SizingField sizing;
+  CutPlanes cuts;
   WallLayers layers;
   TetComplex complex;
   SizeGuard guard;

@@ -1,0 +1,206 @@
+#include "geometry/topology/cut_faces.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "geometry/elements/tet_measures.h"
+#include "geometry/topology/adjacency.h"
+
+namespace voxtet {
+namespace {
+
+/// Of the largest coordinate: points of a cut are nearer to its plane.
+constexpr double kInPlane = 1e-5;
+constexpr int kCutHalvings = 6;
+/// Of the area or volume of an element that its points' way into their planes must leave.
+constexpr double kLeastPart = 0.3;
+constexpr std::uint32_t kGone = 0xffffffffU;
+
+/// Whether a triangle bounds nothing but what is beyond; its label stands first, since it is the highest.
+bool goes(const Sides& sides, const CutPlanes& cuts) {
+  return is_beyond(cuts, sides[0]) && (sides[1] == kBackground || is_beyond(cuts, sides[1]));
+}
+
+/// Where a point is after as many moves into planes as it has cuts: planes across different axes meet, so the
+/// moves go along each other's planes where axes are at right angles, and are repeated where they are not.
+Eigen::Vector3d in_planes(Eigen::Vector3d point, std::uint8_t of_point, const CutPlanes& cuts) {
+  constexpr int kRounds = 8;
+  const int rounds = (of_point & (of_point - 1)) == 0 ? 1 : kRounds;
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t c = 0; c < cuts.size(); ++c)
+      if ((of_point >> c & 1) != 0) point -= (cuts[c].normal.dot(point) - cuts[c].offset_mm) * cuts[c].normal;
+  return point;
+}
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/// Moves points into their planes, and those of elements whose measure shrinks too much only by a part of the
+/// way. Returns the largest distance that remains.
+template <class Elements, class Measure>
+double flatten(const std::vector<std::uint8_t>& of_points, const CutPlanes& cuts, const Elements& elements,
+               const Measure& measure, Points& points) {
+  const Points before = points;
+  std::vector<double> share(points.size(), 1);
+  for (int halving = 0; halving <= kCutHalvings; ++halving) {
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (of_points[p] != 0)
+        points[p] = before[p] + share[p] * (in_planes(before[p], of_points[p], cuts) - before[p]);
+    bool good = true;
+    for (const auto& element : elements) {
+      if (std::none_of(element.begin(), element.end(), [&](auto p) { return of_points[p] != 0; })) continue;
+      if (measure(points, element) >= kLeastPart * measure(before, element)) continue;
+      good = false;
+      for (const std::uint32_t p : element) share[p] = halving + 1 < kCutHalvings ? share[p] / 2 : 0;
+    }
+    if (good) break;
+  }
+  double remains = 0;
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (of_points[p] != 0)
+      remains = std::max(remains, (in_planes(points[p], of_points[p], cuts) - points[p]).norm());
+  return remains;
+}
+
+template <class Mesh>
+void drop_unused_points_of(Mesh& mesh, std::vector<std::uint32_t>& place) {
+  std::uint32_t used = 0;
+  for (std::size_t p = 0; p < place.size(); ++p) {
+    if (place[p] == 0) continue;
+    mesh.points[used] = mesh.points[p];
+    place[p] = used++;
+  }
+  mesh.points.resize(used);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> cuts_of_points(std::size_t point_count, const std::vector<Triangle>& triangles,
+                                         const std::vector<Sides>& sides, const CutPlanes& cuts) {
+  std::vector<std::uint8_t> of_points(point_count, 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+      if (sides[t][0] != cuts[c].beyond || goes(sides[t], cuts)) continue;
+      for (const std::uint32_t p : triangles[t]) of_points[p] |= static_cast<std::uint8_t>(1U << c);
+    }
+  return of_points;
+}
+
+void settle_cuts(SurfaceMesh& extracted, const Grid& grid, const CutPlanes& cuts) {
+  // From the border's voxels points are up to three quarters of a voxel off, their cut is half a voxel off.
+  constexpr double kBefore = 0.6, kBorder = 0.5;
+  if (cuts.empty()) return;
+  const Eigen::Matrix3d to_index = grid.linear().inverse();
+  const std::vector<std::uint8_t> of_points =
+      cuts_of_points(extracted.points.size(), extracted.triangles, extracted.sides, cuts);
+  for (std::size_t p = 0; p < of_points.size(); ++p) {
+    if (of_points[p] == 0) continue;
+    Eigen::Vector3d index = to_index * (extracted.points[p] - grid.origin());
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+      const auto& [axis, high, place] = std::tie(cuts[c].axis, cuts[c].high, cuts[c].place);
+      const double voxel = high ? place - kBorder : place + kBorder;
+      const double past = high ? index[axis] - voxel : voxel - index[axis];
+      if ((of_points[p] >> c & 1) != 0)
+        index[axis] = place;
+      else if (past > 0)
+        index[axis] = voxel + (high ? 1 : -1) * kBefore * past;
+    }
+    extracted.points[p] = grid.to_mm(index);
+  }
+}
+
+double flatten_cuts(SurfaceMesh& surface, const CutPlanes& cuts) {
+  if (cuts.empty()) return 0;
+  return flatten(
+      cuts_of_points(surface.points.size(), surface.triangles, surface.sides, cuts), cuts, surface.triangles,
+      [](const Points& points, const Triangle& t) {
+        return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
+      },
+      surface.points);
+}
+
+double flatten_cuts(TetMesh& mesh, const CutPlanes& cuts) {
+  if (cuts.empty()) return 0;
+  return flatten(
+      cuts_of_points(mesh.points.size(), mesh.faces, mesh.face_sides, cuts), cuts, mesh.tets,
+      [](const Points& points, const Tet& t) {
+        return tet_volume_mm3({points[t[0]], points[t[1]], points[t[2]], points[t[3]]});
+      },
+      mesh.points);
+}
+
+std::vector<std::uint32_t> shown_triangles(const std::vector<std::uint32_t>& triangles,
+                                           const SurfaceMesh& surface, const CutPlanes& cuts) {
+  std::vector<std::uint32_t> place(surface.triangles.size(), 0), shown;
+  std::uint32_t next = 0;
+  for (std::size_t t = 0; t < place.size(); ++t) place[t] = goes(surface.sides[t], cuts) ? kGone : next++;
+  for (const std::uint32_t t : triangles)
+    if (place[t] != kGone) shown.push_back(place[t]);
+  return shown;
+}
+
+SurfaceMesh without_beyond(const SurfaceMesh& surface, const CutPlanes& cuts) {
+  if (cuts.empty()) return surface;
+  SurfaceMesh out{surface.points, {}, {}};
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    auto [behind, front] = surface.sides[t];
+    Triangle triangle = surface.triangles[t];
+    if (goes(surface.sides[t], cuts)) continue;
+    if (is_beyond(cuts, behind)) {
+      // The normal goes from the higher label to the lower one.
+      behind = front;
+      front = kBackground;
+      std::swap(triangle[1], triangle[2]);
+    }
+    out.triangles.push_back(triangle);
+    out.sides.push_back({behind, front});
+  }
+  std::vector<std::uint32_t> place(out.points.size(), 0);
+  for (const Triangle& t : out.triangles)
+    for (const std::uint32_t p : t) place[p] = 1;
+  drop_unused_points_of(out, place);
+  for (Triangle& t : out.triangles)
+    for (std::uint32_t& p : t) p = place[p];
+  return out;
+}
+
+TetMesh without_beyond(TetMesh mesh, const CutPlanes& cuts) {
+  if (cuts.empty()) return mesh;
+  std::vector<std::uint32_t> place(mesh.points.size(), 0);
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+    if (is_beyond(cuts, mesh.labels[t])) continue;
+    for (const std::uint32_t p : mesh.tets[t]) place[p] = 1;
+    mesh.tets[kept] = mesh.tets[t];
+    mesh.labels[kept++] = mesh.labels[t];
+  }
+  mesh.tets.resize(kept);
+  mesh.labels.resize(kept);
+  drop_unused_points_of(mesh, place);
+  for (Tet& t : mesh.tets)
+    for (std::uint32_t& p : t) p = place[p];
+  add_label_faces(mesh);
+  return mesh;
+}
+
+std::vector<NamedSet> cut_sets(const TetMesh& mesh, const CutPlanes& cuts) {
+  std::vector<NamedSet> sets;
+  double size = 0;
+  for (const Eigen::Vector3d& p : mesh.points) size = std::max(size, p.cwiseAbs().maxCoeff());
+  for (const CutPlane& cut : cuts) {
+    NamedSet set{cut.name, {}};
+    for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+      const Triangle& face = mesh.faces[f];
+      if (mesh.face_sides[f][1] == kBackground && std::all_of(face.begin(), face.end(), [&](std::uint32_t p) {
+            return std::abs(cut.normal.dot(mesh.points[p]) - cut.offset_mm) <= kInPlane * size;
+          }))
+        set.members.push_back(f);
+    }
+    if (!set.members.empty()) sets.push_back(std::move(set));
+  }
+  return sets;
+}
+
+}  // namespace voxtet

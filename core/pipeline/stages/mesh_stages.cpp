@@ -1,0 +1,334 @@
+#include "pipeline/stages/mesh_stages.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+
+#include "base/digest.h"
+#include "geometry/topology/cut_faces.h"
+#include "phantom/make_phantom.h"
+#include "pipeline/results/stage_results.h"
+#include "pipeline/stages/side_sizes.h"
+#include "pipeline/stages/stage.h"
+#include "pipeline/stages/wall_values.h"
+#include "quality/measure_quality.h"
+#include "remesh/remesh_surface.h"
+#include "sizing/build_sizing_field.h"
+#include "surface/extract/extract_surface.h"
+#include "surface/smooth/smooth_surface.h"
+#include "tetra/fill/fill_tets.h"
+#include "tetra/optimise/deepen_walls.h"
+#include "tetra/optimise/optimise_tets.h"
+#include "transfer/transfer_labels.h"
+#include "types/stage_names.h"
+#include "volume/select_labels.h"
+#include "walls/measure_wall.h"
+
+namespace voxtet {
+namespace {
+
+template <class T>
+Status put(Result<T>&& result, StageOutput& out) {
+  if (!result) return result.error();
+  out.put(std::move(result).value());
+  return std::monostate{};
+}
+
+/// How far faces of a cut may be off its plane.
+constexpr double kFlatVoxels = 0.05;
+
+using BuiltSurface = Built<SurfaceMesh>;
+using BuiltTets = Built<TetMesh>;
+
+const PreparedVolume& prepared_of(const StageInputs& in) {
+  return in.get<VolumeResult>(Stage::kVolume).prepared;
+}
+
+/// With what is beyond cuts.
+BuiltSurface built(SurfaceMesh surface, const CutPlanes& cuts) {
+  if (cuts.empty()) return {std::move(surface), {}};
+  BuiltSurface out{without_beyond(surface, cuts), {}};
+  out.whole = std::move(surface);
+  return out;
+}
+
+std::vector<LayeredWall> layered(const Walls& walls, const std::vector<std::size_t>& numbers,
+                                 const Recipe& recipe) {
+  std::vector<LayeredWall> out;
+  out.reserve(numbers.size());
+  for (const std::size_t w : numbers) out.push_back({walls[w], recipe.sizing.thickness[w].layers});
+  return out;
+}
+
+void say(const ReadRemarks& remarks, const char* stage, const RunContext& ctx) {
+  for (const std::string& warning : remarks.warnings) ctx.warn(stage, warning);
+  for (const std::string& note : remarks.notes) ctx.note(stage, note);
+}
+
+bool has_sheets(const BuiltSurface& surface, const WallLayers& layers) {
+  const std::vector<Sides>& sides = surface.as_built().sides;
+  return std::any_of(sides.begin(), sides.end(), [&](const Sides& of) { return layers.is_layer(of[0]); });
+}
+
+/// Flat cuts, and nothing beyond them.
+TetMesh cut_off(TetMesh mesh, const CutPlanes& cuts, double voxel_mm, RunContext& ctx) {
+  if (cuts.empty()) return mesh;
+  if (const double off = flatten_cuts(mesh, cuts); off > kFlatVoxels * voxel_mm)
+    ctx.warn(kOptimiseStage,
+             "volume.flat_border: faces of a cut are up to " + std::to_string(off) + " mm off its plane");
+  return without_beyond(std::move(mesh), cuts);
+}
+
+/// Warns if layers could not be counted, and if less than 95 % of a wall's area has the exact layers that
+/// were asked for. `wall`: index of the wall in sizing.thickness.
+void warn_about_layers(std::size_t wall, Layering layering, const LayerCount& found, const RunContext& ctx) {
+  constexpr double kNearlyAll = 0.95;
+  const std::string name = "sizing.thickness[" + std::to_string(wall) + "].layers: ";
+  const std::vector<double>& areas = found.by_edges.area_mm2;
+  if (std::all_of(areas.begin(), areas.end(), [](double area) { return area == 0; })) {
+    ctx.warn(kQualityStage, name + "not counted, as no label of the wall has an outer surface in the mesh");
+    return;
+  }
+  if (layering != Layering::kExact || found.by_edges.exact >= kNearlyAll) return;
+  char share[16];
+  std::snprintf(share, sizeof share, "%.0f %%", 100 * found.by_edges.exact);
+  ctx.warn(kQualityStage, name + "exactly " + std::to_string(found.target_layers) + " on " + share +
+                              " of the wall's area, by edges: the others have no room there");
+}
+
+}  // namespace
+
+/// Another file may have the same labels, but other names, colours and remarks.
+void add_volume(const LoadedFiles& files, const Recipe& recipe, std::string& key) {
+  if (recipe.source.phantom || !files.volume) return;
+  key += files.digest;
+  for (const LabelInfo& info : files.volume->infos) {
+    key += "\n" + std::to_string(info.label) + " " + info.name;
+    for (const float part : info.colour) key += " " + std::to_string(part);
+  }
+  for (const auto* lines : {&files.remarks.warnings, &files.remarks.notes})
+    for (const std::string& line : *lines) key += "\n" + line;
+}
+
+Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  VolumeResult result;
+  if (recipe.source.phantom) {
+    Result<LabelVolume> made = make_phantom(*recipe.source.phantom);
+    if (!made) return made.error();
+    result.source = std::make_shared<const LabelVolume>(std::move(made).value());
+    result.digest = digest_of(*result.source);
+  } else if (in.files.volume) {
+    if (!(recipe.source.read == in.files.options))
+      return usage_error(kVolumeStage,
+                         "source: found a unit, precedence, background or frame by which the "
+                         "volume was not read, expected it to be loaded again");
+    result.source = in.files.volume;
+    result.digest = in.files.digest;
+    say(in.files.remarks, kVolumeStage, ctx);
+  } else if (recipe.source.file) {
+    return Error{ErrorCode::kBadInput,
+                 kVolumeStage,
+                 "source.file: the volume '" + recipe.source.file->name + "' has not been loaded",
+                 {}};
+  } else {
+    return usage_error(kVolumeStage, "source: no volume; give a phantom or load a file");
+  }
+  Result<PreparedVolume> prepared =
+      prepare_volume(result.source, recipe.labels, recipe.merge, recipe.volume, ctx);
+  if (!prepared) return prepared.error();
+  result.prepared = std::move(prepared).value();
+  out.put(std::move(result));
+  return std::monostate{};
+}
+
+Status run_surface(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const PreparedVolume& volume = prepared_of(in);
+  if (recipe.surface.method == ExtractMethod::kMarchingCubes)
+    if (const std::size_t labels = count_labels(*volume.meshed).size(); labels > 1)
+      return usage_error(kSurfaceStage,
+                         "surface.method: found marching_cubes for " + std::to_string(labels) +
+                             " labels, expected auto or marching_tets, or all labels merged to one" +
+                             (volume.cuts.empty() ? "" : " and no volume.flat_border"));
+  Result<SurfaceMesh> surface = extract_surface(*volume.meshed, recipe.surface, ctx);
+  if (!surface) return surface.error();
+  settle_cuts(*surface, *volume.meshed, volume.cuts);
+  out.put(built(std::move(surface).value(), volume.cuts));
+  return std::monostate{};
+}
+
+Status run_smooth(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const PreparedVolume& volume = prepared_of(in);
+  Result<SurfaceMesh> surface = smooth_surface(in.get<BuiltSurface>(Stage::kSurface).as_built(),
+                                               *volume.meshed, recipe.smooth, ctx, volume.cuts);
+  if (!surface) return surface.error();
+  flatten_cuts(*surface, volume.cuts);
+  out.put(built(std::move(surface).value(), volume.cuts));
+  return std::monostate{};
+}
+
+Status run_walls(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const PreparedVolume& volume = in.get<VolumeResult>(Stage::kVolume).prepared;
+  WallsResult result;
+  Walls& walls = result.walls;
+  for (const ThicknessSize& rule : recipe.sizing.thickness) {
+    const std::string name = "sizing.thickness[" + std::to_string(walls.size()) + "]";
+    Result<WallField> wall =
+        measure_wall({*volume.anatomy, *volume.prepared, in.get<BuiltSurface>(Stage::kSmooth).mesh},
+                     {rule.wall, rule.inner, rule.layering == Layering::kExact}, name, ctx);
+    if (!wall) return wall.error();
+    walls.push_back(std::move(wall).value());
+  }
+  if (!walls.empty())
+    result.fields.push_back({"thickness_mm", "Wall thickness", "mm", On::kVoxels, Scale::kSequential, 1,
+                             wall_values(walls, *volume.prepared, WallValue::kThickness)});
+  out.put(std::move(result));
+  return std::monostate{};
+}
+
+void add_side_volumes(const LoadedFiles& files, const Recipe& recipe, std::string& key) {
+  for (const MaskSize& mask : recipe.sizing.masks)
+    if (const auto found = files.masks.find(mask.name); found != files.masks.end())
+      key += found->second.digest;
+  for (const ImageSize& image : recipe.sizing.images)
+    if (const auto found = files.images.find(image.name); found != files.images.end())
+      key += found->second.digest;
+}
+
+Status run_sizing(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  std::set<std::string> warned;
+  for (const MaskSize& mask : recipe.sizing.masks)
+    if (const auto found = in.files.masks.find(mask.name);
+        found != in.files.masks.end() && warned.insert(mask.name).second)
+      say(found->second.remarks, kSizingStage, ctx);
+  return put(build_sizing_field_of(in.files, recipe.sizing, *prepared_of(in).prepared,
+                                   in.get<BuiltSurface>(Stage::kSmooth).mesh,
+                                   in.get<WallsResult>(Stage::kWalls).walls, ctx),
+             out);
+}
+
+Status run_layers(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext&) {
+  LayersResult result{in.share<WallsResult>(Stage::kWalls), {}, {}};
+  for (std::size_t w = 0; w < result.walls->walls.size(); ++w)
+    if (recipe.sizing.thickness[w].layering == Layering::kExact) result.exact.push_back(w);
+  const LabelVolume& volume = *prepared_of(in).prepared;
+  result.layers = WallLayers(volume, layered(result.walls->walls, result.exact, recipe));
+  if (result.layers.lacks_labels())
+    return usage_error(
+        kLayersStage,
+        "sizing.thickness: exact layers are labels of their own, above the volume's highest: found " +
+            std::to_string(*std::max_element(volume.labels.begin(), volume.labels.end())) +
+            ", expected one that leaves enough of 65535 for them");
+  for (std::size_t e = 0; e < result.exact.size(); ++e)
+    if (!result.layers.has_wall(e))
+      return usage_error(
+          kLayersStage,
+          "sizing.thickness[" + std::to_string(result.exact[e]) +
+              "].wall: found no meshed label of which most lies in this wall and in none before "
+              "it, expected one for its exact layers");
+  out.put(std::move(result));
+  return std::monostate{};
+}
+
+Status run_remesh(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const PreparedVolume& volume = prepared_of(in);
+  const WallLayers& layers = in.get<LayersResult>(Stage::kLayers).layers;
+  Result<SurfaceMesh> surface =
+      remesh_surface(*volume.meshed, in.get<BuiltSurface>(Stage::kSmooth).as_built(),
+                     in.get<SizingField>(Stage::kSizing), recipe.remesh, ctx, layers, volume.cuts);
+  if (!surface) return surface.error();
+  BuiltSurface result = built(std::move(surface).value(), volume.cuts);
+  // The method adapt may have had to help out, without sheets.
+  if (has_sheets(result, layers)) {
+    if (!result.whole) result.whole = result.mesh;
+    result.mesh = without_beyond(merge_layers(*result.whole, layers), volume.cuts);
+  }
+  out.put(std::move(result));
+  return std::monostate{};
+}
+
+Status run_tetra(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  const CutPlanes& cuts = prepared_of(in).cuts;
+  const BuiltSurface& surface = in.get<BuiltSurface>(Stage::kRemesh);
+  const WallLayers& layers = in.get<LayersResult>(Stage::kLayers).layers;
+  const WallLayers laid = has_sheets(surface, layers) ? layers : WallLayers();
+  Result<TetMesh> filled =
+      fill_tets(surface.as_built(), in.get<SizingField>(Stage::kSizing), recipe.tetra, ctx, laid);
+  if (!filled) {
+    Error error = filled.error();
+    error.where.stage = name_of(Stage::kRemesh);
+    error.where.on = On::kTriangles;
+    error.where.elements = shown_triangles(merged_triangles(error.where.elements, surface.as_built(), laid),
+                                           merge_layers(surface.as_built(), laid), cuts);
+    return error;
+  }
+  flatten_cuts(*filled, cuts);
+  BuiltTets result;
+  if (surface.whole) {
+    result.mesh = without_beyond(merge_layers(*filled, laid), cuts);
+    result.whole = std::move(filled).value();
+  } else {
+    result.mesh = std::move(filled).value();
+  }
+  out.put(std::move(result));
+  return std::monostate{};
+}
+
+Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  if (const OpenedMesh* opened = opened_mesh(recipe, in.files)) {
+    out.put(mesh_of_labels(opened->mesh, recipe.labels, recipe.merge));
+    return std::monostate{};
+  }
+  const PreparedVolume& volume = prepared_of(in);
+  const SurfaceMesh& smooth = in.get<BuiltSurface>(Stage::kSmooth).as_built();
+  const SizingField& sizing = in.get<SizingField>(Stage::kSizing);
+  const BuiltSurface& adapted = in.get<BuiltSurface>(Stage::kRemesh);
+  const auto& [walls, exact, layers] = in.get<LayersResult>(Stage::kLayers);
+  const bool sheets = has_sheets(adapted, layers);
+  Result<TetMesh> optimised =
+      optimise_tets(in.get<BuiltTets>(Stage::kTetra).as_built(),
+                    sheets ? with_layers(smooth, adapted.as_built(), layers) : smooth, sizing,
+                    recipe.optimise, ctx, sheets ? layers : WallLayers(), volume.cuts);
+  if (!optimised) return optimised.error();
+  TetMesh mesh =
+      cut_off(std::move(optimised).value(), volume.cuts, volume.meshed->smallest_spacing_mm(), ctx);
+  if (!sheets) {
+    out.put(std::move(mesh));
+    return std::monostate{};
+  }
+  const std::vector<std::size_t> worked_on = recipe.optimise.rounds > 0 ? exact : std::vector<std::size_t>{};
+  return put(deepen_walls(merge_layers(std::move(mesh), layers), layered(walls->walls, worked_on, recipe),
+                          sizing, ctx),
+             out);
+}
+
+Status run_transfer(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  return put(transfer_labels(in.get<TetMesh>(Stage::kOptimise), *in.get<VolumeResult>(Stage::kVolume).source,
+                             recipe.transfer, ctx),
+             out);
+}
+
+Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
+  if (opened_mesh(recipe, in.files))
+    return put(measure_mesh(in.get<TetMesh>(Stage::kOptimise), recipe.quality, ctx), out);
+  const Walls& all = in.get<WallsResult>(Stage::kWalls).walls;
+  std::vector<std::size_t> counted;
+  for (std::size_t w = 0; w < all.size(); ++w)
+    if (recipe.sizing.thickness[w].layers > 0) counted.push_back(w);
+  const std::vector<LayeredWall> walls = layered(all, counted, recipe);
+  Result<QualityReport> report = measure_quality(
+      in.get<TetMesh>(Stage::kOptimise),
+      {*prepared_of(in).prepared, *prepared_of(in).selected, in.get<BuiltSurface>(Stage::kSmooth).mesh,
+       in.get<BuiltSurface>(Stage::kRemesh).mesh, in.get<SizingField>(Stage::kSizing), walls},
+      recipe.quality, ctx);
+  if (!report) {
+    Error error = report.error();
+    error.where.stage = name_of(Stage::kOptimise);
+    error.where.on = On::kTets;
+    return error;
+  }
+  for (std::size_t w = 0; w < counted.size(); ++w)
+    warn_about_layers(counted[w], recipe.sizing.thickness[counted[w]].layering, report->layers[w], ctx);
+  return put(std::move(report), out);
+}
+
+}  // namespace voxtet
