@@ -12,7 +12,7 @@
 namespace voxtet {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoBeat = std::numeric_limits<float>::quiet_NaN();
 
 /// Equal, where NaN is equal to NaN.
 void expect_times(const std::vector<float>& found, const std::vector<float>& expected) {
@@ -28,19 +28,19 @@ TEST(ActivationLog, HasATimeOfEachBeatForEachPoint) {
                           {{1, 250}, {0, 255}, {0, 520}, {1, 530}});
   const auto beats = log.beats(3, 10);
   ASSERT_EQ(beats.size(), 3U);
-  expect_times(beats[0].activated_ms, {5, 7, kNone});
-  expect_times(beats[0].repolarised_ms, {255, 250, kNone});
-  expect_times(beats[1].activated_ms, {310, 300, kNone});
-  expect_times(beats[1].repolarised_ms, {520, 530, kNone});
-  expect_times(beats[2].activated_ms, {kNone, 600, kNone});
-  expect_times(beats[2].repolarised_ms, {kNone, kNone, kNone});
-  expect_times(log.last_activation(3), {310, 600, kNone});
+  expect_times(beats[0].activated_ms, {5, 7, kNoBeat});
+  expect_times(beats[0].repolarised_ms, {255, 250, kNoBeat});
+  expect_times(beats[1].activated_ms, {310, 300, kNoBeat});
+  expect_times(beats[1].repolarised_ms, {520, 530, kNoBeat});
+  expect_times(beats[2].activated_ms, {kNoBeat, 600, kNoBeat});
+  expect_times(beats[2].repolarised_ms, {kNoBeat, kNoBeat, kNoBeat});
+  expect_times(log.last_activation(3), {310, 600, kNoBeat});
 }
 
 TEST(ActivationLog, BeatsAreAtLeastOneAndNoMoreThanAsked) {
   const auto none = ActivationLog().beats(2, 10);
   ASSERT_EQ(none.size(), 1U);
-  expect_times(none[0].activated_ms, {kNone, kNone});
+  expect_times(none[0].activated_ms, {kNoBeat, kNoBeat});
   const ActivationLog log({{0, 1}, {0, 2}, {0, 3}}, {{0, 4}});
   const auto two = log.beats(1, 2);
   ASSERT_EQ(two.size(), 2U);
