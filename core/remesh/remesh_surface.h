@@ -1,8 +1,8 @@
 // The adapted surface: the label boundaries triangulated to the sizing field.
 #pragma once
 
+#include "geometry/topology/cut_plane.h"
 #include "remesh/remesh_params.h"
-#include "types/cut_plane.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"

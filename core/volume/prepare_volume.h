@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "types/cut_plane.h"
+#include "geometry/topology/cut_plane.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "types/cut_plane.h"
+#include "geometry/topology/cut_plane.h"
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
 

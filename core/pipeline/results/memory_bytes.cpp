@@ -21,9 +21,9 @@ std::size_t bytes_of(const std::vector<Field>& fields) {
 std::size_t memory_bytes(const VolumeResult& result) {
   std::size_t bytes = 0;
   std::vector<const LabelVolume*> counted;
-  for (const LabelVolume* volume : {result.source.get(), result.prepared.selected.get(),
-                                    result.prepared.prepared.get(), result.prepared.anatomy.get(),
-                                    result.prepared.meshed.get()}) {
+  for (const LabelVolume* volume :
+       {result.source.get(), result.prepared.selected.get(), result.prepared.prepared.get(),
+        result.prepared.anatomy.get(), result.prepared.meshed.get()}) {
     if (!volume || std::find(counted.begin(), counted.end(), volume) != counted.end()) continue;
     counted.push_back(volume);
     bytes += bytes_of(volume->labels);

@@ -12,7 +12,6 @@
 #include "geometry/elements/tet_measures.h"
 #include "geometry/grid/rasterise.h"
 #include "geometry/topology/adjacency.h"
-#include "io/mesh/read_mesh.h"
 #include "io/mesh/write_mesh.h"
 
 namespace voxtet {

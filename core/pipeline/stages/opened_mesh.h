@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/volume_file.h"
+#include "io/mesh/read_mesh.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/tet_mesh.h"

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "geometry/topology/cut_plane.h"
 #include "tetra/interfaces/nearby_surface.h"
 #include "tetra/interfaces/volume_keeper.h"
 #include "tetra/mesh/tet_complex.h"
 #include "tetra/operations/vertex_smoothing.h"
-#include "types/cut_plane.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 #include "walls/wall_layers.h"

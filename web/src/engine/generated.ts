@@ -63,6 +63,8 @@ export interface RecipeFields {
     speck_voxels: number;
     /** Enclosed pieces of background with fewer voxels are filled; 0 keeps all; voxel. */
     hole_voxels: number;
+    /** Faces at which the image cuts a body off are flat, with a sharp rim and a name. */
+    flat_border: boolean;
   };
   surface: {
     /** How the label surface is extracted; auto: by the number of labels. */
@@ -387,7 +389,8 @@ export const recipeDefaults = {
   "volume": {
     "slice_ratio": 2,
     "speck_voxels": 0,
-    "hole_voxels": 0
+    "hole_voxels": 0,
+    "flat_border": true
   },
   "surface": {
     "method": "auto"
@@ -612,6 +615,7 @@ export const stageSpecs = [
   {
     "name": "tetra",
     "inputs": [
+      "volume",
       "sizing",
       "layers",
       "remesh"
