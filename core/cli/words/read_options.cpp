@@ -1,4 +1,4 @@
-#include "cli/read_options.h"
+#include "cli/words/read_options.h"
 
 #include <nlohmann/json.hpp>
 
