@@ -186,7 +186,7 @@ int run_cli(int argc, const char* const* argv) {
   add_case_options(*forecast, options, output, "VOLUME|CASE.json");
   double elements = 0;
   forecast->add_option("--elements", elements, "also the edge lengths that give so many tetrahedra")
-      ->check(CLI::PositiveNumber);
+      ->check(number_as("how many as 500000", [](double n) { return n > 0; }));
   forecast->callback([&] { code = run_forecast(options, elements, output); });
 
   CLI::App* verify = app.add_subcommand("verify", "mesh a case and compare with the digest it promises");

@@ -57,11 +57,12 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
   command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");
   command.add_flag("--json", output.as_json, "print the report, or the error, as JSON");
   command.add_option("--time-limit", output.time_limit_s, "give up after so many seconds")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_as("seconds as 60; 0 for no limit", [](double s) { return s >= 0; }));
   command
       .add_option("--threads", output.threads,
                   "threads to use, 0 (as if absent) for one a core; the result is the same for any number")
-      ->check(CLI::NonNegativeNumber);
+      ->check(number_as("a whole number as 2; 0 for one a core",
+                        [](double n) { return n >= 0 && n <= 1e6 && is_whole(n); }));
 }
 
 std::string text_of(const json& value) {

@@ -1,6 +1,5 @@
 #include "cli/words/option_texts.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <optional>
 
@@ -17,6 +16,16 @@ Result<std::pair<std::string, std::string>> split_pair(const std::string& option
     return usage_error("cli", option + " " + text + ": expected " + form);
   return usage_error("cli", option + " " + text + ": expected " + text.substr(0, colon) + "=" +
                                 text.substr(colon + 1) + ", with = for :");
+}
+
+CLI::Validator number_as(const std::string& form, bool (*fits)(double)) {
+  const auto judge = [form, fits](const std::string& text) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    const bool whole_text = end != text.c_str() && *end == '\0';
+    return whole_text && std::isfinite(value) && fits(value) ? "" : "found '" + text + "', expected " + form;
+  };
+  return CLI::Validator(judge, "");
 }
 
 Result<double> to_mm(const std::string& option, const std::string& text) {
