@@ -49,7 +49,7 @@ Status write_report(const Session& session, const MeshOptions& wanted, const jso
   return write_text_file(wanted.report, text_of(report));
 }
 
-/// Said before a run, which may take long.
+/// Said before the stages run, which may take long.
 void note_no_output(const MeshOptions& wanted, const Output& output) {
   const bool asked = output.as_json || !(wanted.out + wanted.report + wanted.dump).empty();
   if (!asked) print_note("no -o: the report will be printed, and no mesh written");
@@ -86,12 +86,12 @@ int run_mesh(const CaseOptions& options, const MeshOptions& wanted, const Output
   if (!until) return fail(until.error(), output);
   if (Status there = check_mesh_outputs(options, wanted, *until, output); !there)
     return fail(there.error(), output);
-  note_no_output(wanted, output);
   RunContext ctx = context_of(output);
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error(), output);
   if (!gives_fibres(session.recipe(), *until))
     if (Status none = check_no_fibres({"-o", wanted.out}); !none) return fail(none.error(), output);
+  note_no_output(wanted, output);
   Status done = std::monostate{};
   // A mesh file also holds the labels that were transferred.
   if (!wanted.out.empty() && !needs(*until, Stage::kTransfer)) done = session.run(Stage::kTransfer, ctx);

@@ -132,9 +132,6 @@ void add_simulate_command(CLI::App& command, CaseOptions& options, SimulateOptio
 
 int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, const Output& output) {
   if (Status there = check_simulate_outputs(options, wanted); !there) return fail(there.error(), output);
-  if ((wanted.out + wanted.report + wanted.traces + wanted.frames + wanted.save_state).empty() &&
-      !output.as_json)
-    print_note("no -o: the report will be printed, and no mesh written");
   RunContext ctx = context_of(output);
   Session session;
   if (Status opened = open_case(options, session); !opened) return fail(opened.error(), output);
@@ -154,6 +151,9 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
     if (!state) return fail(state.error(), output);
     session.resume_from(*std::move(state));
   }
+  if ((wanted.out + wanted.report + wanted.traces + wanted.frames + wanted.save_state).empty() &&
+      !output.as_json)
+    print_note("no -o: the report will be printed, and no mesh written");
   Status done = session.run(Stage::kQuality, ctx);
   std::optional<VoltageFrames> frames;
   if (done && !wanted.frames.empty()) {
