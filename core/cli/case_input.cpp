@@ -1,79 +1,78 @@
 #include "cli/case_input.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
+#include "cli/words/label_words.h"
+#include "cli/words/option_texts.h"
 #include "io/bytes/files.h"
+#include "phantom/make_phantom.h"
 #include "recipe/link.h"
-#include "volume/select_labels.h"
 
 namespace voxtet {
 namespace {
+
+/// The name of a file that has none.
+constexpr const char* kStandardInput = "stdin";
 
 bool is_case_file(const std::string& input) {
   return input.size() > 5 && input.ends_with(".json");
 }
 
+/// What a recipe calls the file of a path.
 std::string file_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
+  return path == kDash ? kStandardInput : std::filesystem::path(path).filename().string();
 }
 
-/// Reads a file and gives it to `load`, a function of VolumeFile.
+/// Reads a file and gives it to `load`, a function of VolumeFile. `format`: the ending of one without a name.
 template <class Load>
-Status load_file(const std::string& path, Load load) {
-  Result<Bytes> bytes = read_file(path);
+Status load_file(const std::string& path, const std::string& format, Load load) {
+  Result<Bytes> bytes = read_input(path);
   if (!bytes) return bytes.error();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   const SiblingReader sibling = [folder](const std::string& name) {
     return read_file((folder / name).string());
   };
-  return load(VolumeFile{file_name(path), *bytes, sibling});
+  return load(VolumeFile{file_name(path) + (format.empty() ? "" : "." + format), *bytes, sibling});
 }
 
-/// "a=b" -> {a, b}. Errors: kUsage.
-Result<std::pair<std::string, std::string>> split_pair(const std::string& option, const std::string& text) {
-  const std::size_t at = text.find('=');
-  if (at == std::string::npos || at == 0)
-    return usage_error("cli", option + " " + text + ": expected NAME=VALUE");
-  return std::pair{text.substr(0, at), text.substr(at + 1)};
-}
-
-Result<double> to_number(const std::string& option, const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(value))
-    return usage_error("cli", option + ": found '" + text + "', expected a number");
-  return value;
-}
-
-/// "5=0.8" of each text -> {"label": 5, "edge_mm": 0.8}. Errors: kUsage.
-Result<nlohmann::json> to_edges(const std::string& option, const std::vector<std::string>& texts) {
+/// "5=0.8mm" of each text -> {"label": 5, "edge_mm": 0.8}. Errors: kUsage.
+Result<nlohmann::json> to_edges(const std::string& option, const std::vector<std::string>& texts,
+                                const LabelWords& words) {
   nlohmann::json edges = nlohmann::json::array();
+  std::set<Label> sized;
   for (const std::string& text : texts) {
-    auto pair = split_pair(option, text);
+    const auto pair = split_pair(option, text, "LABEL=LENGTH, as 5=0.8");
     if (!pair) return pair.error();
-    Result<double> label = to_number(option + " " + text, pair->first);
-    if (!label) return label.error();
-    Result<double> edge = to_number(option + " " + text, pair->second);
+    const Result<std::vector<Label>> labels = words.labels_of(option + " " + text, pair->first);
+    if (!labels) return labels.error();
+    const Result<double> edge = to_mm(option + " " + text, pair->second);
     if (!edge) return edge.error();
-    edges.push_back({{"label", *label}, {"edge_mm", *edge}});
+    for (const Label label : *labels) {
+      if (!sized.insert(label).second)
+        return usage_error("cli",
+                           option + ": found label " + std::to_string(label) + " twice, expected once");
+      edges.push_back({{"label", label}, {"edge_mm", *edge}});
+    }
   }
   return edges;
 }
 
-/// "1,5,6" -> [1, 5, 6]. Errors: kUsage.
-Result<nlohmann::json> to_group(const std::string& text) {
-  const nlohmann::json group = nlohmann::json::parse("[" + text + "]", nullptr, false);
-  const bool whole = !group.is_discarded() && std::all_of(group.begin(), group.end(), [](const auto& label) {
-    return label.is_number_unsigned();
-  });
-  if (!whole)
-    return usage_error("cli", "--merge " + text + ": expected labels as 1,5,6, and the input before it");
-  return group;
+/// The labels of all texts, each once. Errors: kUsage.
+Result<std::vector<Label>> to_labels(const std::string& option, const std::vector<std::string>& texts,
+                                     const LabelWords& words) {
+  std::vector<Label> all;
+  for (const std::string& text : texts) {
+    const Result<std::vector<Label>> labels = words.labels_of(option, text);
+    if (!labels) return labels.error();
+    for (const Label label : *labels)
+      if (std::find(all.begin(), all.end(), label) == all.end()) all.push_back(label);
+  }
+  return all;
 }
 
 /// The masks and images of the case, beside it, and those of the options.
@@ -85,10 +84,11 @@ Status load_side_files(const Recipe& recipe, const CaseOptions& options, Session
   for (const MaskSize& mask : recipe.sizing.masks) masks.push_back((folder / mask.name).string());
   for (const ImageSize& image : recipe.sizing.images) images.push_back((folder / image.name).string());
   for (const std::string& path : masks)
-    if (Status loaded = load_file(path, [&](const auto& file) { return session.load_mask(file); }); !loaded)
+    if (Status loaded = load_file(path, "", [&](const auto& file) { return session.load_mask(file); });
+        !loaded)
       return loaded;
   for (const std::string& path : images)
-    if (Status loaded = load_file(path, [&](const auto& file) { return session.load_size_image(file); });
+    if (Status loaded = load_file(path, "", [&](const auto& file) { return session.load_size_image(file); });
         !loaded)
       return loaded;
   return std::monostate{};
@@ -98,50 +98,67 @@ bool merges_all(const CaseOptions& options) {
   return std::find(options.merge.begin(), options.merge.end(), "") != options.merge.end();
 }
 
-/// The labels that the case meshes, as one group. Runs the volume stage where the case does not name them.
-Result<LabelGroup> group_of_all(const Recipe& recipe, Session& session) {
-  if (!recipe.labels.empty()) return recipe.labels;
-  if (Status set = session.set_recipe(recipe); !set) return set.error();
-  RunContext ctx;
-  if (Status ran = session.run(Stage::kVolume, ctx); !ran) return ran.error();
-  LabelGroup group;
-  for (const auto& [label, count] : count_labels(*session.source_volume())) group.push_back(label);
-  return group;
+bool names_labels(const CaseOptions& options) {
+  return !options.labels.empty() || !options.merge.empty() || !options.transfer.empty() ||
+         !options.edge_labels.empty();
 }
 
-Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options) {
-  nlohmann::json json = recipe_to_json(recipe);
-  put_read_options(options.read, json["source"]);
-  if (!options.labels.empty()) json["labels"] = options.labels;
-  if (!options.transfer.empty()) json["transfer"]["labels"] = options.transfer;
+/// The volume in which names of labels are looked up: what was loaded, else the phantom of the recipe.
+Result<std::shared_ptr<const LabelVolume>> volume_of(const Recipe& recipe, const Session& session) {
+  if (session.files().volume) return session.files().volume;
+  if (!recipe.source.phantom) return std::shared_ptr<const LabelVolume>();  // a run says what is missing
+  Result<LabelVolume> phantom = make_phantom(*recipe.source.phantom);
+  if (!phantom) return phantom.error();
+  return std::make_shared<const LabelVolume>(std::move(phantom).value());
+}
+
+/// Puts the options for labels into a recipe.
+Status put_labels(const CaseOptions& options, const LabelWords& words, nlohmann::json& json) {
+  const Result<std::vector<Label>> labels = to_labels("--labels", options.labels, words);
+  if (!labels) return labels.error();
+  if (!labels->empty()) json["labels"] = *labels;
+  const Result<std::vector<Label>> transfer = to_labels("--transfer", options.transfer, words);
+  if (!transfer) return transfer.error();
+  if (!transfer->empty()) json["transfer"]["labels"] = *transfer;
   if (merges_all(options) && options.merge.size() > 1)
     return usage_error("cli", "--merge: found all labels and " + std::to_string(options.merge.size() - 1) +
                                   " more groups, expected one or the other");
   if (!options.merge.empty()) json["merge"] = nlohmann::json::array();
   for (const std::string& text : options.merge) {
-    if (text.empty()) continue;
-    Result<nlohmann::json> group = to_group(text);
+    // All of them are those that the case meshes.
+    const bool of_case = text.empty() && !json["labels"].empty();
+    const Result<std::vector<Label>> group = words.labels_of("--merge", text.empty() ? "all" : text);
     if (!group) return group.error();
-    json["merge"].push_back(std::move(group).value());
+    if (of_case)
+      json["merge"].push_back(json["labels"]);
+    else if (!group->empty())
+      json["merge"].push_back(*group);
   }
-  if (options.edge_mm && !std::isfinite(*options.edge_mm))
-    return usage_error("cli", "--edge-mm: found " + std::to_string(*options.edge_mm) + ", expected a number");
-  if (options.edge_mm) json["sizing"]["edge_mm"] = *options.edge_mm;
-  const Result<nlohmann::json> edges = to_edges("--edge-label", options.edge_labels);
+  const Result<nlohmann::json> edges = to_edges("--edge-label", options.edge_labels, words);
   if (!edges) return edges.error();
-  std::set<double> sized;
   for (const nlohmann::json& edge : *edges) {
-    if (!sized.insert(edge["label"].get<double>()).second)
-      return usage_error("cli",
-                         "--edge-label: found label " + edge["label"].dump() + " twice, expected once");
     nlohmann::json& sizes = json["sizing"]["labels"];
     std::erase_if(sizes.get_ref<nlohmann::json::array_t&>(),
                   [&](const auto& s) { return s["label"] == edge["label"]; });
     sizes.push_back(edge);
   }
-  const Result<nlohmann::json> mask_edges = to_edges("--mask-edge", options.mask_edges);
+  return std::monostate{};
+}
+
+/// The recipe with the options. Before its volume is known, names and ranges of labels are left out.
+Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options, const LabelVolume* volume) {
+  nlohmann::json json = recipe_to_json(recipe);
+  put_read_options(options.read, json["source"]);
+  if (Status put = put_labels(options, LabelWords(volume), json); !put) return put.error();
+  if (options.edge_mm) {
+    const Result<double> edge = to_mm("--edge-mm", *options.edge_mm);
+    if (!edge) return edge.error();
+    json["sizing"]["edge_mm"] = *edge;
+  }
+  // The names of labels are the input's, not the masks'.
+  const Result<nlohmann::json> mask_edges = to_edges("--mask-edge", options.mask_edges, LabelWords(nullptr));
   if (!mask_edges) return mask_edges.error();
-  if (!mask_edges->empty() && options.masks.empty())
+  if (!options.mask_edges.empty() && options.masks.empty())
     return usage_error(
         "cli", "--mask-edge " + options.mask_edges[0] + ": found no --mask, expected one that it sizes");
   for (const std::string& path : options.masks)
@@ -151,7 +168,7 @@ Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options) {
   Result<Recipe> changed = parse_recipe(json);
   for (const std::string& text : options.set) {
     if (!changed) return changed;
-    auto pair = split_pair("--set", text);
+    auto pair = split_pair("--set", text, "NAME=VALUE, as sizing.gradation=0.2");
     if (!pair) return pair.error();
     changed = with_field(*changed, pair->first, pair->second);
   }
@@ -159,6 +176,10 @@ Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options) {
 }
 
 }  // namespace
+
+Result<Bytes> read_input(const std::string& path) {
+  return path == kDash ? read_standard_input() : read_file(path);
+}
 
 std::vector<NamedPath> inputs_of(const CaseOptions& options) {
   std::vector<NamedPath> inputs;
@@ -216,6 +237,9 @@ Result<Expected> expected_of(const Recipe& recipe, const std::string& input) {
 }
 
 Status open_case(const CaseOptions& options, Session& session) {
+  if (!options.input_format.empty() && options.input != kDash)
+    return usage_error("cli", "--input-format: found the input " + options.input +
+                                  ", which has a name; expected - for standard input");
   Result<Recipe> recipe = read_case(options.input);
   if (!recipe) return recipe.error();
   std::string path;
@@ -228,20 +252,20 @@ Status open_case(const CaseOptions& options, Session& session) {
   }
   const bool is_volume = !path.empty() && !recipe->source.file;
   if (is_volume) recipe->source.file = FileSource{file_name(path), {}};
-  Result<Recipe> changed = with_options(*recipe, options);
+  Result<Recipe> changed = with_options(*recipe, options, nullptr);
   if (!changed) return changed.error();
   if (!path.empty()) {
     const ReadOptions& read = changed->source.read;
     const auto load = [&](const auto& file) { return session.load_volume(file, read); };
-    if (Status loaded = load_file(path, load); !loaded) return loaded;
-    if (is_volume) changed->source = session.recipe().source;
+    if (Status loaded = load_file(path, options.input_format, load); !loaded) return loaded;
+    if (is_volume) recipe->source = session.recipe().source;
   }
   if (Status loaded = load_side_files(*recipe, options, session); !loaded) return loaded;
-  if (merges_all(options)) {
-    Result<LabelGroup> group = group_of_all(*changed, session);
-    if (!group) return group.error();
-    changed->merge = {std::move(group).value()};
-  }
+  Result<std::shared_ptr<const LabelVolume>> volume = std::shared_ptr<const LabelVolume>();
+  if (names_labels(options)) volume = volume_of(*changed, session);
+  if (!volume) return volume.error();
+  changed = with_options(*recipe, options, volume->get());
+  if (!changed) return changed.error();
   return session.set_recipe(*changed);
 }
 

@@ -6,18 +6,20 @@
 #include <vector>
 
 #include "cli/check_outputs.h"
-#include "cli/read_options.h"
+#include "cli/words/read_options.h"
+#include "io/bytes/bytes.h"
 #include "pipeline/session.h"
 #include "types/result.h"
 
 namespace voxtet {
 
 struct CaseOptions {
-  std::string input;                     ///< volume file, case .json, or link
-  std::vector<int> labels;               ///< --labels 1,2,5
+  std::string input;                     ///< volume file, case .json, link, or - for standard input
+  std::string input_format;              ///< --input-format: the ending of a mesh on standard input
+  std::vector<std::string> labels;       ///< --labels Wall,1-3 (label_words.h)
   std::vector<std::string> merge;        ///< --merge 1,5,6; an empty text: all labels to be meshed
-  std::vector<unsigned> transfer;        ///< --transfer
-  std::optional<double> edge_mm;         ///< --edge-mm; if not given, as in the recipe
+  std::vector<std::string> transfer;     ///< --transfer
+  std::optional<std::string> edge_mm;    ///< --edge-mm 2mm; if not given, as in the recipe
   std::vector<std::string> edge_labels;  ///< --edge-label 5=0.8
   std::vector<std::string> masks;        ///< --mask
   std::vector<std::string> mask_edges;   ///< --mask-edge 1=0.8, of every --mask
@@ -25,6 +27,9 @@ struct CaseOptions {
   std::vector<std::string> set;          ///< --set path=value
   ReadOptionTexts read;
 };
+
+/// The bytes of a file, or of standard input for the path "-".
+Result<Bytes> read_input(const std::string& path);
 
 /// The files that the options name, and those that their case file names.
 std::vector<NamedPath> inputs_of(const CaseOptions& options);

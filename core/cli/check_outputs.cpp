@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "cli/words/option_texts.h"
 #include "io/bytes/files.h"
 #include "io/mesh/write_mesh.h"
 
@@ -40,6 +41,8 @@ Status check_outputs(const std::vector<NamedPath>& outputs, const std::vector<Na
     if (!input.path.empty()) taken.push_back(input);
   for (const NamedPath& output : outputs) {
     if (output.path.empty()) continue;
+    if (output.path == kDash)
+      return usage_error("cli", output.word + " -: found standard output, expected the name of a file");
     std::vector<NamedPath> own;
     for (const std::string& path : files_of_mesh(output.path)) own.push_back({output.word, path});
     for (const NamedPath& file : own) {

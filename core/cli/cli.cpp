@@ -1,20 +1,20 @@
 #include "cli/cli.h"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "base/digest.h"
-#include "base/parallel.h"
 #include "cli/case_input.h"
 #include "cli/convert.h"
-#include "cli/dump_results.h"
+#include "cli/mesh.h"
 #include "cli/options.h"
 #include "cli/print.h"
 #include "cli/simulate.h"
+#include "cli/words/option_texts.h"
 #include "io/bytes/files.h"
 #include "io/mesh/read_mesh.h"
-#include "io/mesh/write_mesh.h"
 #include "io/volume/write_volume.h"
 #include "io/volume/write_vti.h"
 #include "pipeline/exports/field_volume.h"
@@ -28,95 +28,30 @@ namespace {
 
 using nlohmann::json;
 
-/// What `mesh` writes, and how far it goes.
-struct MeshOptions {
-  std::string out, report, dump;
-  std::string until = name_of(Stage::kQuality);
-  bool measures = false;  ///< in the mesh file
-};
-
-/// Before anything is read: a run may take long.
-Status check_mesh_outputs(const CaseOptions& options, const MeshOptions& wanted, Stage until) {
-  if (!wanted.out.empty()) {
-    if (Result<MeshFormat> format = mesh_format_of(wanted.out); !format) return format.error();
-    if (until < Stage::kTransfer)
-      return usage_error("cli", "-o: there is no mesh to write when a run ends with the stage " +
-                                    wanted.until + ", expected --until transfer or quality, or --dump");
-  }
-  std::vector<NamedPath> outputs{{"-o", wanted.out}, {"--report", wanted.report}};
-  if (!wanted.dump.empty()) {
-    std::error_code failed;
-    std::filesystem::create_directories(wanted.dump, failed);  // what cannot be made is found below
-    for (const std::string& path : files_of_dump(wanted.dump)) outputs.push_back({"--dump", path});
-  }
-  return check_outputs(outputs, inputs_of(options));
-}
-
-/// Writes what was asked for, also when a run has failed: then its report ends with the error.
-Status write_report(const Session& session, const MeshOptions& wanted, const json& report) {
-  if (!wanted.dump.empty())
-    if (Status written = dump_results(session, wanted.dump); !written) return written;
-  if (wanted.report.empty()) return std::monostate{};
-  return write_text_file(wanted.report, text_of(report));
-}
-
-int run_mesh(const CaseOptions& options, const MeshOptions& wanted, const Output& output) {
-  const Result<Stage> until = stage_of(wanted.until);
-  if (!until) return fail(until.error());
-  if (Status there = check_mesh_outputs(options, wanted, *until); !there) return fail(there.error());
-  Session session;
-  if (Status opened = open_case(options, session); !opened) return fail(opened.error());
-  if (!gives_fibres(session.recipe(), *until))
-    if (Status none = check_no_fibres({"-o", wanted.out}); !none) return fail(none.error());
-  RunContext ctx = printing_context(output.time_limit_s, output.threads);
-  Status done = std::monostate{};
-  // A mesh file also holds the labels that were transferred.
-  if (!wanted.out.empty() && !needs(*until, Stage::kTransfer)) done = session.run(Stage::kTransfer, ctx);
-  if (done) done = session.run(*until, ctx);
-  json report = report_json(session);
-  if (!done) {
-    report["error"] = error_json(done.error());
-    if (output.as_json) print_json(report);
-    if (Status written = write_report(session, wanted, report); !written) fail(written.error());
-    return fail_run(done.error(), output);
-  }
-  if (!wanted.out.empty())
-    if (const int code = export_session(session, wanted.measures, wanted.out, output); code != kExitOk)
-      return code;
-  if (Status written = write_report(session, wanted, report); !written) return fail(written.error());
-  if (output.as_json)
-    print_json(report);
-  else if (session.quality())
-    print_report(report, stdout);
-  else
-    print_stages(report["stages"], stdout);
-  if (session.quality() && !session.quality()->passed())
-    return fail({ErrorCode::kMeshing, "quality", "the mesh fails a hard check, see the checklist", {}});
-  return kExitOk;
-}
-
 int run_field(const CaseOptions& options, const std::string& name, const std::string& out,
               const Output& output) {
   const bool vti = out.ends_with(".vti");
   if (!vti && !is_nifti_name(out))
-    return fail({ErrorCode::kUsage, "cli", out + ": a field is written as .nii, .nii.gz or .vti", {}});
-  if (Status there = check_outputs({{"-o", out}}, inputs_of(options)); !there) return fail(there.error());
+    return fail({ErrorCode::kUsage, "cli", out + ": a field is written as .nii, .nii.gz or .vti", {}},
+                output);
+  if (Status there = check_outputs({{"-o", out}}, inputs_of(options)); !there)
+    return fail(there.error(), output);
+  RunContext ctx = context_of(output);
   Session session;
-  if (Status opened = open_case(options, session); !opened) return fail(opened.error());
-  RunContext ctx = printing_context(output.time_limit_s, output.threads);
+  if (Status opened = open_case(options, session); !opened) return fail(opened.error(), output);
   if (Status done = session.run(Stage::kSizing, ctx); !done) return fail_run(done.error(), output);
   const Result<ScalarVolume> field = field_volume(session, name);
-  if (!field) return fail(field.error());
+  if (!field) return fail(field.error(), output);
   const Result<Bytes> bytes = vti ? write_vti(*field, name) : write_nifti(*field, out.ends_with(".gz"));
-  if (!bytes) return fail(bytes.error());
-  if (Status written = place_files({{out, *bytes}}); !written) return fail(written.error());
+  if (!bytes) return fail(bytes.error(), output);
+  if (Status written = place_files({{out, *bytes}}); !written) return fail(written.error(), output);
   return kExitOk;
 }
 
 int run_forecast(const CaseOptions& options, double elements, const Output& output) {
+  RunContext ctx = context_of(output);
   Session session;
-  if (Status opened = open_case(options, session); !opened) return fail(opened.error());
-  RunContext ctx = printing_context(output.time_limit_s, output.threads);
+  if (Status opened = open_case(options, session); !opened) return fail(opened.error(), output);
   if (Status done = session.run(Stage::kSizing, ctx); !done) return fail_run(done.error(), output);
   const Result<json> forecast = forecast_json(session, elements, ctx);
   if (!forecast) return fail_run(forecast.error(), output);
@@ -127,12 +62,19 @@ int run_forecast(const CaseOptions& options, double elements, const Output& outp
   return kExitOk;
 }
 
+Result<TetMesh> read_mesh(const std::string& path) {
+  if (path != kDash) return read_tet_mesh_file(path);
+  const Result<Bytes> bytes = read_standard_input();
+  if (!bytes) return bytes.error();
+  return read_tet_mesh({"stdin", *bytes, {}});
+}
+
 int run_check(const std::string& path, const Output& output) {
-  Result<TetMesh> mesh = read_tet_mesh_file(path);
-  if (!mesh) return fail(mesh.error());
+  Result<TetMesh> mesh = read_mesh(path);
+  if (!mesh) return fail(mesh.error(), output);
   RunContext ctx;
   Result<QualityReport> report = measure_mesh(*mesh, {}, ctx);
-  if (!report) return fail(report.error());
+  if (!report) return fail(report.error(), output);
   const json quality = quality_json(*report);
   if (output.as_json) {
     print_json({{"digest", digest_of(*mesh)},
@@ -183,11 +125,11 @@ int run_url(const std::string& input, const std::string& base) {
 }
 
 int run_verify(const CaseOptions& options, const Output& output) {
+  RunContext ctx = context_of(output);
   Session session;
-  if (Status opened = open_case(options, session); !opened) return fail(opened.error());
+  if (Status opened = open_case(options, session); !opened) return fail(opened.error(), output);
   Result<Expected> expected = expected_of(session.recipe(), options.input);
-  if (!expected) return fail(expected.error());
-  RunContext ctx = printing_context(output.time_limit_s, output.threads);
+  if (!expected) return fail(expected.error(), output);
   if (Status done = session.run(Stage::kOptimise, ctx); !done) return fail_run(done.error(), output);
   const std::string digest = digest_of(*session.mesh());
   const bool same = digest == expected->digest;
@@ -223,15 +165,7 @@ int run_cli(int argc, const char* const* argv) {
   int code = kExitOk;
 
   CLI::App* mesh = app.add_subcommand("mesh", "mesh a volume or a case");
-  add_case_options(*mesh, options, output, "VOLUME|CASE.json");
-  mesh->add_option("-o,--output", wanted.out, "mesh file: .vtu .msh .mesh .carp .inp .feb .xdmf .stl .ply")
-      ->check(kNotEmpty);
-  mesh->add_option("--report", wanted.report, "write the report as JSON to this file")->check(kNotEmpty);
-  mesh->add_option("--until", wanted.until, "end with this stage: volume, surface, smooth, ...");
-  mesh->add_option("--dump", wanted.dump, "write what each stage gave into this folder")->check(kNotEmpty);
-  mesh->add_flag("--measures", wanted.measures, "write the measures of tetrahedra into the mesh file too");
-  mesh->add_option("--space", output.lps_or_ras, "patient space of the mesh file")
-      ->check(CLI::IsMember({"ras", "lps"}));
+  add_mesh_command(*mesh, options, wanted, output);
   mesh->callback([&] { code = run_mesh(options, wanted, output); });
 
   SimulateOptions simulated;
@@ -252,7 +186,7 @@ int run_cli(int argc, const char* const* argv) {
   add_case_options(*forecast, options, output, "VOLUME|CASE.json");
   double elements = 0;
   forecast->add_option("--elements", elements, "also the edge lengths that give so many tetrahedra")
-      ->check(CLI::PositiveNumber);
+      ->check(number_as("how many as 500000", [](double n) { return n > 0; }));
   forecast->callback([&] { code = run_forecast(options, elements, output); });
 
   CLI::App* verify = app.add_subcommand("verify", "mesh a case and compare with the digest it promises");
@@ -260,8 +194,8 @@ int run_cli(int argc, const char* const* argv) {
   verify->callback([&] { code = run_verify(options, output); });
 
   CLI::App* check = app.add_subcommand("check", "measure a mesh file");
-  check->add_option("MESH", in, ".vtu .msh .mesh .elem .carp")->required();
-  check->add_flag("--json", output.as_json, "print the report as JSON");
+  check->add_option("MESH", in, ".vtu .msh .mesh .elem .carp, or - for standard input")->required();
+  check->add_flag("--json", output.as_json, "print the report, or the error, as JSON");
   check->callback([&] { code = run_check(in, output); });
 
   CLI::App* phantom = app.add_subcommand("phantom", "generate a body as a label volume");
@@ -287,11 +221,14 @@ int run_cli(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const bool as_json = std::find(argv, argv + argc, std::string_view("--json")) != argv + argc;
+    if (as_json && error.get_exit_code() != 0)
+      print_json({{"error", error_json(usage_error("cli", error.what()))}});
     return app.exit(error) == 0 ? kExitOk : kExitUsage;
   } catch (const std::bad_alloc&) {
-    return fail({ErrorCode::kOutOfMemory, "cli", "out of memory", {}});
+    return fail({ErrorCode::kOutOfMemory, "cli", "out of memory", {}}, output);
   } catch (const std::exception& error) {
-    return fail({ErrorCode::kInternal, "cli", error.what(), {}});
+    return fail({ErrorCode::kInternal, "cli", error.what(), {}}, output);
   }
   return code;
 }

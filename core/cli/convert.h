@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "cli/read_options.h"
+#include "cli/words/read_options.h"
 
 namespace voxtet {
 

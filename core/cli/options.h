@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "base/parallel.h"
 #include "cli/case_input.h"
 #include "io/mesh/write_mesh.h"
 #include "pipeline/session.h"
 #include "types/result.h"
+#include "types/run_context.h"
 #include "types/tet_mesh.h"
 
 namespace voxtet {
@@ -19,7 +19,8 @@ namespace voxtet {
 struct Output {
   bool as_json = false;
   double time_limit_s = 0;
-  int threads = hardware_threads();
+  int threads = 0;          ///< 0: as many as the machine has cores
+  std::string mesh_format;  ///< of a mesh on standard output, as "vtu"
   std::string lps_or_ras = "ras";
   PatientSpace space() const { return lps_or_ras == "lps" ? PatientSpace::kLps : PatientSpace::kRas; }
 };
@@ -37,8 +38,21 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output, c
 std::string text_of(const nlohmann::json& value);
 void print_json(const nlohmann::json& value);
 
-/// Prints why a run ended, and returns its exit code; nothing but the time limit cancels one.
+/// A context that prints its progress and ends with the time limit, which begins now.
+RunContext context_of(const Output& output);
+
+/// Prints the error, with --json also as an object on standard output, and returns its exit code.
+int fail(const Error& error, const Output& output);
+
+/// The error of a run; nothing but the time limit cancels one.
+Error run_error(Error error, const Output& output);
+
+/// Prints why a run ended, and returns its exit code.
 int fail_run(Error error, const Output& output);
+
+/// The path of a mesh file, by whose ending its format is known; for "-" a name with the ending that
+/// --output-format says. Errors: kUsage where that is missing, or given for a path, or makes several files.
+Result<std::string> mesh_path_of(const std::string& path, const Output& output);
 
 /// Writes a mesh with its data, in the space of `output`, and returns the exit code.
 int export_mesh(const TetMesh& mesh, WriteMeshOptions options, const std::string& path, const Output& output);

@@ -80,11 +80,11 @@ class VoltageFrames {
 /// The mesh with what was found on it; for openCARP a case that runs there.
 int export_simulation(const Session& session, const std::string& path, const Output& output) {
   const Result<MeshFormat> format = mesh_format_of(path);
-  if (!format) return fail(format.error());
+  if (!format) return fail(format.error(), output);
   if (*format != MeshFormat::kCarp) return export_session(session, false, path, output);
   const Result<std::vector<OutputFile>> files = carp_case_files(session, output.space(), mesh_name_of(path));
-  if (!files) return fail(files.error());
-  if (Status written = write_files(path, *files); !written) return fail(written.error());
+  if (!files) return fail(files.error(), output);
+  if (Status written = write_files(path, *files); !written) return fail(written.error(), output);
   return kExitOk;
 }
 
@@ -131,25 +131,29 @@ void add_simulate_command(CLI::App& command, CaseOptions& options, SimulateOptio
 }
 
 int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, const Output& output) {
-  if (Status there = check_simulate_outputs(options, wanted); !there) return fail(there.error());
+  if (Status there = check_simulate_outputs(options, wanted); !there) return fail(there.error(), output);
+  RunContext ctx = context_of(output);
   Session session;
-  if (Status opened = open_case(options, session); !opened) return fail(opened.error());
+  if (Status opened = open_case(options, session); !opened) return fail(opened.error(), output);
   const Result<Stage> stage = stage_to_run(session.recipe(), wanted.what);
-  if (!stage) return fail(stage.error());
+  if (!stage) return fail(stage.error(), output);
   if (!wanted.traces.empty() &&
       (*stage != Stage::kMonodomain || session.recipe().physics->monodomain->electrodes.empty()))
-    return fail(
-        usage_error("cli", "--traces: found no physics.monodomain.electrodes, expected at least one"));
+    return fail(usage_error("cli", "--traces: found no physics.monodomain.electrodes, expected at least one"),
+                output);
   if (!wanted.frames.empty() && *stage != Stage::kMonodomain)
-    return fail(usage_error("cli", "--frames: found no physics.monodomain to run, expected one"));
+    return fail(usage_error("cli", "--frames: found no physics.monodomain to run, expected one"), output);
   if (*stage != Stage::kMonodomain && !(wanted.save_state + wanted.from_state).empty())
-    return fail(usage_error("cli", "--save-state, --from-state: the activation map alone has no state"));
+    return fail(usage_error("cli", "--save-state, --from-state: the activation map alone has no state"),
+                output);
   if (!wanted.from_state.empty()) {
     Result<Bytes> state = read_file(wanted.from_state);
-    if (!state) return fail(state.error());
+    if (!state) return fail(state.error(), output);
     session.resume_from(*std::move(state));
   }
-  RunContext ctx = printing_context(output.time_limit_s, output.threads);
+  if ((wanted.out + wanted.report + wanted.traces + wanted.frames + wanted.save_state).empty() &&
+      !output.as_json)
+    print_note("no -o: the report will be printed, and no mesh written");
   Status done = session.run(Stage::kQuality, ctx);
   std::optional<VoltageFrames> frames;
   if (done && !wanted.frames.empty()) {
@@ -158,26 +162,31 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
   }
   if (done) done = session.run(*stage, ctx);
   json report = report_json(session);
-  if (!done) report["error"] = error_json(done.error());
+  if (!done) report["error"] = error_json(run_error(done.error(), output));
   if (!wanted.report.empty())
     if (Status written = write_text_file(wanted.report, text_of(report)); !written)
-      return fail(written.error());
-  if (output.as_json) print_json(report);
+      return fail(written.error(), output);
   if (!wanted.save_state.empty() && (done || done.error().code == ErrorCode::kCancelled))
     if (Result<Bytes> state = session.saved_state(); state)
-      if (Status placed = place_files({{wanted.save_state, *state}}); !placed) return fail(placed.error());
-  if (!done) return fail_run(done.error(), output);
+      if (Status placed = place_files({{wanted.save_state, *state}}); !placed)
+        return fail(placed.error(), output);
+  if (!done) {
+    if (output.as_json) print_json(report);
+    return fail(run_error(done.error(), output));
+  }
   if (!wanted.traces.empty())
     if (Status written = write_text_file(wanted.traces, traces_csv(*session.monodomain())); !written)
-      return fail(written.error());
+      return fail(written.error(), output);
   if (frames && frames->empty())
     print_warning("--frames: found no frame at a multiple of physics.monodomain.frame_ms, wrote no file");
   else if (frames)
     if (Status written = place_files({{wanted.frames, frames->take()}}); !written)
-      return fail(written.error());
+      return fail(written.error(), output);
   if (!wanted.out.empty())
     if (const int code = export_simulation(session, wanted.out, output); code != kExitOk) return code;
-  if (!output.as_json) {
+  if (output.as_json) {
+    print_json(report);
+  } else {
     print_stages(report["stages"], stdout);
     print_simulation(report["simulation"]);
   }

@@ -85,12 +85,8 @@ Status write_device(const TargetFile& target) {
   return write_whole(target, file);
 }
 
-}  // namespace
-
-Result<Bytes> read_file(const std::string& path) {
-  if (is_folder(path)) return failure(path, "is a folder, expected a file");
-  std::FILE* file = std::fopen(path.c_str(), "rb");
-  if (!file) return failure_with_reason(path, "cannot be opened");
+/// What is left in an opened file.
+Result<Bytes> read_whole(const std::string& path, std::FILE* file) {
   Bytes bytes;
   std::size_t got = 0;
   do {
@@ -99,10 +95,29 @@ Result<Bytes> read_file(const std::string& path) {
     got = std::fread(bytes.data() + start, 1, kChunk, file);
     bytes.resize(start + got);
   } while (got > 0);
-  const bool broken = std::ferror(file) != 0;
-  std::fclose(file);
-  if (broken) return failure_with_reason(path, "cannot be read");
+  if (std::ferror(file) != 0) return failure_with_reason(path, "cannot be read");
   return bytes;
+}
+
+}  // namespace
+
+Result<Bytes> read_file(const std::string& path) {
+  if (is_folder(path)) return failure(path, "is a folder, expected a file");
+  std::FILE* file = std::fopen(path.c_str(), "rb");
+  if (!file) return failure_with_reason(path, "cannot be opened");
+  Result<Bytes> bytes = read_whole(path, file);
+  std::fclose(file);
+  return bytes;
+}
+
+Result<Bytes> read_standard_input() {
+  return read_whole("standard input", stdin);
+}
+
+Status write_standard_output(std::span<const std::uint8_t> bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
+    return failure_with_reason("standard output", "cannot be written");
+  return std::monostate{};
 }
 
 Status place_files(const std::vector<TargetFile>& files) {

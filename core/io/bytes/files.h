@@ -14,6 +14,10 @@ namespace voxtet {
 /// Errors: kBadInput naming the path and the system's reason.
 Result<Bytes> read_file(const std::string& path);
 
+/// All of standard input, and all to standard output. Errors: kBadInput with the system's reason.
+Result<Bytes> read_standard_input();
+Status write_standard_output(std::span<const std::uint8_t> bytes);
+
 /// A file to be written.
 struct TargetFile {
   std::string path;

@@ -186,6 +186,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   DelaunayRefiner refiner(field, sizing,
                           {params.facet_angle_deg, params.max_distance_voxels * voxel, 1 / kEdgePerRadius});
   refiner.insert(seeds.points, kSeedSeparation * voxel);
+  if (ctx.cancelled()) return cancelled_error(kRemeshStage);
   MissedPlaces places(reference, field);
   const SuspectVoxels suspect_voxels(reference, field);
   const std::vector<Edge> junctions = junction_edges(reference);
@@ -200,10 +201,12 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     LabelledCells cells = refiner.cells();
     std::vector<InterfaceFacet> flawed;
     remove_islands(cells, field, pieces, &flawed);
+    if (ctx.cancelled()) return cancelled_error(kRemeshStage);
     const Pinches pinches = find_pinches(cells);
     const std::vector<InterfaceFacet> pinched = facets_at_pinches(cells, pinches);
     flawed.insert(flawed.end(), pinched.begin(), pinched.end());
     make_two_manifold(cells, field, pinches);
+    if (ctx.cancelled()) return cancelled_error(kRemeshStage);
     remove_wedges(cells);
     remove_islands(cells, field, pieces);
     mend_parents(cells, field);
@@ -230,6 +233,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {
       if (repair->thorough) compare();
+      if (ctx.cancelled()) return cancelled_error(kRemeshStage);
       // Where the topology is as wanted, mending has done away with what was flawed; what is still far from
       // the reference then is left to the improvement of the surface.
       const bool sound = repair->thorough && broken->empty();
@@ -237,10 +241,13 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       was_sound = sound;
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
-      const std::vector<Eigen::Vector3d> elsewhere =
-          places.of(merged, {params.missed_voxels * voxel, repair->separation * voxel,
-                             broken ? *broken : std::vector<Label>{}, suspects, repair->turned_cosine,
-                             repair->narrow_share});
+      if (ctx.cancelled()) return cancelled_error(kRemeshStage);
+      const std::vector<Eigen::Vector3d> elsewhere = places.of(
+          merged,
+          {params.missed_voxels * voxel, repair->separation * voxel, broken ? *broken : std::vector<Label>{},
+           suspects, repair->turned_cosine, repair->narrow_share},
+          ctx);
+      if (ctx.cancelled()) return cancelled_error(kRemeshStage);
       missed.insert(missed.end(), elsewhere.begin(), elsewhere.end());
       if (repair->thorough && !sound)
         for (const Eigen::Vector3d& p : refiner.passed_over(kPassedOverDepth * voxel))
@@ -249,11 +256,13 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       if (!sound)
         for (const InterfaceFacet& facet : flawed)
           added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);
+      if (ctx.cancelled()) return cancelled_error(kRemeshStage);
       added += refiner.insert(missed, repair->separation * voxel);
       if (sound && added == 0) break;
     }
     if (added > 0) continue;
     compare();
+    if (ctx.cancelled()) return cancelled_error(kRemeshStage);
     surface = std::move(nearest->surface);
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
     relax_surface(surface, sizing);

@@ -144,7 +144,9 @@ MissedPlaces::MissedPlaces(const SurfaceMesh& reference, const LabelField& field
   followed_by_.assign(samples_.size(), 0);
 }
 
-std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const MissedCriteria& criteria) {
+std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const MissedCriteria& criteria,
+                                              const RunContext& ctx) {
+  constexpr std::size_t kSamplesPerQuestion = 1024;
   const double separation2 = criteria.separation_mm * criteria.separation_mm;
   const std::size_t stride = stride_of(reference_);
   const std::vector<std::uint32_t> ids = by_pair(surface.sides, [](std::uint32_t) { return true; });
@@ -176,6 +178,7 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
     std::optional<ClosestPointTree> tree;
     std::uint32_t hint = 0;
     for (; s < samples_.size() && reference_.sides[samples_[s]] == sides; ++s) {
+      if (s % kSamplesPerQuestion == 0 && ctx.cancelled()) return missed;
       const std::uint32_t sample = samples_[s];
       const bool thorough =
           broken && (suspects.empty() || suspects[field_.nearest_voxel(centroid(reference_, sample))]);

@@ -7,6 +7,7 @@
 
 #include "remesh/delaunay/seed_junctions.h"
 #include "remesh/field/label_field.h"
+#include "types/run_context.h"
 #include "types/surface_mesh.h"
 #include "walls/wall_layers.h"
 
@@ -34,8 +35,9 @@ class MissedPlaces {
   /// farther than the limit from the triangles of `surface` between the same two labels. Each is moved along
   /// its normal onto the field's interface of the two labels, or left out if that is farther away than the
   /// limit. Grouped by labels, in the order of the reference. The triangle that was near a sample in the last
-  /// call is tried first, if it still exists.
-  std::vector<Eigen::Vector3d> of(const SurfaceMesh& surface, const MissedCriteria& criteria);
+  /// call is tried first, if it still exists. Ends early, with only some of them, when cancelled.
+  std::vector<Eigen::Vector3d> of(const SurfaceMesh& surface, const MissedCriteria& criteria,
+                                  const RunContext& ctx = {});
 
  private:
   const SurfaceMesh& reference_;

@@ -149,17 +149,18 @@ bool smooth_guarded(const CorrectionProblem& problem, const VoxelRegions& region
 }
 
 /// Volumes corrected and shapes guarded in turn: points that the guard took back leave their share of the
-/// correction to the others.
-void correct_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
+/// correction to the others. False when cancelled.
+bool correct_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
                      const RunContext& ctx, Points& x) {
   Flags movable(x.size());
   for (std::size_t v = 0; v < x.size(); ++v) movable[v] = graph.kinds[v] == VertexKind::kSurface;
   for (int pass = 0; pass < kCorrectionPasses; ++pass) {
     const Points safe = x;
-    correct_volumes(problem, movable, x);
+    if (!correct_volumes(problem, ctx, movable, x)) return false;
     const Flags back = guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
     for (std::size_t v = 0; v < x.size(); ++v) movable[v] = movable[v] && !back[v];
   }
+  return true;
 }
 
 Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume& volume,
@@ -186,7 +187,8 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   if (label == kBackground && !smooth_guarded(problem, regions, graph_of_thick(problem, regions, cuts, graph),
                                               params, ctx.part(kTurnShare, 2 * kTurnShare), x))
     return cancelled_error(kSmoothStage);
-  if (params.keep_volume) correct_guarded(problem, regions, graph, ctx, x);
+  if (params.keep_volume && !correct_guarded(problem, regions, graph, ctx, x))
+    return cancelled_error(kSmoothStage);
 
   SurfaceMesh out{std::move(x), surface.triangles, surface.sides};
   for (std::size_t v = 0; v < out.points.size(); ++v)

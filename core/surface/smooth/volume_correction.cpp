@@ -126,19 +126,21 @@ class RegionSystem {
 
 }  // namespace
 
-void correct_volumes(const CorrectionProblem& problem, Flags& movable, Points& points) {
+bool correct_volumes(const CorrectionProblem& problem, const RunContext& ctx, Flags& movable,
+                     Points& points) {
   const Interfaces interfaces = find_interfaces(problem, movable);
   const std::size_t regions = problem.target.size();
   std::vector<double> volumes(regions), missing(regions), areas(interfaces.pairs.size());
   Points gradients(points.size());
   for (int round = 0; round < kRounds; ++round) {
+    if (ctx.cancelled()) return false;
     measure(problem, points, volumes, gradients);
     bool done = true;
     for (std::size_t r = 0; r < regions; ++r) {
       missing[r] = r == VoxelRegions::kOutside ? 0 : problem.target[r] - volumes[r];
       done = done && std::abs(missing[r]) <= kGoodEnough * problem.target[r] + kSmallVolume;
     }
-    if (done) return;
+    if (done) return true;
     std::fill(areas.begin(), areas.end(), 0.0);
     for (std::size_t v = 0; v < points.size(); ++v)
       if (movable[v]) areas[interfaces.of_vertex[v]] += gradients[v].norm();
@@ -155,6 +157,7 @@ void correct_volumes(const CorrectionProblem& problem, Flags& movable, Points& p
       if (shift.dot(points[v] - before) < kStopped * shift.squaredNorm()) movable[v] = 0;
     }
   }
+  return true;
 }
 
 }  // namespace voxtet

@@ -9,6 +9,7 @@
 #include "geometry/repair/retreat.h"
 #include "surface/smooth/move_limits.h"
 #include "surface/smooth/surface_graph.h"
+#include "types/run_context.h"
 #include "types/surface_mesh.h"
 
 namespace voxtet {
@@ -31,7 +32,8 @@ struct CorrectionProblem {
 /// the least area-weighted sum of squares. Only points with `movable` not 0 move, along their normal and
 /// within their limits around their start. A point that the limits stop takes no further part: its flag
 /// becomes 0. At most eight rounds, fewer once every region has its volume to a ten-thousandth and a
-/// hundredth of a voxel. `points` are in index space.
-void correct_volumes(const CorrectionProblem& problem, Flags& movable, std::vector<Eigen::Vector3d>& points);
+/// hundredth of a voxel. `points` are in index space. False when cancelled.
+bool correct_volumes(const CorrectionProblem& problem, const RunContext& ctx, Flags& movable,
+                     std::vector<Eigen::Vector3d>& points);
 
 }  // namespace voxtet

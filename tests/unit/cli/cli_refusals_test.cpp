@@ -76,7 +76,7 @@ TEST_F(CliTest, SaysWhichTimeLimitIsOver) {
   EXPECT_NE(testing::internal::GetCapturedStderr().find("given up after the 1e-06 s of --time-limit"),
             std::string::npos);
   EXPECT_EQ(run({"mesh", at("case.json"), "--time-limit", "-1"}), kExitUsage);
-  EXPECT_EQ(run({"mesh", at("case.json"), "--threads", "0"}), kExitUsage);
+  EXPECT_EQ(run({"mesh", at("case.json"), "--threads", "-1"}), kExitUsage);
 }
 #endif
 

@@ -1,7 +1,8 @@
-#include "cli/read_options.h"
+#include "cli/words/read_options.h"
 
 #include <nlohmann/json.hpp>
 
+#include "cli/words/option_texts.h"
 #include "recipe/recipe.h"
 
 namespace voxtet {
@@ -13,8 +14,10 @@ void add_read_options(CLI::App& command, ReadOptionTexts& options) {
       .add_option("--precedence", options.precedence,
                   "segments by name or label: the first wins where segments overlap, as inner,outer")
       ->delimiter(',');
-  command.add_option("--background", options.background, "the volume's value of the background, as -1");
-  command.add_option("--frame", options.frame, "frame of a volume with several, counted from 0");
+  command.add_option("--background", options.background, "the volume's value of the background, as -1")
+      ->check(number_as("a whole number as -1", is_whole));
+  command.add_option("--frame", options.frame, "frame of a volume with several, counted from 0")
+      ->check(number_as("a whole number as 0", is_whole));
 }
 
 void put_read_options(const ReadOptionTexts& options, nlohmann::json& source) {
