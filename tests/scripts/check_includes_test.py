@@ -54,8 +54,8 @@ class CheckIncludes(unittest.TestCase):
         self.expect_fault("core/pipeline/planted.h:1", "remesh/remesh_surface.h")
 
     def test_a_third_party_header_outside_its_adapter(self):
-        self.plant("core/types/planted.h", "#include <CGAL/Kernel.h>\n")
-        self.expect_fault("core/types/planted.h:1", "geometry, remesh, tetra")
+        self.plant("core/base/planted.h", "#include <CGAL/Kernel.h>\n")
+        self.expect_fault("core/base/planted.h:1", "geometry, remesh, tetra")
 
     def test_a_room_without_a_rule(self):
         self.plant("core/remesh/attic/planted.h", "#pragma once\n")

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "geometry/elements/tet_measures.h"
@@ -88,16 +89,45 @@ std::vector<std::uint8_t> cuts_of_points(std::size_t point_count, const std::vec
   return of_points;
 }
 
-void settle_cuts(SurfaceMesh& extracted, const Grid& grid, const CutPlanes& cuts) {
+namespace {
+
+/// From the middle of a lattice triangle of body, beyond and background to where the wall passes through it.
+Eigen::Vector3d to_the_wall(const Eigen::Vector3d& index, const LabelVolume& volume, const CutPlanes& cuts) {
+  constexpr double kOnLattice = 1e-3;
+  const Eigen::Vector3d thirds = 3 * index;
+  if (!(thirds - thirds.array().round().matrix()).isZero(kOnLattice)) return Eigen::Vector3d::Zero();
+  // Its corners, each at or above the one before along every axis, follow from how many are above the cell's
+  // first corner along each.
+  std::array<Eigen::Vector3i, 3> corners;
+  for (int d = 0; d < 3; ++d) {
+    const int sum = static_cast<int>(std::lround(thirds[d]));
+    const int low = sum >= 0 ? sum / 3 : -((2 - sum) / 3);
+    const int above = sum - 3 * low;
+    for (int c = 0; c < 3; ++c) corners[static_cast<std::size_t>(c)][d] = low + (c >= 3 - above ? 1 : 0);
+  }
+  std::optional<std::size_t> body, beyond, outside;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Label label = volume.at_or_background(corners[c][0], corners[c][1], corners[c][2]);
+    (label == kBackground ? outside : is_beyond(cuts, label) ? beyond : body) = c;
+  }
+  if (!body || !beyond || !outside) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d inside = 0.5 * (corners[*body] + corners[*beyond]).cast<double>();
+  return (corners[*outside].cast<double>() - inside) / 6;
+}
+
+}  // namespace
+
+void settle_cuts(SurfaceMesh& extracted, const LabelVolume& volume, const CutPlanes& cuts) {
   // From the border's voxels points are up to three quarters of a voxel off, their cut is half a voxel off.
   constexpr double kBefore = 0.6, kBorder = 0.5;
   if (cuts.empty()) return;
-  const Eigen::Matrix3d to_index = grid.linear().inverse();
+  const Eigen::Matrix3d to_index = volume.linear().inverse();
   const std::vector<std::uint8_t> of_points =
       cuts_of_points(extracted.points.size(), extracted.triangles, extracted.sides, cuts);
   for (std::size_t p = 0; p < of_points.size(); ++p) {
     if (of_points[p] == 0) continue;
-    Eigen::Vector3d index = to_index * (extracted.points[p] - grid.origin());
+    Eigen::Vector3d index = to_index * (extracted.points[p] - volume.origin());
+    index += to_the_wall(index, volume, cuts);
     for (std::size_t c = 0; c < cuts.size(); ++c) {
       const auto& [axis, high, place] = std::tie(cuts[c].axis, cuts[c].high, cuts[c].place);
       const double voxel = high ? place - kBorder : place + kBorder;
@@ -107,7 +137,7 @@ void settle_cuts(SurfaceMesh& extracted, const Grid& grid, const CutPlanes& cuts
       else if (past > 0)
         index[axis] = voxel + (high ? 1 : -1) * kBefore * past;
     }
-    extracted.points[p] = grid.to_mm(index);
+    extracted.points[p] = volume.to_mm(index);
   }
 }
 

@@ -15,9 +15,11 @@ namespace voxtet {
 std::vector<std::uint8_t> cuts_of_points(std::size_t point_count, const std::vector<Triangle>& triangles,
                                          const std::vector<Sides>& sides, const CutPlanes& cuts);
 
-/// Puts the points of an extracted surface into the planes of their cuts: they are at most a quarter of a
-/// voxel off. Those of one cut that have come to lie beyond another one go back before it, in their order.
-void settle_cuts(SurfaceMesh& extracted, const Grid& grid, const CutPlanes& cuts);
+/// Puts the points of a surface that was extracted from `volume` into the planes of their cuts: they are at
+/// most a quarter of a voxel off. Those of one cut that have come to lie beyond another one go back before
+/// it, in their order. Points of a rim, as the middles of a voxel of the body, one beyond and one of
+/// background, stand a sixth of a voxel inside of the wall, and go outwards.
+void settle_cuts(SurfaceMesh& extracted, const LabelVolume& volume, const CutPlanes& cuts);
 /// Moves the points of cuts into their planes, as far as that leaves every element a third of its size.
 /// Returns the largest distance that remains, mm.
 double flatten_cuts(SurfaceMesh& surface, const CutPlanes& cuts);

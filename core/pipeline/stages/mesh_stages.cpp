@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/digest.h"
+#include "geometry/repair/undo_intersections.h"
 #include "geometry/topology/cut_faces.h"
 #include "phantom/make_phantom.h"
 #include "pipeline/results/stage_results.h"
@@ -151,7 +152,11 @@ Status run_surface(const StageInputs& in, const Recipe& recipe, StageOutput& out
                              (volume.cuts.empty() ? "" : " and no volume.flat_border"));
   Result<SurfaceMesh> surface = extract_surface(*volume.meshed, recipe.surface, ctx);
   if (!surface) return surface.error();
-  settle_cuts(*surface, *volume.meshed, volume.cuts);
+  if (!volume.cuts.empty()) {
+    const std::vector<Eigen::Vector3d> before = surface->points;
+    settle_cuts(*surface, *volume.meshed, volume.cuts);
+    if (undo_intersections(*surface, before, ctx).cancelled) return cancelled_error(kSurfaceStage);
+  }
   out.put(built(std::move(surface).value(), volume.cuts));
   return std::monostate{};
 }
@@ -161,7 +166,6 @@ Status run_smooth(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   Result<SurfaceMesh> surface = smooth_surface(in.get<BuiltSurface>(Stage::kSurface).as_built(),
                                                *volume.meshed, recipe.smooth, ctx, volume.cuts);
   if (!surface) return surface.error();
-  flatten_cuts(*surface, volume.cuts);
   out.put(built(std::move(surface).value(), volume.cuts));
   return std::monostate{};
 }

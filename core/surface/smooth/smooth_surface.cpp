@@ -194,6 +194,7 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   for (std::size_t v = 0; v < out.points.size(); ++v)
     out.points[v] =
         out.points[v] == start[v] ? surface.points[v] : Eigen::Vector3d(to_mm * out.points[v] + origin);
+  flatten_cuts(out, cuts);
   if (undo_intersections(out, surface.points, ctx).cancelled) return cancelled_error(kSmoothStage);
   ctx.progress(kSmoothStage, 1.0);
   return out;
