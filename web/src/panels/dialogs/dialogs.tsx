@@ -1,12 +1,13 @@
 import { acceptOffer, offered, closeOffer } from '../../store/case/open_case';
 import { filesOf } from '../../store/case/input';
+import { droppedFiles } from '../../store/case/open_files';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
-import { DropDialog } from './drop_dialog';
 import { whole } from '../controls/format';
 import { fetched } from '../controls/fetched';
 import { Icon } from '../controls/icons';
 
+const DropDialog = fetched(() => import('./drop_dialog').then((part) => part.DropDialog));
 const ToolDialogs = fetched(() => import('./tool_dialogs').then((part) => part.ToolDialogs));
 
 function OfferDialog() {
@@ -97,7 +98,7 @@ export function Dialogs() {
   return (
     <>
       <OfferDialog />
-      <DropDialog />
+      {droppedFiles.value && <DropDialog />}
       {dialogShown.value !== null && <ToolDialogs />}
     </>
   );
