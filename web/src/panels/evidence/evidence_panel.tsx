@@ -1,7 +1,8 @@
 import type { Report } from '../../engine/contract';
 import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
-import { report, upToDate } from '../../store/run/report';
+import { expectation, report, upToDate } from '../../store/run/report';
+import { fetched } from '../controls/fetched';
 import { Checklist } from './checklist';
 import { CompareSection } from './compare_section';
 import { ElementHistograms } from './element_histograms';
@@ -10,8 +11,9 @@ import { notesOf } from './fidelity_text';
 import { short, whole } from '../controls/format';
 import { Icon } from '../controls/icons';
 import { MeasuresTable } from './measures_table';
-import { VerdictCard } from './verdict_card';
 import { WorstList } from './worst_list';
+
+const VerdictCard = fetched(() => import('./verdict_card').then((part) => part.VerdictCard));
 
 function Summary({ found }: { found: Report }) {
   const angles = found.quality.metrics.find((metric) => metric.name === 'min_dihedral_deg');
@@ -58,7 +60,7 @@ export function EvidencePanel() {
   const found = report.value;
   return (
     <aside class="panel right" aria-label="Evidence">
-      <VerdictCard />
+      {expectation.value && <VerdictCard />}
       {!found && (
         <div class="panel-empty">
           <svg viewBox="0 0 120 56" width="120" height="56" aria-hidden="true">
