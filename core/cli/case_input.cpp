@@ -158,6 +158,9 @@ Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options, co
   // The names of labels are the input's, not the masks'.
   const Result<nlohmann::json> mask_edges = to_edges("--mask-edge", options.mask_edges, LabelWords(nullptr));
   if (!mask_edges) return mask_edges.error();
+  for (const std::string& text : options.mask_edges)
+    if (text.find_first_not_of("0123456789,") < text.find('='))
+      return usage_error("cli", "--mask-edge " + text + ": expected labels of the mask by number, as 1=0.8");
   if (!options.mask_edges.empty() && options.masks.empty())
     return usage_error(
         "cli", "--mask-edge " + options.mask_edges[0] + ": found no --mask, expected one that it sizes");

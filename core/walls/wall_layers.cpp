@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/topology/unused_points.h"
+
 namespace voxtet {
 namespace {
 
@@ -35,22 +37,6 @@ void add_triangle(Triangle triangle, Sides sides, std::vector<Triangle>& triangl
   }
   triangles.push_back(triangle);
   all_sides.push_back(sides);
-}
-
-/// Leaves out points that no triangle uses.
-void drop_unused_points(SurfaceMesh& surface) {
-  std::vector<std::uint32_t> place(surface.points.size(), kNowhere);
-  for (const Triangle& t : surface.triangles)
-    for (const std::uint32_t p : t) place[p] = 0;
-  std::uint32_t kept = 0;
-  for (std::size_t p = 0; p < place.size(); ++p) {
-    if (place[p] == kNowhere) continue;
-    surface.points[kept] = surface.points[p];
-    place[p] = kept++;
-  }
-  surface.points.resize(kept);
-  for (Triangle& t : surface.triangles)
-    for (std::uint32_t& p : t) p = place[p];
 }
 
 }  // namespace

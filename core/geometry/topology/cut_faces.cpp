@@ -9,6 +9,7 @@
 
 #include "geometry/elements/tet_measures.h"
 #include "geometry/topology/adjacency.h"
+#include "geometry/topology/unused_points.h"
 
 namespace voxtet {
 namespace {
@@ -65,32 +66,6 @@ double flatten(const std::vector<std::uint8_t>& of_points, const CutPlanes& cuts
   return remains;
 }
 
-template <class Mesh>
-void drop_unused_points_of(Mesh& mesh, std::vector<std::uint32_t>& place) {
-  std::uint32_t used = 0;
-  for (std::size_t p = 0; p < place.size(); ++p) {
-    if (place[p] == 0) continue;
-    mesh.points[used] = mesh.points[p];
-    place[p] = used++;
-  }
-  mesh.points.resize(used);
-}
-
-}  // namespace
-
-std::vector<std::uint8_t> cuts_of_points(std::size_t point_count, const std::vector<Triangle>& triangles,
-                                         const std::vector<Sides>& sides, const CutPlanes& cuts) {
-  std::vector<std::uint8_t> of_points(point_count, 0);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t c = 0; c < cuts.size(); ++c) {
-      if (sides[t][0] != cuts[c].beyond || goes(sides[t], cuts)) continue;
-      for (const std::uint32_t p : triangles[t]) of_points[p] |= static_cast<std::uint8_t>(1U << c);
-    }
-  return of_points;
-}
-
-namespace {
-
 /// From the middle of a lattice triangle of body, beyond and background to where the wall passes through it.
 Eigen::Vector3d to_the_wall(const Eigen::Vector3d& index, const LabelVolume& volume, const CutPlanes& cuts) {
   constexpr double kOnLattice = 1e-3;
@@ -116,6 +91,17 @@ Eigen::Vector3d to_the_wall(const Eigen::Vector3d& index, const LabelVolume& vol
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> cuts_of_points(std::size_t point_count, const std::vector<Triangle>& triangles,
+                                         const std::vector<Sides>& sides, const CutPlanes& cuts) {
+  std::vector<std::uint8_t> of_points(point_count, 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t c = 0; c < cuts.size(); ++c) {
+      if (sides[t][0] != cuts[c].beyond || goes(sides[t], cuts)) continue;
+      for (const std::uint32_t p : triangles[t]) of_points[p] |= static_cast<std::uint8_t>(1U << c);
+    }
+  return of_points;
+}
 
 void settle_cuts(SurfaceMesh& extracted, const LabelVolume& volume, const CutPlanes& cuts) {
   // From the border's voxels points are up to three quarters of a voxel off, their cut is half a voxel off.
@@ -187,30 +173,21 @@ SurfaceMesh without_beyond(const SurfaceMesh& surface, const CutPlanes& cuts) {
     out.triangles.push_back(triangle);
     out.sides.push_back({behind, front});
   }
-  std::vector<std::uint32_t> place(out.points.size(), 0);
-  for (const Triangle& t : out.triangles)
-    for (const std::uint32_t p : t) place[p] = 1;
-  drop_unused_points_of(out, place);
-  for (Triangle& t : out.triangles)
-    for (std::uint32_t& p : t) p = place[p];
+  drop_unused_points(out);
   return out;
 }
 
 TetMesh without_beyond(TetMesh mesh, const CutPlanes& cuts) {
   if (cuts.empty()) return mesh;
-  std::vector<std::uint32_t> place(mesh.points.size(), 0);
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     if (is_beyond(cuts, mesh.labels[t])) continue;
-    for (const std::uint32_t p : mesh.tets[t]) place[p] = 1;
     mesh.tets[kept] = mesh.tets[t];
     mesh.labels[kept++] = mesh.labels[t];
   }
   mesh.tets.resize(kept);
   mesh.labels.resize(kept);
-  drop_unused_points_of(mesh, place);
-  for (Tet& t : mesh.tets)
-    for (std::uint32_t& p : t) p = place[p];
+  drop_unused_points(mesh);
   add_label_faces(mesh);
   return mesh;
 }

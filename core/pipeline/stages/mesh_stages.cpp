@@ -144,12 +144,16 @@ Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out,
 
 Status run_surface(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   const PreparedVolume& volume = prepared_of(in);
-  if (recipe.surface.method == ExtractMethod::kMarchingCubes)
-    if (const std::size_t labels = count_labels(*volume.meshed).size(); labels > 1)
+  if (recipe.surface.method == ExtractMethod::kMarchingCubes) {
+    if (const std::size_t labels = count_labels(*volume.prepared).size(); labels > 1)
       return usage_error(kSurfaceStage,
                          "surface.method: found marching_cubes for " + std::to_string(labels) +
-                             " labels, expected auto or marching_tets, or all labels merged to one" +
-                             (volume.cuts.empty() ? "" : " and no volume.flat_border"));
+                             " labels, expected auto or marching_tets, or all labels merged to one");
+    if (!volume.cuts.empty())
+      return usage_error(kSurfaceStage,
+                         "surface.method: found marching_cubes where the image cuts the body off, expected "
+                         "auto or marching_tets, or volume.flat_border false");
+  }
   Result<SurfaceMesh> surface = extract_surface(*volume.meshed, recipe.surface, ctx);
   if (!surface) return surface.error();
   if (!volume.cuts.empty()) {
@@ -171,7 +175,7 @@ Status run_smooth(const StageInputs& in, const Recipe& recipe, StageOutput& out,
 }
 
 Status run_walls(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
-  const PreparedVolume& volume = in.get<VolumeResult>(Stage::kVolume).prepared;
+  const PreparedVolume& volume = prepared_of(in);
   WallsResult result;
   Walls& walls = result.walls;
   for (const ThicknessSize& rule : recipe.sizing.thickness) {
@@ -288,9 +292,10 @@ Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& ou
   const BuiltSurface& adapted = in.get<BuiltSurface>(Stage::kRemesh);
   const auto& [walls, exact, layers] = in.get<LayersResult>(Stage::kLayers);
   const bool sheets = has_sheets(adapted, layers);
+  SurfaceMesh layered_reference;
+  if (sheets) layered_reference = with_layers(smooth, adapted.as_built(), layers);
   Result<TetMesh> optimised =
-      optimise_tets(in.get<BuiltTets>(Stage::kTetra).as_built(),
-                    sheets ? with_layers(smooth, adapted.as_built(), layers) : smooth, sizing,
+      optimise_tets(in.get<BuiltTets>(Stage::kTetra).as_built(), sheets ? layered_reference : smooth, sizing,
                     recipe.optimise, ctx, sheets ? layers : WallLayers(), volume.cuts);
   if (!optimised) return optimised.error();
   TetMesh mesh =

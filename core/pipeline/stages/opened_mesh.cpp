@@ -12,6 +12,7 @@
 #include "geometry/elements/tet_measures.h"
 #include "geometry/grid/rasterise.h"
 #include "geometry/topology/adjacency.h"
+#include "geometry/topology/unused_points.h"
 #include "io/mesh/write_mesh.h"
 
 namespace voxtet {
@@ -32,24 +33,6 @@ std::size_t turn_inverted(TetMesh& mesh) {
     ++turned;
   }
   return turned;
-}
-
-/// Leaves out points that no tetrahedron uses; how many there were.
-std::size_t drop_unused_points(TetMesh& mesh) {
-  std::vector<std::uint32_t> place(mesh.points.size(), 0);
-  for (const Tet& tet : mesh.tets)
-    for (const std::uint32_t point : tet) place[point] = 1;
-  std::uint32_t used = 0;
-  for (std::size_t point = 0; point < place.size(); ++point) {
-    if (place[point] == 0) continue;
-    mesh.points[used] = mesh.points[point];
-    place[point] = used++;
-  }
-  const std::size_t dropped = mesh.points.size() - used;
-  mesh.points.resize(used);
-  for (Tet& tet : mesh.tets)
-    for (std::uint32_t& point : tet) point = place[point];
-  return dropped;
 }
 
 std::vector<Eigen::Vector3d> unit_vectors(const Field* field) {

@@ -113,6 +113,7 @@ TEST_F(CliTest, SaysWhatFormWasExpected) {
            {{"--edge-label", "2:1"}, "--edge-label 2:1: expected 2=1, with = for :"},
            {{"--edge-label", "2"}, "--edge-label 2: expected LABEL=LENGTH, as 5=0.8"},
            {{"--edge-label", "1=x"}, "--edge-label 1=x: found 'x', expected a length as 2, 2mm"},
+           {{"--mask-edge", "Wall=2"}, "--mask-edge Wall=2: expected labels of the mask by number, as 1=0.8"},
            {{"--threads", "x"}, "--threads: found 'x', expected a whole number as 2; 0 for one a core"},
            {{"--threads", "1.5"}, "--threads: found '1.5', expected a whole number as 2"},
            {{"--time-limit", "1min"}, "--time-limit: found '1min', expected seconds as 60; 0 for no limit"},

@@ -55,8 +55,9 @@ function ReadFacts({ known }: { known: VolumeSummary }) {
       'Where each voxel axis leads: right or left, anterior or posterior, superior or inferior',
     ],
   ];
-  const voxels = ([x, y, z]: Vec3) => x * y * z;
-  if (prepared && voxels(prepared.size) !== voxels(size))
+  // The grid may also be larger, where the image cuts a body off, and its axes in another order.
+  const voxelMm3 = ([x, y, z]: Vec3) => x * y * z;
+  if (prepared && Math.abs(voxelMm3(prepared.spacing_mm) / voxelMm3(spacing_mm) - 1) > 1e-3)
     rows.push(['Interpolated to', `${product(prepared.spacing_mm.map(short))} mm`]);
   return (
     <dl class="read-facts">
