@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "io/volume/write_volume.h"
+#include "pipeline/report.h"
 #include "pipeline/session.h"
 #include "unit/pipeline/small_case.h"
 
