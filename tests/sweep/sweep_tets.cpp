@@ -138,17 +138,6 @@ Status print_fidelity(const char* what, const TetMesh& mesh, const Session& sess
   return std::monostate{};
 }
 
-Status set_fields(const std::vector<std::string>& fields, Session& session) {
-  for (const std::string& field : fields) {
-    const std::size_t equals = field.find('=');
-    const Result<Recipe> recipe = with_field(session.recipe(), field.substr(0, equals),
-                                             equals == std::string::npos ? "" : field.substr(equals + 1));
-    if (!recipe) return recipe.error();
-    if (Status set = session.set_recipe(*recipe); !set) return set;
-  }
-  return std::monostate{};
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {

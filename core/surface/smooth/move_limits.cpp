@@ -1,11 +1,12 @@
 #include "surface/smooth/move_limits.h"
 
-#include <cmath>
+#include <optional>
+
+#include "surface/smooth/lattice_edge.h"
 
 namespace voxtet {
 namespace {
 
-constexpr double kOnEdge = 1e-3;  ///< voxels; other vertices are at least 1/6 from the middle of an edge
 constexpr int kMostTouching = 3;
 
 using Voxel = std::array<int, 3>;
@@ -23,15 +24,11 @@ bool is_slender(const Voxel& p, const VoxelRegions& regions) {
 }
 
 std::uint8_t kind_of(const Eigen::Vector3d& start, const VoxelRegions& regions) {
-  Voxel p{}, q{};
-  for (std::size_t d = 0; d < 3; ++d) {
-    const double twice = std::round(2 * start[static_cast<Eigen::Index>(d)]);
-    if (std::abs(twice - 2 * start[static_cast<Eigen::Index>(d)]) > kOnEdge) return 0;
-    p[d] = static_cast<int>(std::floor(twice / 2));
-    q[d] = static_cast<int>(std::ceil(twice / 2));
-  }
+  const std::optional<LatticeEdge> edge = lattice_edge_of(start);
+  if (!edge) return 0;
+  const auto& [p, q] = *edge;
   const bool p_is_slender = is_slender(p, regions), q_is_slender = is_slender(q, regions);
-  unsigned kind = 0;
+  unsigned kind = p_is_slender || q_is_slender ? MoveLimits::kKinds : 0;
   for (unsigned d = 0; d < 3; ++d) {
     if (p[d] == q[d]) continue;
     if (p_is_slender) kind |= 1U << d;

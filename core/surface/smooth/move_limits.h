@@ -23,18 +23,21 @@ class MoveLimits {
   /// From now on the vertex does not move along this axis.
   void hold(std::size_t vertex, int axis) { kinds_[vertex] |= static_cast<std::uint8_t>(9U << axis); }
 
+  /// Whether the vertex is on the lattice edge of a slender voxel.
+  bool is_slender(std::size_t vertex) const { return kinds_[vertex] >= kKinds; }
+
   struct Box {
     Eigen::Vector3d low, high;  ///< displacement from the start
   };
   static constexpr std::size_t kKinds = 64;
   /// Vertices of one kind have the same box.
-  std::uint8_t kind(std::size_t vertex) const { return kinds_[vertex]; }
+  std::uint8_t kind(std::size_t vertex) const { return kinds_[vertex] & (kKinds - 1); }
   const Box& box_of_kind(std::size_t kind) const { return boxes_[kind]; }
-  const Box& box(std::size_t vertex) const { return boxes_[kinds_[vertex]]; }
+  const Box& box(std::size_t vertex) const { return boxes_[kind(vertex)]; }
 
  private:
   std::array<Box, kKinds> boxes_;
-  std::vector<std::uint8_t> kinds_;  ///< bit d: not down along axis d; bit 3 + d: not up along it
+  std::vector<std::uint8_t> kinds_;  ///< bit d: not down along axis d; bit 3 + d: not up; bit 6: slender
 };
 
 }  // namespace voxtet

@@ -12,6 +12,7 @@
 #include "geometry/repair/undo_intersections.h"
 #include "geometry/topology/cut_faces.h"
 #include "surface/smooth/bilaplacian.h"
+#include "surface/smooth/crossing_limits.h"
 #include "surface/smooth/move_limits.h"
 #include "surface/smooth/shape_guard.h"
 #include "surface/smooth/surface_graph.h"
@@ -25,9 +26,21 @@ namespace {
 using Points = std::vector<Eigen::Vector3d>;
 
 constexpr int kCorrectionPasses = 2;
-constexpr int kStepsBetweenGuards = 25;
+constexpr int kStepsBetweenGuards = 34;
 constexpr double kThickVoxels = 4;
-constexpr double kTurnShare = 0.4;  ///< of the progress, a turn of all steps
+constexpr double kSmoothingShare = 0.8;  ///< of the progress
+
+/// How many steps are taken.
+struct SmoothSteps {
+  int all, of_thin;
+};
+
+/// What is thin takes a third: with more, wires would wither, and the facets of thin walls would leave many
+/// voxels' centres outside. Surfaces of several labels, whose edges are half as long, take a third more.
+SmoothSteps steps_of(int iterations, bool is_one_label) {
+  const int third = (iterations + 2) / 3;
+  return {is_one_label ? iterations : iterations + third, third};
+}
 
 Error failure(ErrorCode code, const std::string& message) {
   return {code, kSmoothStage, message, {}};
@@ -105,10 +118,14 @@ Result<RegionSides> find_region_sides(const SurfaceMesh& surface, const Points& 
                      ", which do not meet there in the volume: expected the volume it was extracted from");
 }
 
-/// The graph in which the vertices of thin regions are fixed: those whose volume is less than a sheet of four
-/// voxels' thickness has by its area. What is beyond cuts is thin, but goes in the end.
-SurfaceGraph graph_of_thick(const CorrectionProblem& problem, const VoxelRegions& regions,
-                            const CutPlanes& cuts, SurfaceGraph graph) {
+/// The vertices of what is thin: those of slender voxels, and of regions whose volume is less than a sheet of
+/// four voxels' thickness has by its area, if there are several. What is beyond cuts is thin, but goes in the
+/// end.
+Flags vertices_of_thin(const CorrectionProblem& problem, const VoxelRegions& regions, const CutPlanes& cuts,
+                       bool is_one_label) {
+  Flags thin(problem.start.size());
+  for (std::size_t v = 0; v < thin.size(); ++v) thin[v] = problem.limits.is_slender(v);
+  if (is_one_label) return thin;
   std::vector<double> areas(problem.target.size(), 0);  // in voxels' faces
   for (std::size_t t = 0; t < problem.regions.size(); ++t) {
     const auto [a, b, c] = problem.surface.triangles[t];
@@ -121,8 +138,8 @@ SurfaceGraph graph_of_thick(const CorrectionProblem& problem, const VoxelRegions
   };
   for (std::size_t t = 0; t < problem.regions.size(); ++t)
     if (std::any_of(problem.regions[t].begin(), problem.regions[t].end(), is_thin))
-      for (const std::uint32_t v : problem.surface.triangles[t]) graph.kinds[v] = VertexKind::kFixed;
-  return graph;
+      for (const std::uint32_t v : problem.surface.triangles[t]) thin[v] = 1;
+  return thin;
 }
 
 void hold_in_planes(const SurfaceMesh& surface, const CutPlanes& cuts, MoveLimits& limits) {
@@ -135,15 +152,24 @@ void hold_in_planes(const SurfaceMesh& surface, const CutPlanes& cuts, MoveLimit
 }
 
 /// Smoothing, and the guard after every few steps, so that a surface held at a voxel centre stays smooth
-/// around it. False when cancelled.
+/// around it. What is thin takes the first steps alone. Crossings are limited after these: the normals of a
+/// staircase say nothing. False when cancelled.
 bool smooth_guarded(const CorrectionProblem& problem, const VoxelRegions& regions, const SurfaceGraph& graph,
-                    const SmoothParams& params, const RunContext& ctx, Points& x) {
+                    const Flags& thin, const SmoothParams& params, const SmoothSteps& steps,
+                    const RunContext& ctx, Points& x) {
+  const std::vector<Triangle>& triangles = problem.surface.triangles;
   BilaplacianSmoother smoother(graph, problem.start, problem.limits, params.step);
-  for (int done = 0; done < params.iterations; done += kStepsBetweenGuards) {
-    ctx.progress(kSmoothStage, static_cast<double>(done) / params.iterations);
+  for (int done = 0, now = steps.of_thin; done < steps.all; done += now) {
+    ctx.progress(kSmoothStage, kSmoothingShare * done / steps.all);
+    if (done > 0) {
+      now = std::min(kStepsBetweenGuards, steps.all - done);
+      smoother.limit_crossings(
+          crossing_limits(triangles, problem.start, x, Eigen::Vector3d::Constant(params.max_move_voxels)));
+    }
+    if (done == steps.of_thin) smoother.fix(thin);
     const Points safe = x;
-    if (!smoother.run(std::min(kStepsBetweenGuards, params.iterations - done), ctx, x)) return false;
-    guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
+    if (!smoother.run(now, ctx, x)) return false;
+    guard_shape(triangles, regions, problem.start, safe, x, ctx);
   }
   return true;
 }
@@ -181,11 +207,9 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   const double orientation = to_mm.determinant() < 0 ? -1 : 1;
   const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
   Points x = start;
-  if (!smooth_guarded(problem, regions, graph, params, ctx.part(0, kTurnShare), x))
-    return cancelled_error(kSmoothStage);
-  // Surfaces of several labels have edges half as long, over which steps reach half as far.
-  if (label == kBackground && !smooth_guarded(problem, regions, graph_of_thick(problem, regions, cuts, graph),
-                                              params, ctx.part(kTurnShare, 2 * kTurnShare), x))
+  const bool is_one_label = label != kBackground;
+  if (!smooth_guarded(problem, regions, graph, vertices_of_thin(problem, regions, cuts, is_one_label), params,
+                      steps_of(params.iterations, is_one_label), ctx, x))
     return cancelled_error(kSmoothStage);
   if (params.keep_volume && !correct_guarded(problem, regions, graph, ctx, x))
     return cancelled_error(kSmoothStage);

@@ -16,14 +16,16 @@ struct SmoothParams {
   bool keep_volume = true;       ///< shift along normals to restore each region's voxel volume
 };
 
-/// Clamped bi-Laplacian smoothing in index space: x <- clamp(x - mu*L(L(x))), umbrella weights. Vertices on
+/// Clamped bi-Laplacian smoothing in index space, with momentum: x <- clamp(y - mu*L(L(y))), y a little ahead
+/// of x, umbrella weights (bilaplacian.h). After the first third of the steps no vertex goes farther along
+/// the normal than to where its tangent plane passes a voxel's centre (crossing_limits.h). Vertices on
 /// junctions of three or more labels use junction neighbours only. Corners of junctions and junction loops of
 /// up to ten vertices stay fixed. Small components and straight wires one voxel thick grow no thinner
-/// (move_limits.h). Surfaces of several labels, whose edges are half as long, take the same number of steps
-/// once more, except at regions that are thinner than about four voxels.
-/// Then the interfaces shift along their normals, within the same clamp, until every connected region of a
-/// label has the volume of its voxels. The interface of regions a and b moves by lambda_a - lambda_b, the
-/// distribution of least area-weighted square (volume_correction.h).
+/// (move_limits.h), and take the first third of the steps alone. Surfaces of several labels, whose edges are
+/// half as long, take a third more, except at regions that are thinner than about four voxels, which take a
+/// third. Then the interfaces shift along their normals, within the same clamp, until every connected region
+/// of a label has the volume of its voxels. The interface of regions a and b moves by lambda_a - lambda_b,
+/// the distribution of least area-weighted square (volume_correction.h).
 ///
 /// Guarantees, whatever the labels:
 /// - No two triangles intersect beyond common corners and edges, if none did before

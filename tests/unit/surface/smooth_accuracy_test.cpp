@@ -1,8 +1,10 @@
 // How near smoothed surfaces come to the bodies whose voxels they bound.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "extracted.h"
 #include "geometry/elements/surface_measures.h"
@@ -50,7 +52,8 @@ TEST(SmoothSurface, BringsABallBackToItsSphereAndVolume) {
   }
 }
 
-// A little above the figures measured; those of marching cubes are the table of the literature's methods.
+// A little above the figures measured. Those of marching cubes are the table of the literature's methods,
+// which takes 50 and 200 steps for them, without momentum.
 TEST(SmoothSurface, ReachesTheMeasuredAccuracyOnASphere) {
   struct Bound {
     ExtractMethod method;
@@ -60,10 +63,10 @@ TEST(SmoothSurface, ReachesTheMeasuredAccuracyOnASphere) {
   for (const double centre : {15.0, 15.5, 15.37}) {
     const LabelVolume ball = test::ball_volume(32, centre, 12.3);
     const double voxels = test::label_counts(ball)[1];
-    for (const Bound& bound : {Bound{ExtractMethod::kMarchingCubes, 50, 0.054, 0.31},
-                               Bound{ExtractMethod::kMarchingCubes, 200, 0.04, 0.21},
-                               Bound{ExtractMethod::kMarchingTets, 50, 0.095, 0.45},
-                               Bound{ExtractMethod::kMarchingTets, 200, 0.066, 0.4}}) {
+    for (const Bound& bound : {Bound{ExtractMethod::kMarchingCubes, 17, 0.054, 0.31},
+                               Bound{ExtractMethod::kMarchingCubes, 50, 0.043, 0.24},
+                               Bound{ExtractMethod::kMarchingTets, 50, 0.066, 0.4},
+                               Bound{ExtractMethod::kMarchingTets, 67, 0.06, 0.35}}) {
       SmoothParams params;
       params.iterations = bound.iterations;
       const SurfaceMesh surface = smooth(extract(ball, bound.method), ball, params);
@@ -75,7 +78,24 @@ TEST(SmoothSurface, ReachesTheMeasuredAccuracyOnASphere) {
   }
 }
 
-TEST(SmoothSurface, SmoothsThickRegionsOfSeveralLabelsFartherAndThinOnesAlike) {
+// A staircase's normals are off by 20 degrees; 50 steps without momentum leave 3.
+TEST(SmoothSurface, BringsTheNormalsOfASphereWithinTwoDegrees) {
+  const double centre = 22.37;
+  const LabelVolume ball = test::ball_volume(46, centre, 19.8);
+  const SurfaceMesh surface = smooth(extract(ball), ball);
+  double squares = 0, area = 0;
+  for (const auto& [a, b, c] : surface.triangles) {
+    const Eigen::Vector3d cross = triangle_cross(surface.points[a], surface.points[b], surface.points[c]);
+    const Eigen::Vector3d radial =
+        (surface.points[a] + surface.points[b] + surface.points[c]) / 3 - Eigen::Vector3d::Constant(centre);
+    const double angle = std::atan2(cross.cross(radial).norm(), cross.dot(radial));
+    squares += cross.norm() * angle * angle;
+    area += cross.norm();
+  }
+  EXPECT_LE(std::sqrt(squares / area) * 180 / std::numbers::pi, 2.1);
+}
+
+TEST(SmoothSurface, SmoothsThickRegionsOfSeveralLabelsFartherAndThinOnesLess) {
   const double centre = 15.37, radius = 12.3;
   constexpr int kSize = 44;
   const auto in_plate = [](int i, int k) { return k >= 36 && k < 38 && i >= 4 && i < 30; };
@@ -95,11 +115,16 @@ TEST(SmoothSurface, SmoothsThickRegionsOfSeveralLabelsFartherAndThinOnesAlike) {
   const SurfaceMesh ball_alone = smooth(extract(ball, ExtractMethod::kMarchingTets), ball);
   EXPECT_LE(sphere_errors(part(1), centre, radius).mean,
             0.95 * sphere_errors(ball_alone, centre, radius).mean);
-  const SurfaceMesh plate_alone = smooth(extract(plate, ExtractMethod::kMarchingTets), plate);
-  const SurfaceMesh plate_beside = part(2);
-  ASSERT_EQ(plate_beside.points.size(), plate_alone.points.size());
-  for (std::size_t v = 0; v < plate_alone.points.size(); ++v)  // volumes are met to so much
-    EXPECT_LE((plate_beside.points[v] - plate_alone.points[v]).norm(), 1e-3) << v;
+  const SurfaceMesh raw_plate = extract(plate, ExtractMethod::kMarchingTets);
+  const SurfaceMesh plate_alone = smooth(raw_plate, plate), plate_beside = part(2);
+  ASSERT_EQ(plate_beside.points.size(), raw_plate.points.size());
+  double alone = 0, beside = 0;
+  for (std::size_t v = 0; v < raw_plate.points.size(); ++v) {
+    alone += (plate_alone.points[v] - raw_plate.points[v]).squaredNorm();
+    beside += (plate_beside.points[v] - raw_plate.points[v]).squaredNorm();
+  }
+  EXPECT_LE(beside, 0.8 * alone);
+  EXPECT_GE(beside, 0.2 * alone);
 }
 
 TEST(SmoothSurface, FollowsATorusAndBothWallsOfAShell) {
