@@ -5,9 +5,9 @@
 
 #include "types/stage_names.h"
 #include "volume/extend_cuts.h"
-#include "volume/interpolate_slices.h"
 #include "volume/mesh_order.h"
 #include "volume/remove_specks.h"
+#include "volume/stack/interpolate_slices.h"
 
 namespace voxtet {
 namespace {

@@ -9,7 +9,7 @@
 #include "io/bytes/files.h"
 #include "io/volume/read_volume.h"
 #include "support/data.h"
-#include "volume/interpolate_slices.h"
+#include "volume/stack/interpolate_slices.h"
 
 namespace voxtet {
 namespace {

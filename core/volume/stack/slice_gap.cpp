@@ -1,4 +1,4 @@
-#include "volume/slice_gap.h"
+#include "volume/stack/slice_gap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "volume/interpolate_slices.h"
+#include "volume/stack/interpolate_slices.h"
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,10 @@
 
 #include "geometry/topology/label_components.h"
 #include "types/stage_names.h"
-#include "volume/balance_offsets.h"
-#include "volume/compare_slices.h"
-#include "volume/slice_gap.h"
-#include "volume/slice_stack.h"
+#include "volume/stack/balance_offsets.h"
+#include "volume/stack/compare_slices.h"
+#include "volume/stack/slice_gap.h"
+#include "volume/stack/slice_stack.h"
 
 namespace voxtet {
 namespace {
@@ -33,16 +33,18 @@ constexpr double kVolumeError = 0.002;
 constexpr int kRounds = 6;
 constexpr double kMaxVoxels = 1 << 30;
 
+/// Spacings of an oblique header are rounded by so much: of equal ratios none is above the other.
+constexpr double kRounding = 1e-3;
+
 /// Whatever the ratio asked for, spacings that differ by rounding alone are no slices and pixels.
 bool is_thick(double spacing, double smallest, double ratio) {
   constexpr double kLeastRatio = 1.01;
-  return spacing > std::max(ratio, kLeastRatio) * smallest;
+  return spacing > std::max(ratio, kLeastRatio) * (1 + kRounding) * smallest;
 }
 
 /// Odd, at least 3, nearest to the ratio of the spacings (the lower of equals).
 int planes_per_slice(double ratio) {
-  constexpr double kRounding = 1e-3;
-  return std::max(3, 2 * static_cast<int>(std::floor(ratio / 2 - kRounding)) + 1);
+  return std::max(3, 2 * static_cast<int>(std::floor(ratio / 2 * (1 - kRounding))) + 1);
 }
 
 Result<std::vector<SliceGap>> interpolate_gaps(const SliceStack& stack, const std::vector<Contacts>& contacts,

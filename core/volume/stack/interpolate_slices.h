@@ -7,7 +7,8 @@
 
 namespace voxtet {
 
-/// Whether the largest spacing is more than `ratio` times the smallest; never for ratio 0.
+/// Whether the largest spacing is more than `ratio` times the smallest, by more than the thousandth that
+/// headers round by; never for ratio 0.
 bool has_thick_slices(const LabelVolume& volume, double ratio);
 
 /// Resamples each axis whose spacing is more than `ratio` times the smallest one. Each slice becomes an odd

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "volume/slice_stack.h"
+#include "volume/stack/slice_stack.h"
 
 namespace voxtet::slices {
 

@@ -1,4 +1,4 @@
-#include "volume/compare_slices.h"
+#include "volume/stack/compare_slices.h"
 
 #include <cmath>
 #include <cstdint>
