@@ -311,9 +311,8 @@ Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& ou
 }
 
 Status run_transfer(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
-  return put(transfer_labels(in.get<TetMesh>(Stage::kOptimise), *in.get<VolumeResult>(Stage::kVolume).source,
-                             recipe.transfer, ctx),
-             out);
+  return put(
+      transfer_labels(in.get<TetMesh>(Stage::kOptimise), *prepared_of(in).placed, recipe.transfer, ctx), out);
 }
 
 Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {

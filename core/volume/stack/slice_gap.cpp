@@ -248,7 +248,7 @@ class Gap {
 
 Contacts::Contacts(const SliceStack& stack, int lower) {
   std::vector<std::uint32_t> keys;
-  for (const int slice : {lower, lower + 1}) {
+  for (int slice = lower; slice < std::min(lower + 2, stack.count); ++slice) {
     const Label* pixels = stack.slice(slice);
     const std::size_t width = static_cast<std::size_t>(stack.width);
     for (std::size_t p = 0; p < stack.area(); ++p) {

@@ -10,7 +10,7 @@
 
 namespace voxtet::slices {
 
-/// Which labels share a pixel edge in either of two slices, and how often.
+/// Which labels share a pixel edge in either of two slices (or the last one), and how often.
 class Contacts {
  public:
   Contacts(const SliceStack& stack, int lower);
