@@ -51,7 +51,7 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
   const std::shared_ptr<const LabelVolume>& placed = aligned->volume;
   Result<std::shared_ptr<const LabelVolume>> chosen = select_labels(placed, labels, merge);
   if (!chosen) return chosen.error();
-  PreparedVolume out{*chosen, *chosen, placed, {}, placed, {}, std::move(aligned->alignment)};
+  PreparedVolume out{*chosen, *chosen, placed, {}, placed, {}, std::move(aligned->alignment), {1, 1, 1}};
   if (const AxisOrder order = mesh_order(*out.selected); !order.is_identity()) {
     out.anatomy = std::make_shared<const LabelVolume>(reordered(*placed, order));
     out.selected = out.prepared =
@@ -60,6 +60,7 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
   if (has_thick_slices(*out.anatomy, params.slice_ratio)) {
     Result<LabelVolume> fine = interpolate_slices(*out.anatomy, params.slice_ratio, ctx);
     if (!fine) return fine.error();
+    for (std::size_t d = 0; d < 3; ++d) out.planes[d] = fine->size[d] / out.anatomy->size[d];
     out.anatomy = std::make_shared<const LabelVolume>(std::move(fine).value());
     chosen = select_labels(out.anatomy, labels, merge);
     if (!chosen) return chosen.error();

@@ -33,6 +33,7 @@ struct PreparedVolume {
   std::shared_ptr<const LabelVolume> selected, prepared, anatomy, meshed, placed;
   CutPlanes cuts;
   SliceAlignment alignment;
+  std::array<int, 3> planes{1, 1, 1};  ///< of `prepared` to each slice, along its axes
 };
 
 /// Applies align_slices, select_labels and reordered, interpolate_slices to all labels, then remove_specks

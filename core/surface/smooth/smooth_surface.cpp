@@ -27,7 +27,8 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr int kCorrectionPasses = 2;
 constexpr int kStepsBetweenGuards = 25;
 constexpr double kThickVoxels = 4;
-constexpr double kTurnShare = 0.4;  ///< of the progress, a turn of all steps
+constexpr double kSliceShare = 0.4;  ///< of a slice's planes, that count as one voxel
+constexpr double kTurnShare = 0.4;   ///< of the progress, a turn of all steps
 
 Error failure(ErrorCode code, const std::string& message) {
   return {code, kSmoothStage, message, {}};
@@ -163,8 +164,17 @@ bool correct_guarded(const CorrectionProblem& problem, const VoxelRegions& regio
   return true;
 }
 
+/// In voxels, along each index axis.
+Eigen::Vector3d reach_of(const SmoothParams& params, const std::array<int, 3>& planes) {
+  Eigen::Vector3d reach;
+  for (std::size_t d = 0; d < 3; ++d)
+    reach[static_cast<Eigen::Index>(d)] = params.max_move_voxels * std::max(1.0, kSliceShare * planes[d]);
+  return reach;
+}
+
 Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume& volume,
-                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts) {
+                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts,
+                                   const std::array<int, 3>& planes) {
   const Eigen::Matrix3d to_mm = volume.linear();
   const Eigen::Matrix3d to_index = to_mm.inverse();
   const Eigen::Vector3d origin = volume.origin();
@@ -176,7 +186,7 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   const Result<RegionSides> sides = find_region_sides(surface, start, regions, volume.size, ctx.threads);
   if (!sides) return sides.error();
   const SurfaceGraph graph = build_surface_graph(surface);
-  MoveLimits limits(start, regions, params.max_move_voxels);
+  MoveLimits limits(start, regions, reach_of(params, planes));
   hold_in_planes(surface, cuts, limits);
   const double orientation = to_mm.determinant() < 0 ? -1 : 1;
   const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
@@ -203,11 +213,12 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
 }  // namespace
 
 Result<SurfaceMesh> smooth_surface(const SurfaceMesh& surface, const LabelVolume& volume,
-                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts) {
+                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts,
+                                   const std::array<int, 3>& planes) {
   if (const Status status = check_input(surface, volume, params); !status) return status.error();
   if (params.iterations == 0) return surface;
   try {
-    return smooth_checked(surface, volume, params, ctx, cuts);
+    return smooth_checked(surface, volume, params, ctx, cuts, planes);
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::kOutOfMemory,
                    "not enough memory to smooth " + std::to_string(surface.triangles.size()) + " triangles");

@@ -61,6 +61,13 @@ struct Weights {
   }
 };
 
+/// A column in which `below` becomes `above` half-way, whatever outlines are moved.
+void change_half_way(Label below, Label above, std::size_t planes, Candidate* out) {
+  constexpr float kUndisputed = std::numeric_limits<float>::max();
+  for (std::size_t m = 0; m < planes; ++m)
+    out[m] = 2 * m < planes ? Candidate{below, above, kUndisputed} : Candidate{above, below, kUndisputed};
+}
+
 class Gap {
  public:
   Gap(const SliceStack& stack, const Contacts& contacts, int lower,
@@ -131,11 +138,9 @@ class Gap {
     // Neither slice knows the other's label: nothing says how the change comes about.
     if (is_far(tracks_[lower_], 1) && is_far(tracks_[upper_], 0)) out_.flat[column] = true;
     if (out_.flat[column]) {
-      const Label below = slices_[0][column], above = slices_[1][column];
-      constexpr float kUndisputed = std::numeric_limits<float>::max();
-      for (std::size_t m = 0; m < weights_.count(); ++m)
-        out_.candidates.push_back(2 * m < weights_.count() ? Candidate{below, above, kUndisputed}
-                                                           : Candidate{above, below, kUndisputed});
+      out_.candidates.resize(out_.candidates.size() + weights_.count());
+      change_half_way(slices_[0][column], slices_[1][column], weights_.count(),
+                      out_.candidates.data() + out_.candidates.size() - weights_.count());
       return;
     }
     find_passers();
@@ -294,6 +299,18 @@ std::vector<Label> Contacts::separators(Label a, Label b) const {
 SliceGap interpolate_gap(const SliceStack& stack, const Contacts& contacts, int lower,
                          const std::array<const SliceDistances*, 4>& near, int planes) {
   return Gap(stack, contacts, lower, near, planes).run();
+}
+
+void keep_as_slabs(SliceGap& gap, const SliceStack& stack, const std::vector<bool>& labels) {
+  if (gap.columns.empty()) return;
+  const std::size_t planes = gap.candidates.size() / gap.columns.size();
+  for (std::size_t c = 0; c < gap.columns.size(); ++c) {
+    const Label below = stack.slice(gap.lower)[gap.columns[c]],
+                above = stack.slice(gap.lower + 1)[gap.columns[c]];
+    if (!labels[below] && !labels[above]) continue;
+    gap.flat[gap.columns[c]] = true;
+    change_half_way(below, above, planes, gap.candidates.data() + c * planes);
+  }
 }
 
 }  // namespace voxtet::slices

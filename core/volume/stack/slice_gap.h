@@ -56,4 +56,8 @@ struct SliceGap {
 SliceGap interpolate_gap(const SliceStack& stack, const Contacts& contacts, int lower,
                          const std::array<const SliceDistances*, 4>& near, int planes);
 
+/// Leaves the columns in which either slice has one of these labels (65536 entries) without interpolation:
+/// such labels fill the slabs of their slices.
+void keep_as_slabs(SliceGap& gap, const SliceStack& stack, const std::vector<bool>& labels);
+
 }  // namespace voxtet::slices

@@ -256,6 +256,28 @@ TEST(InterpolateSlices, EndsAWideCutFlat) {
   for (int k = 0; k < fine.size[2]; ++k) EXPECT_EQ(fine.at(60, 35, k), k < 10 ? 1 : 0) << k;
 }
 
+/// Lesions on one slice and on two, in a body that goes through all of them.
+TEST(InterpolateSlices, KeepsTheVolumeOfLabelsOnOneSliceAsSlabs) {
+  const LabelVolume coarse = with_spacing(make_volume(40, 40, 9,
+                                                      [](int i, int j, int k) {
+                                                        if (k == 4 && std::hypot(i - 14, j - 20) < 6)
+                                                          return 2;
+                                                        if (k > 2 && k < 5 && std::hypot(i - 26, j - 20) < 6)
+                                                          return 3;
+                                                        if (k == 6 && i == 20 && j == 20) return 4;
+                                                        return std::hypot(i - 20, j - 20) < 18 ? 1 : 0;
+                                                      }),
+                                          0.5, 0.5, 5);
+  std::vector<std::string> notes;
+  RunContext ctx;
+  ctx.on_note = [&](const std::string&, const std::string& text) { notes.push_back(text); };
+  ctx.on_warning = [](const std::string&, const std::string& text) { ADD_FAILURE() << text; };
+  const LabelVolume fine = interpolate_slices(coarse, 2, ctx).value();
+  EXPECT_LT(largest_volume_change(coarse, fine), 0.05);
+  EXPECT_EQ(changed_slices(coarse, fine), 0U);
+  EXPECT_NE(notes.front().find("kept as slabs"), std::string::npos) << notes.front();
+}
+
 TEST(InterpolateSlices, PutsNothingBetweenStackedLabels) {
   const LabelVolume coarse = with_spacing(
       make_volume(20, 20, 6,

@@ -121,6 +121,24 @@ export interface Simulated {
   };
 }
 
+/** What was done to the slices of a stack. */
+export interface SliceAlignment {
+  axis: number;
+  spread_mm: number;
+  slices: {
+    slice: number;
+    move_mm: [number, number];
+    given: boolean;
+    dice_before: number;
+    dice_after: number;
+  }[];
+}
+
+/** Absent where no slice was moved. */
+export function alignmentOf(found: Report): SliceAlignment | undefined {
+  return found.stages.find(({ name }) => name === 'volume')?.counts.alignment as SliceAlignment | undefined;
+}
+
 export interface Report {
   engine: string;
   digest: string;
