@@ -92,7 +92,7 @@ class SchemaWriter {
 }  // namespace
 
 json thick_stack_preset() {
-  return {{"volume", {{"slice_ratio", 2}, {"align_slices", true}}}, {"smooth", {{"iterations", 400}}}};
+  return {{"volume", {{"slice_ratio", 2}, {"align_slices", true}}}, {"smooth", {{"iterations", 200}}}};
 }
 
 json recipe_schema() {

@@ -134,11 +134,6 @@ export interface SliceAlignment {
   }[];
 }
 
-/** Absent where no slice was moved. */
-export function alignmentOf(found: Report): SliceAlignment | undefined {
-  return found.stages.find(({ name }) => name === 'volume')?.counts.alignment as SliceAlignment | undefined;
-}
-
 export interface Report {
   engine: string;
   digest: string;

@@ -1,7 +1,6 @@
 import type { Recipe } from '../../engine/contract';
-import { alignmentOf } from '../../engine/report_types';
 import { editRecipe } from '../../store/case/recipe';
-import { report } from '../../store/run/report';
+import { alignment } from '../../store/run/report';
 import { previewSoon } from '../../store/run/run_stages';
 import { schema } from '../../store/run/stages';
 import { NumberField } from '../controls/fields';
@@ -22,7 +21,7 @@ function applyPreset() {
 
 /** The moves that the last run made become the recipe's own, to be edited. */
 function MovesFound({ current }: { current: Recipe }) {
-  const moves = report.value && alignmentOf(report.value)?.slices;
+  const moves = alignment.value?.slices;
   if (!moves || current.volume.slice_shifts.length > 0) return null;
   const take = () =>
     edit('Moves of slices', (draft) => {

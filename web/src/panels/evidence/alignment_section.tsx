@@ -1,4 +1,4 @@
-import type { SliceAlignment } from '../../engine/report_types';
+import type { SliceAlignment } from '../../engine/contract';
 import { short } from '../controls/format';
 
 /** What was moved, slice by slice, and how much more of its neighbours each slice overlaps since. */
