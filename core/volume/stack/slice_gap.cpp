@@ -292,6 +292,7 @@ std::vector<Label> Contacts::separators(Label a, Label b) const {
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& x, const auto& y) { return x.first > y.first; });
   std::vector<Label> labels;
+  labels.reserve(found.size());
   for (const auto& [common, label] : found) labels.push_back(label);
   return labels;
 }
