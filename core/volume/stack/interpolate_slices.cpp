@@ -250,9 +250,9 @@ std::vector<bool> flat_labels(const SliceStack& stack) {
   return flat;
 }
 
-/// Keeps as slabs what interpolation does not carry; false if it carries all.
-bool keep_slabs(const SliceStack& stack, const std::vector<double>& error, std::vector<SliceGap>& gaps,
-                const RunContext& ctx) {
+/// Keeps as slabs what interpolation does not carry, and returns its names; empty if it carries all.
+std::string keep_slabs(const SliceStack& stack, const std::vector<double>& error,
+                       std::vector<SliceGap>& gaps) {
   const std::vector<bool> flat = flat_labels(stack);
   std::vector<bool> slabs(error.size(), false);
   std::string names;
@@ -261,11 +261,9 @@ bool keep_slabs(const SliceStack& stack, const std::vector<double>& error, std::
     slabs[label] = true;
     names += (names.empty() ? "label " : ", label ") + std::to_string(label);
   }
-  if (names.empty()) return false;
+  if (names.empty()) return names;
   for (SliceGap& gap : gaps) slices::keep_as_slabs(gap, stack, slabs);
-  ctx.note(kVolumeStage,
-           "kept as slabs of their slices, as they would lose volume by interpolation: " + names);
-  return true;
+  return names;
 }
 
 Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, int planes, const RunContext& ctx) {
@@ -275,8 +273,18 @@ Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, int pl
   Result<std::vector<SliceGap>> gaps = interpolate_gaps(stack, contacts, planes, ctx);
   if (!gaps) return gaps.error();
   Result<Balanced> best = balance(stack, *gaps, contacts, planes, ctx);
-  if (best && keep_slabs(stack, best->error, *gaps, ctx)) best = balance(stack, *gaps, contacts, planes, ctx);
   if (!best) return best.error();
+  if (const std::string slabs = keep_slabs(stack, best->error, *gaps); !slabs.empty()) {
+    Result<Balanced> kept = balance(stack, *gaps, contacts, planes, ctx);
+    if (!kept) return kept.error();
+    // Where labels have no room for the slabs, others would lose more.
+    if (*std::max_element(kept->error.begin(), kept->error.end()) <
+        *std::max_element(best->error.begin(), best->error.end())) {
+      ctx.note(kVolumeStage,
+               "kept as slabs of their slices, as they would lose volume by interpolation: " + slabs);
+      best = std::move(kept);
+    }
+  }
   return slices::put_slices(best->planes, volume, axis, planes);
 }
 
