@@ -155,6 +155,8 @@ Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options, co
     if (!edge) return edge.error();
     json["sizing"]["edge_mm"] = *edge;
   }
+  if (options.stack) json.merge_patch(thick_stack_preset());
+  if (options.align_slices) json["volume"]["align_slices"] = true;
   // The names of labels are the input's, not the masks'.
   const Result<nlohmann::json> mask_edges = to_edges("--mask-edge", options.mask_edges, LabelWords(nullptr));
   if (!mask_edges) return mask_edges.error();

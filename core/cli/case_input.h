@@ -24,6 +24,8 @@ struct CaseOptions {
   std::vector<std::string> masks;        ///< --mask
   std::vector<std::string> mask_edges;   ///< --mask-edge 1=0.8, of every --mask
   std::vector<std::string> size_images;  ///< --size-image
+  bool align_slices = false;             ///< --align-slices
+  bool stack = false;                    ///< --stack: what thick slices need
   std::vector<std::string> set;          ///< --set path=value
   ReadOptionTexts read;
 };

@@ -53,6 +53,11 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
   command.add_option("--mask", options.masks, "label volume painted over the input, sized by --mask-edge");
   command.add_option("--mask-edge", options.mask_edges, "edge length inside a label of the masks, as 1=0.8");
   command.add_option("--size-image", options.size_images, "NIfTI image of edge lengths, mm");
+  command.add_flag("--align-slices", options.align_slices,
+                   "put thick slices back that are shifted against each other, as by breath-holds");
+  command.add_flag(
+      "--stack", options.stack,
+      "what a clinical stack of thick slices needs: --align-slices, interpolation, more smoothing");
   add_read_options(command, options.read);
   command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");
   command.add_flag("--json", output.as_json, "print the report, or the error, as JSON");

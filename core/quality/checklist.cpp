@@ -8,6 +8,7 @@
 
 #include "geometry/elements/tet_measures.h"
 #include "geometry/topology/compare_topology.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -16,6 +17,8 @@ namespace {
 constexpr double kFlatVolume = 1e-12;
 /// Labels of fewer voxels are held to the wider tolerance of volume.
 constexpr std::uint64_t kSmallLabel = 1000;
+/// Labels of fewer voxels may be there by mistake.
+constexpr std::uint64_t kSpeck = 27;
 /// Points closer than this part of the mesh's extent are the same point.
 constexpr double kSamePoint = 1e-9;
 
@@ -148,6 +151,22 @@ std::string listed(const std::vector<std::string>& items, const char* none) {
   return items.empty() ? none : text;
 }
 
+/// With what brings the volume nearer: edges that the label has room for, or no such label.
+void warn_of_volume(const LabelFidelity& f, double limit_percent, const RunContext& ctx) {
+  const double edge_mm = std::min(f.median_edge_mm, std::cbrt(f.voxel_mm3)) / 2;
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "label %d of %llu voxels (%.3g mm3) has %.1f %% %s volume in the mesh, allowed are %g %%: a "
+                "smaller edge length inside it brings it nearer (sizing.labels, --edge-label %d=%.2g)",
+                static_cast<int>(f.label), static_cast<unsigned long long>(f.voxels), f.voxel_mm3,
+                std::abs(f.volume_error_percent), f.volume_error_percent < 0 ? "less" : "more", limit_percent,
+                static_cast<int>(f.label), edge_mm);
+  std::string warning = text;
+  if (f.voxels < kSpeck)
+    warning += "; volume.speck_voxels=" + std::to_string(f.voxels + 1) + " leaves it out";
+  ctx.warn(kQualityStage, warning);
+}
+
 }  // namespace
 
 std::vector<ChecklistItem> check_mesh_alone(const TetMesh& mesh, std::span<const TetFace> faces,
@@ -179,7 +198,8 @@ std::vector<ChecklistItem> check_mesh_alone(const TetMesh& mesh, std::span<const
 std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, std::span<const TetFace> faces,
                                                 const LabelVolume& volume,
                                                 const std::vector<LabelFidelity>& fidelity,
-                                                const std::vector<TopologyDifference>& differences) {
+                                                const std::vector<TopologyDifference>& differences,
+                                                const RunContext& ctx) {
   std::vector<std::uint8_t> wanted(65536, 0);
   for (const Label label : volume.labels) wanted[label] = 1;
   const std::vector<bool> thin = thin_labels(volume);
@@ -189,8 +209,10 @@ std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, std::span<c
     if (f.tets == 0 && wanted[f.label]) wrong.push_back(name + " is missing");
     if (f.tets > 0 && !wanted[f.label]) wrong.push_back(name + " is not in the voxels");
     if (f.tets == 0 || f.voxels == 0 || !wanted[f.label]) continue;
-    if (std::abs(f.volume_error_percent) > (thin[f.label] || f.voxels < kSmallLabel ? 2 : 0.5))
-      off.push_back(name + " " + shown(f.volume_error_percent) + " %");
+    const double limit = thin[f.label] || f.voxels < kSmallLabel ? 2 : 0.5;
+    if (std::abs(f.volume_error_percent) <= limit) continue;
+    off.push_back(name + " " + shown(f.volume_error_percent) + " %");
+    warn_of_volume(f, limit, ctx);
   }
   if (const auto count = std::count(mesh.labels.begin(), mesh.labels.end(), kBackground); count > 0)
     wrong.push_back(std::to_string(count) + " tetrahedra of background");

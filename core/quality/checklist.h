@@ -7,6 +7,7 @@
 #include "geometry/topology/adjacency.h"
 #include "types/label_volume.h"
 #include "types/quality_report.h"
+#include "types/run_context.h"
 #include "types/tet_mesh.h"
 
 namespace voxtet {
@@ -20,10 +21,12 @@ std::vector<ChecklistItem> check_mesh_alone(const TetMesh& mesh, std::span<const
 
 /// Checks that need the labels: `mesh.faces` are the tetrahedra's faces between labels, with their sides and
 /// directions (hard); the labels are those of the voxels (hard); no difference between the topology ledgers
-/// (soft); volumes within 0.5 %, or 2 % for labels below 1000 voxels or about three voxels thick (soft).
+/// (soft); volumes within 0.5 %, or 2 % for labels below 1000 voxels or about three voxels thick (soft);
+/// warns of each that is not, with what brings it nearer.
 std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, std::span<const TetFace> faces,
                                                 const LabelVolume& volume,
                                                 const std::vector<LabelFidelity>& fidelity,
-                                                const std::vector<TopologyDifference>& differences);
+                                                const std::vector<TopologyDifference>& differences,
+                                                const RunContext& ctx);
 
 }  // namespace voxtet

@@ -224,7 +224,7 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   topology.before = std::move(before);
   topology.differences = compare_topology(topology.before, topology.after);
   for (ChecklistItem& item :
-       check_against_labels(mesh, faces, reference.volume, report.labels, topology.differences))
+       check_against_labels(mesh, faces, reference.volume, report.labels, topology.differences, ctx))
     report.checklist.push_back(std::move(item));
   return report;
 }

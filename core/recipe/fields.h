@@ -87,6 +87,25 @@ void visit_fields(V& v, Expected& p) {
 }
 
 template <class V>
+void visit_fields(V& v, SliceShift& p) {
+  v.field({"slice", "", 0, 100000, "Slice of the file, counted from 0."}, p.slice);
+  v.field({"first_mm", "mm", -1000, 1000, "Move along the first of the slice's two image axes."}, p.first_mm);
+  v.field({"second_mm", "mm", -1000, 1000, "Move along the second of the slice's two image axes."},
+          p.second_mm);
+}
+
+template <class V>
+void visit_fields(V& v, AlignParams& p) {
+  v.field({"align_slices", "", 0, 0,
+           "Thick slices that are shifted against each other, as by breath-holds, are put back."},
+          p.align_slices);
+  v.field({"largest_shift_mm", "mm", 0, 1000, "No slice is moved farther, unless slice_shifts says so."},
+          p.largest_shift_mm);
+  v.list({"slice_shifts", "", 0, 0, "Moves of single thick slices in their plane, instead of found ones."},
+         p.slice_shifts);
+}
+
+template <class V>
 void visit_fields(V& v, VolumeParams& p) {
   v.field({"slice_ratio", "", 0, 100,
            "Slices thicker than so many pixels are interpolated to voxels; 0 never does."},
@@ -99,6 +118,7 @@ void visit_fields(V& v, VolumeParams& p) {
   v.field({"flat_border", "", 0, 0,
            "Faces at which the image cuts a body off are flat, with a sharp rim and a name."},
           p.flat_border);
+  visit_fields(v, p.align);
 }
 
 template <class V>

@@ -96,11 +96,15 @@ Result<Recipe> parse_recipe(const nlohmann::json& json);
 /// text; text that is no JSON is taken as a string. Errors: kUsage.
 Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const std::string& value);
 
+/// What a stack of thick slices is meshed by, to be merged into a recipe's JSON: shifted slices are put back,
+/// thick ones interpolated, and the steps between them smoothed away.
+nlohmann::json thick_stack_preset();
+
 /// Every field with its value, or (`minimal`) only those that differ from their default.
 nlohmann::json recipe_to_json(const Recipe& recipe, bool minimal = false);
 
 /// The table of fields: {fields: [{path, type, unit, default, min, max, values, description, items}],
-/// optional_groups: [path]}. A recipe may leave out the optional groups.
+/// optional_groups: [path], presets: {thick_stack}}. A recipe may leave out the optional groups.
 nlohmann::json recipe_schema();
 
 }  // namespace voxtet

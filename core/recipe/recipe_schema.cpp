@@ -91,11 +91,17 @@ class SchemaWriter {
 
 }  // namespace
 
+json thick_stack_preset() {
+  return {{"volume", {{"slice_ratio", 2}, {"align_slices", true}}}, {"smooth", {{"iterations", 200}}}};
+}
+
 json recipe_schema() {
   Recipe defaults;
   SchemaWriter writer;
   visit_fields(writer, defaults);
-  return {{"fields", std::move(writer.fields)}, {"optional_groups", std::move(writer.optional_groups)}};
+  return {{"fields", std::move(writer.fields)},
+          {"optional_groups", std::move(writer.optional_groups)},
+          {"presets", {{"thick_stack", thick_stack_preset()}}}};
 }
 
 }  // namespace voxtet

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "types/stage_names.h"
 #include "volume/extend_cuts.h"
-#include "volume/interpolate_slices.h"
 #include "volume/mesh_order.h"
 #include "volume/remove_specks.h"
+#include "volume/stack/interpolate_slices.h"
 
 namespace voxtet {
 namespace {
@@ -45,17 +46,21 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
                  kVolumeStage,
                  "volume.slice_ratio: found " + std::to_string(params.slice_ratio) + ", expected 0 or more",
                  {}};
-  Result<std::shared_ptr<const LabelVolume>> chosen = select_labels(source, labels, merge);
+  Result<AlignedVolume> aligned = align_slices(source, params.align, params.slice_ratio, ctx);
+  if (!aligned) return aligned.error();
+  const std::shared_ptr<const LabelVolume>& placed = aligned->volume;
+  Result<std::shared_ptr<const LabelVolume>> chosen = select_labels(placed, labels, merge);
   if (!chosen) return chosen.error();
-  PreparedVolume out{*chosen, *chosen, source, {}, {}};
+  PreparedVolume out{*chosen, *chosen, placed, {}, placed, {}, std::move(aligned->alignment), {1, 1, 1}};
   if (const AxisOrder order = mesh_order(*out.selected); !order.is_identity()) {
-    out.anatomy = std::make_shared<const LabelVolume>(reordered(*source, order));
+    out.anatomy = std::make_shared<const LabelVolume>(reordered(*placed, order));
     out.selected = out.prepared =
-        *chosen == source ? out.anatomy : std::make_shared<const LabelVolume>(reordered(**chosen, order));
+        *chosen == placed ? out.anatomy : std::make_shared<const LabelVolume>(reordered(**chosen, order));
   }
   if (has_thick_slices(*out.anatomy, params.slice_ratio)) {
     Result<LabelVolume> fine = interpolate_slices(*out.anatomy, params.slice_ratio, ctx);
     if (!fine) return fine.error();
+    for (std::size_t d = 0; d < 3; ++d) out.planes[d] = fine->size[d] / out.anatomy->size[d];
     out.anatomy = std::make_shared<const LabelVolume>(std::move(fine).value());
     chosen = select_labels(out.anatomy, labels, merge);
     if (!chosen) return chosen.error();

@@ -10,6 +10,7 @@
 #include "types/result.h"
 #include "types/run_context.h"
 #include "volume/select_labels.h"
+#include "volume/stack/align_slices.h"
 
 namespace voxtet {
 
@@ -19,21 +20,25 @@ struct VolumeParams {
   std::uint32_t speck_voxels = 0;  ///< smaller components of a label are removed; 0: none
   std::uint32_t hole_voxels = 0;   ///< smaller enclosed components of background are removed; 0: none
   bool flat_border = true;         ///< faces at which the image cuts a body off are flat, with a sharp rim
+  AlignParams align;               ///< of slices that are shifted against each other
 };
 
+/// `placed` is the source with its slices where they belong (align_slices.h), which all else is made of.
 /// `selected` and `prepared` hold the labels to be meshed: `selected` on the source's voxels, `prepared` on
 /// those to be meshed. They are the same object if nothing was interpolated, removed or added. `anatomy`
 /// holds all labels on the grid of `prepared`. Where the image cuts a body off, both go on beyond its border,
 /// and `meshed` is `prepared` with the labels `beyond` of `cuts` there; else the two are the same. All are
 /// stored in the order of mesh_order(), and are the source itself if nothing changes it.
 struct PreparedVolume {
-  std::shared_ptr<const LabelVolume> selected, prepared, anatomy, meshed;
+  std::shared_ptr<const LabelVolume> selected, prepared, anatomy, meshed, placed;
   CutPlanes cuts;
+  SliceAlignment alignment;
+  std::array<int, 3> planes{1, 1, 1};  ///< of `prepared` to each slice, along its axes
 };
 
-/// Applies select_labels and reordered, interpolate_slices to all labels, then remove_specks and extend_cuts;
-/// what they did is noted in `ctx`. Errors: those of select_labels; kUsage for parameters out of range;
-/// kCancelled.
+/// Applies align_slices, select_labels and reordered, interpolate_slices to all labels, then remove_specks
+/// and extend_cuts; what they did is noted in `ctx`. Errors: those of align_slices and select_labels; kUsage
+/// for parameters out of range; kCancelled.
 Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& source,
                                       const std::vector<Label>& labels, const std::vector<LabelGroup>& merge,
                                       const VolumeParams& params, RunContext& ctx);

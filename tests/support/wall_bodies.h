@@ -14,7 +14,7 @@
 #include "geometry/elements/rotation.h"
 #include "surface/extract/extract_surface.h"
 #include "surface/smooth/smooth_surface.h"
-#include "volume/interpolate_slices.h"
+#include "volume/stack/interpolate_slices.h"
 #include "walls/measure_wall.h"
 
 namespace voxtet::test {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "anatomy/facet_sets.h"
 #include "pipeline/results/value_json.h"
@@ -10,11 +11,28 @@ namespace voxtet {
 
 using nlohmann::json;
 
+namespace {
+
+/// What was moved, slice by slice.
+json slices_json(const SliceAlignment& alignment) {
+  json slices = json::array();
+  for (const AlignedSlice& slice : alignment.slices)
+    slices.push_back({{"slice", slice.move.slice},
+                      {"move_mm", {slice.move.first_mm, slice.move.second_mm}},
+                      {"given", slice.given},
+                      {"dice_before", slice.overlap_before},
+                      {"dice_after", slice.overlap_after}});
+  return {{"axis", alignment.axis}, {"spread_mm", alignment.spread_mm}, {"slices", std::move(slices)}};
+}
+
+}  // namespace
+
 json counts_of(const VolumeResult& result) {
   json counts = volume_json(*result.source, result.digest);
   const LabelVolume& prepared = *result.prepared.prepared;
   const Eigen::Vector3d spacing = prepared.spacing_mm();
   counts["prepared"] = {{"size", prepared.size}, {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
+  if (!result.prepared.alignment.slices.empty()) counts["alignment"] = slices_json(result.prepared.alignment);
   return counts;
 }
 

@@ -167,8 +167,9 @@ Status run_surface(const StageInputs& in, const Recipe& recipe, StageOutput& out
 
 Status run_smooth(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   const PreparedVolume& volume = prepared_of(in);
-  Result<SurfaceMesh> surface = smooth_surface(in.get<BuiltSurface>(Stage::kSurface).as_built(),
-                                               *volume.meshed, recipe.smooth, ctx, volume.cuts);
+  Result<SurfaceMesh> surface =
+      smooth_surface(in.get<BuiltSurface>(Stage::kSurface).as_built(), *volume.meshed, recipe.smooth, ctx,
+                     volume.cuts, volume.planes);
   if (!surface) return surface.error();
   out.put(built(std::move(surface).value(), volume.cuts));
   return std::monostate{};
@@ -311,9 +312,8 @@ Status run_optimise(const StageInputs& in, const Recipe& recipe, StageOutput& ou
 }
 
 Status run_transfer(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
-  return put(transfer_labels(in.get<TetMesh>(Stage::kOptimise), *in.get<VolumeResult>(Stage::kVolume).source,
-                             recipe.transfer, ctx),
-             out);
+  return put(
+      transfer_labels(in.get<TetMesh>(Stage::kOptimise), *prepared_of(in).placed, recipe.transfer, ctx), out);
 }
 
 Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {

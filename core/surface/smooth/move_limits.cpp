@@ -39,11 +39,12 @@ std::uint8_t kind_of(const Eigen::Vector3d& start, const VoxelRegions& regions) 
 
 }  // namespace
 
-MoveLimits::MoveLimits(const std::vector<Eigen::Vector3d>& start, const VoxelRegions& regions, double reach) {
+MoveLimits::MoveLimits(const std::vector<Eigen::Vector3d>& start, const VoxelRegions& regions,
+                       const Eigen::Vector3d& reach) {
   for (unsigned kind = 0; kind < kKinds; ++kind)
     for (int d = 0; d < 3; ++d) {
-      boxes_[kind].low[d] = (kind >> d & 1U) != 0 ? 0 : -reach;
-      boxes_[kind].high[d] = (kind >> (3 + d) & 1U) != 0 ? 0 : reach;
+      boxes_[kind].low[d] = (kind >> d & 1U) != 0 ? 0 : -reach[d];
+      boxes_[kind].high[d] = (kind >> (3 + d) & 1U) != 0 ? 0 : reach[d];
     }
   kinds_.reserve(start.size());
   for (const Eigen::Vector3d& vertex : start) kinds_.push_back(kind_of(vertex, regions));

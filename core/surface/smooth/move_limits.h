@@ -10,7 +10,7 @@
 
 namespace voxtet {
 
-/// A box around the start of each vertex, in index space: `reach` in both directions of every index axis. A
+/// A box around the start of each vertex, in index space: `reach` in both directions of each index axis. A
 /// voxel is slender if along at least two axes it has no neighbour of its region. A vertex on the lattice
 /// edge between voxels p and q does not move towards p along the axes of that edge if p is slender, and the
 /// same for q: so small components and wires one voxel thick keep the thickness they were extracted with.
@@ -18,11 +18,14 @@ namespace voxtet {
 class MoveLimits {
  public:
   /// `start`: vertices of an extracted surface in index space, exact to a small fraction of a voxel.
-  MoveLimits(const std::vector<Eigen::Vector3d>& start, const VoxelRegions& regions, double reach);
+  MoveLimits(const std::vector<Eigen::Vector3d>& start, const VoxelRegions& regions,
+             const Eigen::Vector3d& reach);
 
   /// From now on the vertex does not move along this axis.
   void hold(std::size_t vertex, int axis) { kinds_[vertex] |= static_cast<std::uint8_t>(9U << axis); }
 
+  /// Of vertices that nothing holds.
+  const Eigen::Vector3d& reach() const { return boxes_[0].high; }
   /// Whether the vertex is on the lattice edge of a slender voxel.
   bool is_slender(std::size_t vertex) const { return kinds_[vertex] >= kKinds; }
 

@@ -28,6 +28,7 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr int kCorrectionPasses = 2;
 constexpr int kStepsBetweenGuards = 34;
 constexpr double kThickVoxels = 4;
+constexpr double kSliceShare = 0.4;      ///< of a slice's planes, that count as one voxel
 constexpr double kSmoothingShare = 0.8;  ///< of the progress
 
 /// How many steps are taken.
@@ -163,8 +164,7 @@ bool smooth_guarded(const CorrectionProblem& problem, const VoxelRegions& region
     ctx.progress(kSmoothStage, kSmoothingShare * done / steps.all);
     if (done > 0) {
       now = std::min(kStepsBetweenGuards, steps.all - done);
-      smoother.limit_crossings(
-          crossing_limits(triangles, problem.start, x, Eigen::Vector3d::Constant(params.max_move_voxels)));
+      smoother.limit_crossings(crossing_limits(triangles, problem.start, x, problem.limits.reach()));
     }
     if (done == steps.of_thin) smoother.fix(thin);
     const Points safe = x;
@@ -189,8 +189,17 @@ bool correct_guarded(const CorrectionProblem& problem, const VoxelRegions& regio
   return true;
 }
 
+/// In voxels, along each index axis.
+Eigen::Vector3d reach_of(const SmoothParams& params, const std::array<int, 3>& planes) {
+  Eigen::Vector3d reach;
+  for (std::size_t d = 0; d < 3; ++d)
+    reach[static_cast<Eigen::Index>(d)] = params.max_move_voxels * std::max(1.0, kSliceShare * planes[d]);
+  return reach;
+}
+
 Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume& volume,
-                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts) {
+                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts,
+                                   const std::array<int, 3>& planes) {
   const Eigen::Matrix3d to_mm = volume.linear();
   const Eigen::Matrix3d to_index = to_mm.inverse();
   const Eigen::Vector3d origin = volume.origin();
@@ -202,7 +211,7 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
   const Result<RegionSides> sides = find_region_sides(surface, start, regions, volume.size, ctx.threads);
   if (!sides) return sides.error();
   const SurfaceGraph graph = build_surface_graph(surface);
-  MoveLimits limits(start, regions, params.max_move_voxels);
+  MoveLimits limits(start, regions, reach_of(params, planes));
   hold_in_planes(surface, cuts, limits);
   const double orientation = to_mm.determinant() < 0 ? -1 : 1;
   const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
@@ -227,11 +236,12 @@ Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume
 }  // namespace
 
 Result<SurfaceMesh> smooth_surface(const SurfaceMesh& surface, const LabelVolume& volume,
-                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts) {
+                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts,
+                                   const std::array<int, 3>& planes) {
   if (const Status status = check_input(surface, volume, params); !status) return status.error();
   if (params.iterations == 0) return surface;
   try {
-    return smooth_checked(surface, volume, params, ctx, cuts);
+    return smooth_checked(surface, volume, params, ctx, cuts, planes);
   } catch (const std::bad_alloc&) {
     return failure(ErrorCode::kOutOfMemory,
                    "not enough memory to smooth " + std::to_string(surface.triangles.size()) + " triangles");

@@ -33,7 +33,9 @@ struct SmoothParams {
 /// - Every voxel centre stays on its side of every label, except voxels at the surface of something thicker
 ///   than one voxel: those deeper than half a voxel, and those of sheets, wires, gaps and small components
 ///   one voxel thick, are kept (shape_guard.h).
-/// - No vertex moves further than `max_move_voxels` along an index axis.
+/// - No vertex moves further than `max_move_voxels` along an index axis. Across slices that were
+/// interpolated,
+///   of which each became `planes` voxels, 0.4 of a slice counts as one voxel.
 /// - Triangles and sides are those of the input.
 /// Volumes are met to about 1e-4 of a region unless the first three guarantees prevent it.
 ///
@@ -43,6 +45,7 @@ struct SmoothParams {
 /// Errors: kUsage for parameters out of range, kBadInput for an empty surface, a triangle whose points are
 /// missing, or one whose two labels do not meet there in the volume.
 Result<SurfaceMesh> smooth_surface(const SurfaceMesh& surface, const LabelVolume& volume,
-                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts = {});
+                                   const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts = {},
+                                   const std::array<int, 3>& planes = {1, 1, 1});
 
 }  // namespace voxtet

@@ -11,6 +11,7 @@
 #include "cli/words/option_texts.h"
 #include "io/bytes/files.h"
 #include "io/mesh/read_mesh.h"
+#include "recipe/recipe.h"
 #include "support/printed.h"
 #include "unit/cli/cli_fixture.h"
 
@@ -192,6 +193,21 @@ TEST_F(CliTest, ReadsStandardInputAndWritesStandardOutput) {
             std::string::npos);
 }
 #endif
+
+TEST_F(CliTest, TakesWhatAStackOfThickSlicesNeeds) {
+  write("case.json", R"({"source":{"phantom":{"kind":"sphere","radius_mm":8,"spacing_mm":[1,1,4]}},)"
+                     R"("volume":{"slice_ratio":0}})");
+  const auto recipe = [&](const std::string& option) {
+    EXPECT_EQ(run({"mesh", at("case.json"), option, "--until", "volume", "--report", at("report.json")}), 0);
+    return read_json("report.json")["recipe"];
+  };
+  EXPECT_EQ(recipe("--align-slices")["volume"]["align_slices"], true);
+  EXPECT_EQ(recipe("--align-slices")["volume"]["slice_ratio"], 0);
+  const nlohmann::json preset = thick_stack_preset();
+  for (const auto& [group, fields] : preset.items())
+    for (const auto& [name, value] : fields.items())
+      EXPECT_EQ(recipe("--stack")[group][name], value) << group << "." << name;
+}
 
 }  // namespace
 }  // namespace voxtet

@@ -70,6 +70,27 @@ TEST(Session, MeshesThickSlicesInterpolatedAndMeasuresAgainstTheSlices) {
   EXPECT_EQ(session.source_digest(), digest_of(*session.source_volume()));
 }
 
+TEST(Session, ReportsTheSlicesThatItMovesAndTransfersLabelsFromThem) {
+  Session session;
+  Recipe recipe = test::small_case();
+  recipe.source.phantom->spacing_mm = {1, 1, 4};
+  recipe.source.phantom->rotation_deg.setZero();
+  recipe.volume.align.slice_shifts = {{3, 2, -1}};
+  recipe.transfer.labels = {3};
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  RunContext ctx;
+  const Status done = session.run(Stage::kTransfer, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  const nlohmann::json report = report_json(session);
+  const nlohmann::json& alignment = report["stages"][0]["counts"]["alignment"];
+  EXPECT_EQ(alignment["axis"], 2);
+  ASSERT_EQ(alignment["slices"].size(), static_cast<std::size_t>(session.source_volume()->size[2]));
+  EXPECT_EQ(alignment["slices"][3]["move_mm"], nlohmann::json({2.0, -1.0}));
+  EXPECT_TRUE(alignment["slices"][3]["given"]);
+  EXPECT_LT(alignment["slices"][3]["dice_after"], alignment["slices"][3]["dice_before"]);
+  EXPECT_GT(report["transfer"][0]["by_centroid"]["dice"], 0.9);
+}
+
 TEST(Session, MergesGroupsOfLabels) {
   Session session;
   Recipe recipe = test::small_case();

@@ -131,6 +131,21 @@ TEST(MeasureQuality, NoticesALabelThatIsMissingOrOfTheWrongSize) {
             (std::vector<std::string>{"label_volumes"}));
 }
 
+TEST(MeasureQuality, WarnsOfVolumesThatAreOffWithARemedy) {
+  const TetMesh mesh = straight_cube(6);
+  LabelVolume volume = cube_voxels(6);
+  for (int i = 1; i < 4; ++i) volume.labels[volume.offset(i, 6, 6)] = 0;
+  const SizingField sizing = constant_size(1);
+  const SurfaceMesh surface = faces_of(mesh);
+  std::vector<std::string> warnings;
+  RunContext ctx;
+  ctx.on_warning = [&](const std::string&, const std::string& text) { warnings.push_back(text); };
+  ASSERT_TRUE(measure_quality(mesh, {volume, volume, surface, surface, sizing}, {}, ctx).ok());
+  ASSERT_EQ(warnings.size(), 1U);
+  for (const char* part : {"voxels (", "% more volume", "--edge-label "})
+    EXPECT_NE(warnings[0].find(part), std::string::npos) << part << " in: " << warnings[0];
+}
+
 TEST(MeasureQuality, NamesWhatTheMeshHasNotKeptOfTheLabelSurface) {
   const TetMesh mesh = straight_cube(6);
   const LabelVolume volume = cube_voxels(6);

@@ -1,4 +1,4 @@
-#include "volume/interpolate_slices.h"
+#include "volume/stack/interpolate_slices.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "support/data.h"
 #include "support/label_bodies.h"
 #include "support/random_labels.h"
-#include "volume/compare_slices.h"
+#include "volume/stack/compare_slices.h"
 
 namespace voxtet {
 namespace {
@@ -106,6 +106,29 @@ TEST(ThickSlices, AreThoseAboveTheRatio) {
   EXPECT_FALSE(has_thick_slices(volume, 2));
   EXPECT_TRUE(has_thick_slices(volume, 1.9));
   EXPECT_FALSE(has_thick_slices(volume, 0));
+}
+
+/// As headers hold it: turned, in single precision.
+LabelVolume oblique(LabelVolume volume, double angle) {
+  Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
+  turn.topLeftCorner<3, 3>() =
+      Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  volume.index_to_mm = (turn * volume.index_to_mm).cast<float>().cast<double>();
+  return volume;
+}
+
+TEST(ThickSlices, AreTheSameWithAnyObliqueHeader) {
+  for (int step = 0; step < 100; ++step) {
+    const double angle = 0.03 * step;
+    const auto of = [&](double spacing) {
+      return oblique(with_spacing(test::ball_volume(4, 2, 1), 1.4, 1.4, spacing), angle);
+    };
+    EXPECT_FALSE(has_thick_slices(of(2 * 1.4), 2)) << angle;
+    EXPECT_TRUE(has_thick_slices(of(2.01 * 1.4), 2)) << angle;
+    if (step % 25 != 0) continue;
+    EXPECT_EQ(interpolated(of(4 * 1.4)).size[2], 12) << angle;
+    EXPECT_EQ(interpolated(of(6 * 1.4)).size[2], 20) << angle;
+  }
 }
 
 TEST(InterpolateSlices, TakesNoPixelsForThickSlices) {
@@ -231,6 +254,28 @@ TEST(InterpolateSlices, EndsAWideCutFlat) {
       1, 5);
   const LabelVolume fine = interpolated(coarse);
   for (int k = 0; k < fine.size[2]; ++k) EXPECT_EQ(fine.at(60, 35, k), k < 10 ? 1 : 0) << k;
+}
+
+/// Lesions on one slice and on two, in a body that goes through all of them.
+TEST(InterpolateSlices, KeepsTheVolumeOfLabelsOnOneSliceAsSlabs) {
+  const LabelVolume coarse = with_spacing(make_volume(40, 40, 9,
+                                                      [](int i, int j, int k) {
+                                                        if (k == 4 && std::hypot(i - 14, j - 20) < 6)
+                                                          return 2;
+                                                        if (k > 2 && k < 5 && std::hypot(i - 26, j - 20) < 6)
+                                                          return 3;
+                                                        if (k == 6 && i == 20 && j == 20) return 4;
+                                                        return std::hypot(i - 20, j - 20) < 18 ? 1 : 0;
+                                                      }),
+                                          0.5, 0.5, 5);
+  std::vector<std::string> notes;
+  RunContext ctx;
+  ctx.on_note = [&](const std::string&, const std::string& text) { notes.push_back(text); };
+  ctx.on_warning = [](const std::string&, const std::string& text) { ADD_FAILURE() << text; };
+  const LabelVolume fine = interpolate_slices(coarse, 2, ctx).value();
+  EXPECT_LT(largest_volume_change(coarse, fine), 0.05);
+  EXPECT_EQ(changed_slices(coarse, fine), 0U);
+  EXPECT_NE(notes.front().find("kept as slabs"), std::string::npos) << notes.front();
 }
 
 TEST(InterpolateSlices, PutsNothingBetweenStackedLabels) {

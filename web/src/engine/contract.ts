@@ -96,6 +96,8 @@ export interface Schema {
   fields: SchemaField[];
   /** Groups that a recipe may leave out, by their paths. */
   optional_groups: string[];
+  /** Values of fields that go together, by group. */
+  presets?: { thick_stack: { volume: Partial<Recipe['volume']>; smooth: Partial<Recipe['smooth']> } };
 }
 
 /** What meshing will take, as foretold from the sizing field. */

@@ -65,6 +65,19 @@ export interface RecipeFields {
     hole_voxels: number;
     /** Faces at which the image cuts a body off are flat, with a sharp rim and a name. */
     flat_border: boolean;
+    /** Thick slices that are shifted against each other, as by breath-holds, are put back. */
+    align_slices: boolean;
+    /** No slice is moved farther, unless slice_shifts says so; mm. */
+    largest_shift_mm: number;
+    /** Moves of single thick slices in their plane, instead of found ones. */
+    slice_shifts: {
+      /** Slice of the file, counted from 0. */
+      slice: number;
+      /** Move along the first of the slice's two image axes; mm. */
+      first_mm: number;
+      /** Move along the second of the slice's two image axes; mm. */
+      second_mm: number;
+    }[];
   };
   surface: {
     /** How the label surface is extracted; auto: by the number of labels. */
@@ -390,7 +403,10 @@ export const recipeDefaults = {
     "slice_ratio": 2,
     "speck_voxels": 0,
     "hole_voxels": 0,
-    "flat_border": true
+    "flat_border": true,
+    "align_slices": false,
+    "largest_shift_mm": 10,
+    "slice_shifts": []
   },
   "surface": {
     "method": "auto"

@@ -121,6 +121,19 @@ export interface Simulated {
   };
 }
 
+/** What was done to the slices of a stack. */
+export interface SliceAlignment {
+  axis: number;
+  spread_mm: number;
+  slices: {
+    slice: number;
+    move_mm: [number, number];
+    given: boolean;
+    dice_before: number;
+    dice_after: number;
+  }[];
+}
+
 export interface Report {
   engine: string;
   digest: string;

@@ -105,6 +105,14 @@ const SimulationSection = fetched(() =>
   import('./simulation_section').then((part) => part.SimulationSection),
 );
 
+const StackSection = fetched(() => import('./stack_section').then((part) => part.StackSection));
+
+/** Whether the slices are so thick that they are interpolated, or would be. */
+function isStack(): boolean {
+  const spacing = volume.value?.spacing_mm;
+  return spacing !== undefined && Math.max(...spacing) > 2.002 * Math.min(...spacing);
+}
+
 export function CasePanel() {
   const current = recipe.value;
   const awaited = awaitedFile.value;
@@ -119,6 +127,7 @@ export function CasePanel() {
         <>
           <LabelSection current={current} />
           {!meshIsGiven.value && <SizingSection current={current} />}
+          {!meshIsGiven.value && isStack() && <StackSection current={current} />}
           {!meshIsGiven.value && <StageSection current={current} />}
           {physics?.monodomain ? <PhysicsSection current={current} physics={physics} /> : <AddSimulation />}
           {developer && <SimulationSection current={current} />}

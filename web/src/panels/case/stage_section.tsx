@@ -56,7 +56,7 @@ function StageFields({ group, title, current }: { group: StageGroup; title: stri
   return (
     <>
       {schema.value?.fields
-        .filter(({ path }) => path.startsWith(`${group}.`))
+        .filter(({ path, type }) => path.startsWith(`${group}.`) && type !== 'list')
         .map((field) => (
           <StageField key={field.path} group={group} title={title} field={field} current={current} />
         ))}

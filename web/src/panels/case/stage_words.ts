@@ -6,6 +6,8 @@ const words: Record<string, string> = {
   'volume.speck_voxels': 'Remove pieces below',
   'volume.hole_voxels': 'Fill holes below',
   'volume.flat_border': 'Flat where the image ends',
+  'volume.align_slices': 'Put shifted slices back',
+  'volume.largest_shift_mm': 'Largest move of a slice',
   'smooth.max_move_voxels': 'Largest move',
   'remesh.method': 'Made by',
   'remesh.method=delaunay': 'Delaunay refinement',

@@ -1,7 +1,7 @@
 import type { Report } from '../../engine/contract';
 import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
-import { expectation, report, upToDate } from '../../store/run/report';
+import { alignment, expectation, report, upToDate } from '../../store/run/report';
 import { fetched } from '../controls/fetched';
 import { Checklist } from './checklist';
 import { CompareSection } from './compare_section';
@@ -13,6 +13,7 @@ import { Icon } from '../controls/icons';
 import { MeasuresTable } from './measures_table';
 import { WorstList } from './worst_list';
 
+const AlignmentSection = fetched(() => import('./alignment_section').then((part) => part.AlignmentSection));
 const VerdictCard = fetched(() => import('./verdict_card').then((part) => part.VerdictCard));
 
 function Summary({ found }: { found: Report }) {
@@ -86,6 +87,7 @@ export function EvidencePanel() {
           />
           <WorstList found={found} />
           {found.fidelity && <FidelitySection found={found} fidelity={found.fidelity} />}
+          {alignment.value && <AlignmentSection found={alignment.value} />}
           <MeasuresTable found={found} />
           <Messages title="Warnings" messages={found.warnings} />
           <Messages title="Notes" messages={notesOf(found)} />

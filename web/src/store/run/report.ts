@@ -1,6 +1,6 @@
 /** The mesh that is shown, and what a link promises of it. */
 import { computed, signal } from '@preact/signals';
-import type { Expected, Recipe, Report } from '../../engine/contract';
+import type { Expected, Recipe, Report, SliceAlignment } from '../../engine/contract';
 import { verdictOf } from '../../link/verdict';
 import { recipe } from '../case/recipe';
 import { forgetFound, forgetFrames } from './frames';
@@ -29,6 +29,14 @@ export const verdict = computed(() => {
   if (!sameMesh(promise.recipe, meshedRecipe.value)) return null;
   return verdictOf(promise.expected, report.value);
 });
+
+/** What was done to the slices of a stack; null where none was moved. */
+export const alignment = computed(
+  () =>
+    (report.value?.stages.find(({ name }) => name === 'volume')?.counts.alignment as
+      | SliceAlignment
+      | undefined) ?? null,
+);
 
 /** The mesh that is shown is another one than the report's. */
 export function forgetReport(): void {

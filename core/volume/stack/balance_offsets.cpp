@@ -1,4 +1,4 @@
-#include "volume/balance_offsets.h"
+#include "volume/stack/balance_offsets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "volume/interpolate_slices.h"
+#include "volume/stack/interpolate_slices.h"
 
 #include <algorithm>
 #include <array>
@@ -6,13 +6,15 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "geometry/topology/label_components.h"
 #include "types/stage_names.h"
-#include "volume/balance_offsets.h"
-#include "volume/compare_slices.h"
-#include "volume/slice_gap.h"
-#include "volume/slice_stack.h"
+#include "volume/stack/balance_offsets.h"
+#include "volume/stack/compare_slices.h"
+#include "volume/stack/slice_gap.h"
+#include "volume/stack/slice_stack.h"
 
 namespace voxtet {
 namespace {
@@ -31,18 +33,22 @@ constexpr int kSeparations = 8;
 /// Volumes are balanced again, for what absorbing and setting apart took, while a label is off by more.
 constexpr double kVolumeError = 0.002;
 constexpr int kRounds = 6;
+/// A label on one or two slices that is off by more after that keeps them as slabs.
+constexpr double kNotCarried = 0.03;
 constexpr double kMaxVoxels = 1 << 30;
+
+/// Spacings of an oblique header are rounded by so much: of equal ratios none is above the other.
+constexpr double kRounding = 1e-3;
 
 /// Whatever the ratio asked for, spacings that differ by rounding alone are no slices and pixels.
 bool is_thick(double spacing, double smallest, double ratio) {
   constexpr double kLeastRatio = 1.01;
-  return spacing > std::max(ratio, kLeastRatio) * smallest;
+  return spacing > std::max(ratio, kLeastRatio) * (1 + kRounding) * smallest;
 }
 
 /// Odd, at least 3, nearest to the ratio of the spacings (the lower of equals).
 int planes_per_slice(double ratio) {
-  constexpr double kRounding = 1e-3;
-  return std::max(3, 2 * static_cast<int>(std::floor(ratio / 2 - kRounding)) + 1);
+  return std::max(3, 2 * static_cast<int>(std::floor(ratio / 2 * (1 - kRounding))) + 1);
 }
 
 Result<std::vector<SliceGap>> interpolate_gaps(const SliceStack& stack, const std::vector<Contacts>& contacts,
@@ -196,34 +202,90 @@ std::vector<double> voxels_by_label(const SliceStack& stack, int times) {
   return voxels;
 }
 
+/// The planes of a stack whose labels have their volumes as nearly as can be had.
+struct Balanced {
+  SliceStack planes;
+  std::vector<double> error;  ///< of each label's volume, as a share of it
+};
+
+Result<Balanced> balance(const SliceStack& stack, const std::vector<SliceGap>& gaps,
+                         const std::vector<Contacts>& contacts, int planes, const RunContext& ctx) {
+  std::vector<double> wanted = wanted_voxels(stack, gaps, planes);
+  const std::vector<double> target = voxels_by_label(stack, planes);
+  Balanced best;
+  double least = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    if (ctx.cancelled()) return cancelled_error(kVolumeStage);
+    SliceStack fine = settle_planes(stack, gaps, contacts, planes,
+                                    balance_offsets(gaps, wanted, stack.smallest_pixel_mm()));
+    const std::vector<double> found = voxels_by_label(fine, 1);
+    std::vector<double> error(target.size(), 0);
+    double largest = 0;
+    for (std::size_t label = 0; label < target.size(); ++label) {
+      wanted[label] += target[label] - found[label];
+      if (target[label] > 0) error[label] = std::abs(found[label] - target[label]) / target[label];
+      largest = std::max(largest, error[label]);
+    }
+    if (round == 0 || largest < least) {
+      least = largest;
+      best = {std::move(fine), std::move(error)};
+    }
+    if (least <= kVolumeError) break;
+  }
+  return best;
+}
+
+/// Labels (65536 entries) that are on no three slices in a row.
+std::vector<bool> flat_labels(const SliceStack& stack) {
+  std::vector<int> run(65536, 0), last(65536, -1), longest(65536, 0);
+  for (int k = 0; k < stack.count; ++k)
+    for (const Label* pixel = stack.slice(k); pixel < stack.slice(k) + stack.area(); ++pixel) {
+      if (last[*pixel] == k) continue;
+      run[*pixel] = last[*pixel] == k - 1 ? run[*pixel] + 1 : 1;
+      last[*pixel] = k;
+      longest[*pixel] = std::max(longest[*pixel], run[*pixel]);
+    }
+  std::vector<bool> flat(longest.size());
+  for (std::size_t label = 0; label < flat.size(); ++label) flat[label] = longest[label] < 3;
+  return flat;
+}
+
+/// Keeps as slabs what interpolation does not carry, and returns its names; empty if it carries all.
+std::string keep_slabs(const SliceStack& stack, const std::vector<double>& error,
+                       std::vector<SliceGap>& gaps) {
+  const std::vector<bool> flat = flat_labels(stack);
+  std::vector<bool> slabs(error.size(), false);
+  std::string names;
+  for (std::size_t label = 1; label < error.size(); ++label) {
+    if (!flat[label] || error[label] <= kNotCarried) continue;
+    slabs[label] = true;
+    names += (names.empty() ? "label " : ", label ") + std::to_string(label);
+  }
+  if (names.empty()) return names;
+  for (SliceGap& gap : gaps) slices::keep_as_slabs(gap, stack, slabs);
+  return names;
+}
+
 Result<LabelVolume> interpolate_axis(const LabelVolume& volume, int axis, int planes, const RunContext& ctx) {
   const SliceStack stack = slices::take_slices(volume, axis);
   std::vector<Contacts> contacts;
   for (int lower = 0; lower + 1 < stack.count; ++lower) contacts.emplace_back(stack, lower);
   Result<std::vector<SliceGap>> gaps = interpolate_gaps(stack, contacts, planes, ctx);
   if (!gaps) return gaps.error();
-  std::vector<double> wanted = wanted_voxels(stack, *gaps, planes);
-  const std::vector<double> target = voxels_by_label(stack, planes);
-  SliceStack best;
-  double least = 0;
-  for (int round = 0; round < kRounds; ++round) {
-    if (ctx.cancelled()) return cancelled_error(kVolumeStage);
-    SliceStack fine = settle_planes(stack, *gaps, contacts, planes,
-                                    balance_offsets(*gaps, wanted, stack.smallest_pixel_mm()));
-    const std::vector<double> found = voxels_by_label(fine, 1);
-    double largest = 0;
-    for (std::size_t label = 0; label < target.size(); ++label) {
-      wanted[label] += target[label] - found[label];
-      if (target[label] > 0)
-        largest = std::max(largest, std::abs(found[label] - target[label]) / target[label]);
+  Result<Balanced> best = balance(stack, *gaps, contacts, planes, ctx);
+  if (!best) return best.error();
+  if (const std::string slabs = keep_slabs(stack, best->error, *gaps); !slabs.empty()) {
+    Result<Balanced> kept = balance(stack, *gaps, contacts, planes, ctx);
+    if (!kept) return kept.error();
+    // Where labels have no room for the slabs, others would lose more.
+    if (*std::max_element(kept->error.begin(), kept->error.end()) <
+        *std::max_element(best->error.begin(), best->error.end())) {
+      ctx.note(kVolumeStage,
+               "kept as slabs of their slices, as they would lose volume by interpolation: " + slabs);
+      best = std::move(kept);
     }
-    if (round == 0 || largest < least) {
-      least = largest;
-      best = std::move(fine);
-    }
-    if (least <= kVolumeError) break;
   }
-  return slices::put_slices(best, volume, axis, planes);
+  return slices::put_slices(best->planes, volume, axis, planes);
 }
 
 Error too_many_voxels(const Eigen::Vector3d& spacing, double voxels) {

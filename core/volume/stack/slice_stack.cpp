@@ -1,4 +1,4 @@
-#include "volume/slice_stack.h"
+#include "volume/stack/slice_stack.h"
 
 #include <algorithm>
 #include <cmath>

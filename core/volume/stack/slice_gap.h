@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "volume/slice_stack.h"
+#include "volume/stack/slice_stack.h"
 
 namespace voxtet::slices {
 
-/// Which labels share a pixel edge in either of two slices, and how often.
+/// Which labels share a pixel edge in either of two slices (or the last one), and how often.
 class Contacts {
  public:
   Contacts(const SliceStack& stack, int lower);
@@ -55,5 +55,9 @@ struct SliceGap {
 /// such pixels are `flat`.
 SliceGap interpolate_gap(const SliceStack& stack, const Contacts& contacts, int lower,
                          const std::array<const SliceDistances*, 4>& near, int planes);
+
+/// Leaves the columns in which either slice has one of these labels (65536 entries) without interpolation:
+/// such labels fill the slabs of their slices.
+void keep_as_slabs(SliceGap& gap, const SliceStack& stack, const std::vector<bool>& labels);
 
 }  // namespace voxtet::slices

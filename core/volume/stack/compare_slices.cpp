@@ -1,4 +1,4 @@
-#include "volume/compare_slices.h"
+#include "volume/stack/compare_slices.h"
 
 #include <cmath>
 #include <cstdint>
@@ -80,7 +80,9 @@ void compare_slices(const LabelVolume& before, const LabelVolume& after, const R
                              "; label volumes kept within " + shown(100 * largest, "%.2f") + " %");
   if (!topology.empty())
     ctx.note(kVolumeStage, "components and Euler number after interpolation: " + topology);
-  if (!grown.empty()) ctx.warn(kVolumeStage, "interpolation changed the volume of " + grown);
+  if (!grown.empty())
+    ctx.warn(kVolumeStage, "interpolation changed the volume of " + grown +
+                               "; volume.slice_ratio=0 keeps the slices as they are");
   if (!worse.empty())
     ctx.warn(kVolumeStage,
              "interpolation split labels or opened tunnels in them, components and Euler number: " + worse);

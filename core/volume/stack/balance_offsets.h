@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "volume/slice_gap.h"
+#include "volume/stack/slice_gap.h"
 
 namespace voxtet::slices {
 

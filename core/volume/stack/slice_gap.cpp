@@ -1,4 +1,4 @@
-#include "volume/slice_gap.h"
+#include "volume/stack/slice_gap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +60,13 @@ struct Weights {
            (slope[m] * track.slope[0] - slope[back] * track.slope[1]);
   }
 };
+
+/// A column in which `below` becomes `above` half-way, whatever outlines are moved.
+void change_half_way(Label below, Label above, std::size_t planes, Candidate* out) {
+  constexpr float kUndisputed = std::numeric_limits<float>::max();
+  for (std::size_t m = 0; m < planes; ++m)
+    out[m] = 2 * m < planes ? Candidate{below, above, kUndisputed} : Candidate{above, below, kUndisputed};
+}
 
 class Gap {
  public:
@@ -131,11 +138,9 @@ class Gap {
     // Neither slice knows the other's label: nothing says how the change comes about.
     if (is_far(tracks_[lower_], 1) && is_far(tracks_[upper_], 0)) out_.flat[column] = true;
     if (out_.flat[column]) {
-      const Label below = slices_[0][column], above = slices_[1][column];
-      constexpr float kUndisputed = std::numeric_limits<float>::max();
-      for (std::size_t m = 0; m < weights_.count(); ++m)
-        out_.candidates.push_back(2 * m < weights_.count() ? Candidate{below, above, kUndisputed}
-                                                           : Candidate{above, below, kUndisputed});
+      out_.candidates.resize(out_.candidates.size() + weights_.count());
+      change_half_way(slices_[0][column], slices_[1][column], weights_.count(),
+                      out_.candidates.data() + out_.candidates.size() - weights_.count());
       return;
     }
     find_passers();
@@ -248,7 +253,7 @@ class Gap {
 
 Contacts::Contacts(const SliceStack& stack, int lower) {
   std::vector<std::uint32_t> keys;
-  for (const int slice : {lower, lower + 1}) {
+  for (int slice = lower; slice < std::min(lower + 2, stack.count); ++slice) {
     const Label* pixels = stack.slice(slice);
     const std::size_t width = static_cast<std::size_t>(stack.width);
     for (std::size_t p = 0; p < stack.area(); ++p) {
@@ -287,6 +292,7 @@ std::vector<Label> Contacts::separators(Label a, Label b) const {
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& x, const auto& y) { return x.first > y.first; });
   std::vector<Label> labels;
+  labels.reserve(found.size());
   for (const auto& [common, label] : found) labels.push_back(label);
   return labels;
 }
@@ -294,6 +300,18 @@ std::vector<Label> Contacts::separators(Label a, Label b) const {
 SliceGap interpolate_gap(const SliceStack& stack, const Contacts& contacts, int lower,
                          const std::array<const SliceDistances*, 4>& near, int planes) {
   return Gap(stack, contacts, lower, near, planes).run();
+}
+
+void keep_as_slabs(SliceGap& gap, const SliceStack& stack, const std::vector<bool>& labels) {
+  if (gap.columns.empty()) return;
+  const std::size_t planes = gap.candidates.size() / gap.columns.size();
+  for (std::size_t c = 0; c < gap.columns.size(); ++c) {
+    const Label below = stack.slice(gap.lower)[gap.columns[c]],
+                above = stack.slice(gap.lower + 1)[gap.columns[c]];
+    if (!labels[below] && !labels[above]) continue;
+    gap.flat[gap.columns[c]] = true;
+    change_half_way(below, above, planes, gap.candidates.data() + c * planes);
+  }
 }
 
 }  // namespace voxtet::slices
