@@ -24,6 +24,7 @@ struct CaseOptions {
   std::vector<std::string> masks;        ///< --mask
   std::vector<std::string> mask_edges;   ///< --mask-edge 1=0.8, of every --mask
   std::vector<std::string> size_images;  ///< --size-image
+  bool clean = false;                    ///< --clean
   std::vector<std::string> set;          ///< --set path=value
   ReadOptionTexts read;
 };

@@ -11,6 +11,7 @@
 #include "io/bytes/files.h"
 #include "pipeline/exports/exported_fields.h"
 #include "pipeline/report.h"
+#include "volume/clean/clean_volume.h"
 
 namespace voxtet {
 
@@ -54,6 +55,9 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
   command.add_option("--mask-edge", options.mask_edges, "edge length inside a label of the masks, as 1=0.8");
   command.add_option("--size-image", options.size_images, "NIfTI image of edge lengths, mm");
   add_read_options(command, options.read);
+  command.add_flag("--clean", options.clean,
+                   "take noise away: loose pieces, holes, thin handles, tunnels and pits below " +
+                       std::to_string(kUsualCleaning.speck_voxels) + " voxels");
   command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");
   command.add_flag("--json", output.as_json, "print the report, or the error, as JSON");
   command.add_option("--time-limit", output.time_limit_s, "give up after so many seconds")

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "types/stage_names.h"
 #include "volume/extend_cuts.h"
 #include "volume/interpolate_slices.h"
 #include "volume/mesh_order.h"
-#include "volume/remove_specks.h"
 
 namespace voxtet {
 namespace {
+
+constexpr const char* kCleanRemedy = "; noise? --clean takes it away";
 
 void extend_body(PreparedVolume& out, RunContext& ctx) {
   const LabelVolume& body = *out.prepared;
@@ -35,6 +37,13 @@ void extend_body(PreparedVolume& out, RunContext& ctx) {
   out.prepared = same ? out.anatomy : share(extended(body, faces));
 }
 
+void clean_labels(PreparedVolume& out, const CleanLimits& limits, RunContext& ctx) {
+  auto cleaned = std::make_shared<LabelVolume>(*out.prepared);
+  for (const Flaw& flaw : clean_volume(*cleaned, limits))
+    ctx.note(kVolumeStage, "cleaned: " + in_words(flaw));
+  out.prepared = std::move(cleaned);
+}
+
 }  // namespace
 
 Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& source,
@@ -47,7 +56,7 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
                  {}};
   Result<std::shared_ptr<const LabelVolume>> chosen = select_labels(source, labels, merge);
   if (!chosen) return chosen.error();
-  PreparedVolume out{*chosen, *chosen, source, {}, {}};
+  PreparedVolume out{*chosen, *chosen, source, {}, {}, {}};
   if (const AxisOrder order = mesh_order(*out.selected); !order.is_identity()) {
     out.anatomy = std::make_shared<const LabelVolume>(reordered(*source, order));
     out.selected = out.prepared =
@@ -61,9 +70,10 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
     if (!chosen) return chosen.error();
     out.prepared = *chosen;
   }
-  if (params.speck_voxels > 0 || params.hole_voxels > 0)
-    out.prepared = std::make_shared<const LabelVolume>(
-        remove_specks(*out.prepared, {params.speck_voxels, params.hole_voxels}, ctx));
+  const CleanLimits limits{params.speck_voxels, params.hole_voxels, params.handle_voxels};
+  if (!limits.none()) clean_labels(out, limits, ctx);
+  out.flaws = find_flaws(*out.prepared);
+  for (const Flaw& flaw : out.flaws) ctx.warn(kVolumeStage, in_words(flaw) + kCleanRemedy);
   out.meshed = out.prepared;
   if (params.flat_border) extend_body(out, ctx);
   return out;

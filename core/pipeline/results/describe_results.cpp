@@ -10,11 +10,28 @@ namespace voxtet {
 
 using nlohmann::json;
 
+namespace {
+
+json flaws_json(const Flaws& flaws) {
+  json out = json::array();
+  for (const Flaw& flaw : flaws)
+    out.push_back({{"kind", name_of(flaw.kind)},
+                   {"count", flaw.count},
+                   {"voxels", flaw.voxels},
+                   {"largest", flaw.largest},
+                   {"labels", flaw.labels},
+                   {"text", in_words(flaw)}});
+  return out;
+}
+
+}  // namespace
+
 json counts_of(const VolumeResult& result) {
   json counts = volume_json(*result.source, result.digest);
   const LabelVolume& prepared = *result.prepared.prepared;
   const Eigen::Vector3d spacing = prepared.spacing_mm();
   counts["prepared"] = {{"size", prepared.size}, {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
+  counts["flaws"] = flaws_json(result.prepared.flaws);
   return counts;
 }
 
