@@ -12,6 +12,7 @@
 #include "io/bytes/files.h"
 #include "phantom/make_phantom.h"
 #include "recipe/link.h"
+#include "volume/clean/clean_volume.h"
 
 namespace voxtet {
 namespace {
@@ -145,11 +146,22 @@ Status put_labels(const CaseOptions& options, const LabelWords& words, nlohmann:
   return std::monostate{};
 }
 
+/// Usual cleaning, where the recipe asks for none of a kind.
+void put_cleaning(nlohmann::json& volume) {
+  const auto put = [&](const char* field, std::uint32_t voxels) {
+    if (volume[field] == 0) volume[field] = voxels;
+  };
+  put("speck_voxels", kUsualCleaning.speck_voxels);
+  put("hole_voxels", kUsualCleaning.hole_voxels);
+  put("handle_voxels", kUsualCleaning.handle_voxels);
+}
+
 /// The recipe with the options. Before its volume is known, names and ranges of labels are left out.
 Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options, const LabelVolume* volume) {
   nlohmann::json json = recipe_to_json(recipe);
   put_read_options(options.read, json["source"]);
   if (Status put = put_labels(options, LabelWords(volume), json); !put) return put.error();
+  if (options.clean) put_cleaning(json["volume"]);
   if (options.edge_mm) {
     const Result<double> edge = to_mm("--edge-mm", *options.edge_mm);
     if (!edge) return edge.error();

@@ -11,6 +11,7 @@
 #include "io/bytes/files.h"
 #include "pipeline/exports/exported_fields.h"
 #include "pipeline/report.h"
+#include "volume/clean/clean_volume.h"
 
 namespace voxtet {
 
@@ -59,6 +60,9 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
       "--stack", options.stack,
       "what a clinical stack of thick slices needs: --align-slices, interpolation, more smoothing");
   add_read_options(command, options.read);
+  command.add_flag("--clean", options.clean,
+                   "take noise away: loose pieces, holes, thin handles, tunnels and pits below " +
+                       std::to_string(kUsualCleaning.speck_voxels) + " voxels");
   command.add_option("--set", options.set, "any field of the recipe, as sizing.gradation=0.2");
   command.add_flag("--json", output.as_json, "print the report, or the error, as JSON");
   command.add_option("--time-limit", output.time_limit_s, "give up after so many seconds")

@@ -110,11 +110,16 @@ void visit_fields(V& v, VolumeParams& p) {
   v.field({"slice_ratio", "", 0, 100,
            "Slices thicker than so many pixels are interpolated to voxels; 0 never does."},
           p.slice_ratio);
-  v.field({"speck_voxels", "voxel", 0, 1e9, "Pieces of a label with fewer voxels are removed; 0 keeps all."},
+  v.field({"speck_voxels", "voxel", 0, 1e9,
+           "Pieces of a label with fewer voxels are removed, but never its largest; 0 keeps all."},
           p.speck_voxels);
   v.field({"hole_voxels", "voxel", 0, 1e9,
            "Enclosed pieces of background with fewer voxels are filled; 0 keeps all."},
           p.hole_voxels);
+  v.field({"handle_voxels", "voxel", 0, 1e9,
+           "Handles, tunnels and pits one voxel wide are opened, closed or filled if fewer voxels change; 0 "
+           "keeps all."},
+          p.handle_voxels);
   v.field({"flat_border", "", 0, 0,
            "Faces at which the image cuts a body off are flat, with a sharp rim and a name."},
           p.flat_border);

@@ -7,11 +7,12 @@
 #include "types/stage_names.h"
 #include "volume/extend_cuts.h"
 #include "volume/mesh_order.h"
-#include "volume/remove_specks.h"
 #include "volume/stack/interpolate_slices.h"
 
 namespace voxtet {
 namespace {
+
+constexpr const char* kCleanRemedy = "; noise? --clean takes it away";
 
 void extend_body(PreparedVolume& out, RunContext& ctx) {
   const LabelVolume& body = *out.prepared;
@@ -36,6 +37,13 @@ void extend_body(PreparedVolume& out, RunContext& ctx) {
   out.prepared = same ? out.anatomy : share(extended(body, faces));
 }
 
+void clean_labels(PreparedVolume& out, const CleanLimits& limits, RunContext& ctx) {
+  auto cleaned = std::make_shared<LabelVolume>(*out.prepared);
+  for (const Flaw& flaw : clean_volume(*cleaned, limits))
+    ctx.note(kVolumeStage, "cleaned: " + in_words(flaw));
+  out.prepared = std::move(cleaned);
+}
+
 }  // namespace
 
 Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& source,
@@ -51,7 +59,7 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
   const std::shared_ptr<const LabelVolume>& placed = aligned->volume;
   Result<std::shared_ptr<const LabelVolume>> chosen = select_labels(placed, labels, merge);
   if (!chosen) return chosen.error();
-  PreparedVolume out{*chosen, *chosen, placed, {}, placed, {}, std::move(aligned->alignment), {1, 1, 1}};
+  PreparedVolume out{*chosen, *chosen, placed, {}, placed, {}, std::move(aligned->alignment), {1, 1, 1}, {}};
   if (const AxisOrder order = mesh_order(*out.selected); !order.is_identity()) {
     out.anatomy = std::make_shared<const LabelVolume>(reordered(*placed, order));
     out.selected = out.prepared =
@@ -66,9 +74,10 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
     if (!chosen) return chosen.error();
     out.prepared = *chosen;
   }
-  if (params.speck_voxels > 0 || params.hole_voxels > 0)
-    out.prepared = std::make_shared<const LabelVolume>(
-        remove_specks(*out.prepared, {params.speck_voxels, params.hole_voxels}, ctx));
+  const CleanLimits limits{params.speck_voxels, params.hole_voxels, params.handle_voxels};
+  if (!limits.none()) clean_labels(out, limits, ctx);
+  out.flaws = find_flaws(*out.prepared);
+  for (const Flaw& flaw : out.flaws) ctx.warn(kVolumeStage, in_words(flaw) + kCleanRemedy);
   out.meshed = out.prepared;
   if (params.flat_border) extend_body(out, ctx);
   return out;

@@ -9,6 +9,7 @@
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"
+#include "volume/clean/clean_volume.h"
 #include "volume/select_labels.h"
 #include "volume/stack/align_slices.h"
 
@@ -16,11 +17,12 @@ namespace voxtet {
 
 /// Sizes count voxels of the prepared grid, after interpolation.
 struct VolumeParams {
-  double slice_ratio = 2;          ///< slices thicker than so many pixels are interpolated; 0: never
-  std::uint32_t speck_voxels = 0;  ///< smaller components of a label are removed; 0: none
-  std::uint32_t hole_voxels = 0;   ///< smaller enclosed components of background are removed; 0: none
-  bool flat_border = true;         ///< faces at which the image cuts a body off are flat, with a sharp rim
-  AlignParams align;               ///< of slices that are shifted against each other
+  double slice_ratio = 2;           ///< slices thicker than so many pixels are interpolated; 0: never
+  std::uint32_t speck_voxels = 0;   ///< smaller components of a label are removed, but its largest; 0: none
+  std::uint32_t hole_voxels = 0;    ///< smaller enclosed components of background are removed; 0: none
+  std::uint32_t handle_voxels = 0;  ///< smaller handles, tunnels and pits are mended; 0: none
+  bool flat_border = true;          ///< faces at which the image cuts a body off are flat, with a sharp rim
+  AlignParams align;                ///< of slices that are shifted against each other
 };
 
 /// `placed` is the source with its slices where they belong (align_slices.h), which all else is made of.
@@ -34,11 +36,12 @@ struct PreparedVolume {
   CutPlanes cuts;
   SliceAlignment alignment;
   std::array<int, 3> planes{1, 1, 1};  ///< of `prepared` to each slice, along its axes
+  Flaws flaws;                         ///< of the labels as they are to be meshed: what usual cleaning would mend
 };
 
-/// Applies align_slices, select_labels and reordered, interpolate_slices to all labels, then remove_specks
-/// and extend_cuts; what they did is noted in `ctx`. Errors: those of align_slices and select_labels; kUsage
-/// for parameters out of range; kCancelled.
+/// Applies align_slices, select_labels and reordered, interpolate_slices to all labels, then clean_volume and
+/// extend_cuts; what they did is noted in `ctx`, and flaws that are left are warned of. Errors: those of
+/// align_slices and select_labels; kUsage for parameters out of range; kCancelled.
 Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& source,
                                       const std::vector<Label>& labels, const std::vector<LabelGroup>& merge,
                                       const VolumeParams& params, RunContext& ctx);

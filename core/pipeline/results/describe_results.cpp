@@ -25,6 +25,18 @@ json slices_json(const SliceAlignment& alignment) {
   return {{"axis", alignment.axis}, {"spread_mm", alignment.spread_mm}, {"slices", std::move(slices)}};
 }
 
+json flaws_json(const Flaws& flaws) {
+  json out = json::array();
+  for (const Flaw& flaw : flaws)
+    out.push_back({{"kind", name_of(flaw.kind)},
+                   {"count", flaw.count},
+                   {"voxels", flaw.voxels},
+                   {"largest", flaw.largest},
+                   {"labels", flaw.labels},
+                   {"text", in_words(flaw)}});
+  return out;
+}
+
 }  // namespace
 
 json counts_of(const VolumeResult& result) {
@@ -33,6 +45,7 @@ json counts_of(const VolumeResult& result) {
   const Eigen::Vector3d spacing = prepared.spacing_mm();
   counts["prepared"] = {{"size", prepared.size}, {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
   if (!result.prepared.alignment.slices.empty()) counts["alignment"] = slices_json(result.prepared.alignment);
+  counts["flaws"] = flaws_json(result.prepared.flaws);
   return counts;
 }
 

@@ -43,6 +43,7 @@ struct Repair {
   double least_facet_radius;  ///< of a facet that is refined to open a pinch or a channel
   double turned_cosine;       ///< of the largest angle between reference and surface
   double narrow_share = 1;    ///< of what counts as missed, in narrow places of those labels
+  bool dense = false;         ///< with many points on contacts of labels that are lost
 };
 /// One after the other, until there is nothing to repair. The last ones come more than once: what one adds
 /// may show the next another place.
@@ -50,11 +51,13 @@ constexpr std::array<Repair, 9> kRepairs{{{false, 0.5, 0.3, 0},
                                           {true, 0.3, 0.2, 0.3},
                                           {true, 0.15, 0.1, 0.5, 0.4},
                                           {true, 0.09, 0.05, 0.7, 0.2},
-                                          {true, 0.09, 0.05, 0.7, 0.2},
-                                          {true, 0.09, 0.05, 0.7, 0.2},
-                                          {true, 0.06, 0.03, 0.7, 0.1},
-                                          {true, 0.06, 0.03, 0.7, 0.1},
-                                          {true, 0.06, 0.03, 0.7, 0.1}}};
+                                          {true, 0.09, 0.05, 0.7, 0.2, true},
+                                          {true, 0.09, 0.05, 0.7, 0.2, true},
+                                          {true, 0.06, 0.03, 0.7, 0.1, true},
+                                          {true, 0.06, 0.03, 0.7, 0.1, true},
+                                          {true, 0.06, 0.03, 0.7, 0.1, true}}};
+constexpr double kDenseSpacing = 0.03;  ///< of points on lost contacts, in the same units
+
 double facet_area2(const LabelledCells& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
     return cells.points[cells.vertices[facet.cell][static_cast<std::size_t>(kFacetCorners[facet.corner][c])]];
@@ -136,14 +139,20 @@ double area_between(const SurfaceMesh& surface, const Sides& sides, const Sizing
   return area;
 }
 
+/// Those of some pairs of labels that a surface does not part.
+std::vector<Sides> lost_pairs(const std::vector<Sides>& pairs, const SurfaceMesh& surface) {
+  const std::vector<Sides> taken = pairs_of(surface);
+  std::vector<Sides> out;
+  std::set_difference(pairs.begin(), pairs.end(), taken.begin(), taken.end(), std::back_inserter(out));
+  return out;
+}
+
 /// Of these pairs of labels those that have room for more than seeds enough between them in the reference,
 /// and no triangle in the surface: among so few points all circumcentres may lie outside of a wall that is
 /// thin beside its edges.
 std::vector<Sides> not_taken(const std::vector<Sides>& pairs, const SurfaceMesh& reference,
                              const SizingField& sizing, const SurfaceMesh& surface) {
-  const std::vector<Sides> taken = pairs_of(surface);
-  std::vector<Sides> out;
-  std::set_difference(pairs.begin(), pairs.end(), taken.begin(), taken.end(), std::back_inserter(out));
+  std::vector<Sides> out = lost_pairs(pairs, surface);
   std::erase_if(out, [&](const Sides& sides) {
     return area_between(reference, sides, sizing) <= kSeedsOfInterface * kSeedSpacing * kSeedSpacing;
   });
@@ -258,6 +267,10 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
           added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);
       if (ctx.cancelled()) return cancelled_error(kRemeshStage);
       added += refiner.insert(missed, repair->separation * voxel);
+      if (repair->dense && !sound)
+        added += refiner.insert(points_between(reference, field, lost_pairs(pairs, merged),
+                                               kDenseSpacing * voxel, params.missed_voxels * voxel),
+                                kDenseSpacing * voxel);
       if (sound && added == 0) break;
     }
     if (added > 0) continue;

@@ -103,10 +103,10 @@ double distance_to(const SurfaceMesh& surface, std::uint32_t t, const Eigen::Vec
   return (closest_on_triangle(point, surface.points[a], surface.points[b], surface.points[c]) - point).norm();
 }
 
-/// The point near a triangle's centroid, along its normal, where the field changes between its two labels.
+/// The point near one of a triangle, along its normal, where the field changes between its two labels.
 std::optional<Eigen::Vector3d> onto_field(const SurfaceMesh& surface, std::uint32_t t,
-                                          const LabelField& field, double reach_mm) {
-  const Eigen::Vector3d middle = centroid(surface, t);
+                                          const Eigen::Vector3d& middle, const LabelField& field,
+                                          double reach_mm) {
   const Eigen::Vector3d normal = cross_of(surface, surface.triangles[t]).normalized();
   const auto [behind, front] = surface.sides[t];
   for (const double reach : {0.2 * reach_mm, 0.5 * reach_mm, reach_mm}) {
@@ -170,7 +170,8 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
     };
     const std::size_t known = missed.size();
     const auto add = [&](std::uint32_t sample, double limit) {
-      const std::optional<Eigen::Vector3d> p = onto_field(reference_, sample, field_, limit);
+      const std::optional<Eigen::Vector3d> p =
+          onto_field(reference_, sample, centroid(reference_, sample), field_, limit);
       const auto close = [&](const Eigen::Vector3d& q) { return (q - *p).squaredNorm() < separation2; };
       if (p && std::none_of(missed.begin() + static_cast<std::ptrdiff_t>(known), missed.end(), close))
         missed.push_back(*p);
@@ -208,6 +209,25 @@ std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const 
     from = to;
   }
   return missed;
+}
+
+std::vector<Eigen::Vector3d> points_between(const SurfaceMesh& reference, const LabelField& field,
+                                            const std::vector<Sides>& pairs, double spacing_mm,
+                                            double reach_mm) {
+  std::vector<Eigen::Vector3d> points;
+  for (std::uint32_t t = 0; t < reference.triangles.size(); ++t) {
+    if (!std::binary_search(pairs.begin(), pairs.end(), reference.sides[t])) continue;
+    const auto& [a, b, c] = reference.triangles[t];
+    const Eigen::Vector3d &p = reference.points[a], u = reference.points[b] - p, w = reference.points[c] - p;
+    const double longest = std::sqrt(std::max({u.squaredNorm(), w.squaredNorm(), (u - w).squaredNorm()}));
+    const int parts = std::max(1, static_cast<int>(std::ceil(longest / spacing_mm)));
+    for (int i = 0; i < parts; ++i)
+      for (int j = 0; i + j < parts; ++j) {
+        const Eigen::Vector3d middle = p + ((i + 1.0 / 3) * u + (j + 1.0 / 3) * w) / parts;
+        if (const auto on = onto_field(reference, t, middle, field, reach_mm)) points.push_back(*on);
+      }
+  }
+  return points;
 }
 
 std::vector<FarPoint> far_points(const SurfaceMesh& reference, const SurfaceMesh& surface,

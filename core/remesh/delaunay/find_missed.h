@@ -47,6 +47,14 @@ class MissedPlaces {
                                             ///< closest
 };
 
+/// Points on the field's interfaces of these pairs of labels (ascending, the higher label of each pair
+/// first), near the reference's triangles between them and about `spacing_mm` apart: for contacts so small
+/// that none of a few points on them becomes a facet. Those farther than `reach_mm` from their triangle are
+/// left out.
+std::vector<Eigen::Vector3d> points_between(const SurfaceMesh& reference, const LabelField& field,
+                                            const std::vector<Sides>& pairs, double spacing_mm,
+                                            double reach_mm);
+
 /// A point of a reference that is far from a surface, and the surface's triangle that is closest.
 struct FarPoint {
   Eigen::Vector3d point;

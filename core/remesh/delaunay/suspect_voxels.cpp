@@ -11,8 +11,8 @@
 
 #include "geometry/elements/surface_measures.h"
 #include "geometry/elements/triangle_measures.h"
-#include "remesh/field/simple_points_26.h"
-#include "remesh/field/simple_points_kuhn.h"
+#include "geometry/topology/simple_points_26.h"
+#include "geometry/topology/simple_points_kuhn.h"
 
 namespace voxtet::remesh {
 namespace {

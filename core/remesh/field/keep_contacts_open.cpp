@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "remesh/field/simple_points_kuhn.h"
+#include "geometry/topology/simple_points_kuhn.h"
 
 namespace voxtet::remesh {
 namespace {

@@ -63,6 +63,18 @@ export interface VolumeSummary {
   mesh?: { points: number; tets: number; fibres: boolean };
   /** The grid that is meshed; known once the volume has been prepared. */
   prepared?: { size: Vec3; spacing_mm: Vec3 };
+  /** Noise of the segmentation in what is meshed; known once the volume has been prepared. */
+  flaws?: Flaw[];
+}
+
+export interface Flaw {
+  kind: 'pieces' | 'holes' | 'handles' | 'tunnels' | 'pits';
+  count: number;
+  voxels: number;
+  largest: number;
+  /** Labels, and how many each has. */
+  labels: [number, number][];
+  text: string;
 }
 
 export interface StageSummary {

@@ -59,10 +59,12 @@ export interface RecipeFields {
   volume: {
     /** Slices thicker than so many pixels are interpolated to voxels; 0 never does. */
     slice_ratio: number;
-    /** Pieces of a label with fewer voxels are removed; 0 keeps all; voxel. */
+    /** Pieces of a label with fewer voxels are removed, but never its largest; 0 keeps all; voxel. */
     speck_voxels: number;
     /** Enclosed pieces of background with fewer voxels are filled; 0 keeps all; voxel. */
     hole_voxels: number;
+    /** Handles, tunnels and pits one voxel wide are opened, closed or filled if fewer voxels change; 0 keeps all; voxel. */
+    handle_voxels: number;
     /** Faces at which the image cuts a body off are flat, with a sharp rim and a name. */
     flat_border: boolean;
     /** Thick slices that are shifted against each other, as by breath-holds, are put back. */

@@ -1,6 +1,7 @@
-import type { PhantomKind, PhantomParams, Recipe, Vec3, VolumeSummary } from '../../engine/contract';
+import type { Flaw, PhantomKind, PhantomParams, Recipe, Vec3, VolumeSummary } from '../../engine/contract';
 import { obliqueness, orientationLetters } from '../../geometry/orientation';
 import { editPhantom, openPhantom } from '../../store/case/open_case';
+import { cleanLabels, otherWarnings } from '../../store/case/clean';
 import { openFiles } from '../../store/case/open_files';
 import { previewSoon } from '../../store/run/run_stages';
 import { volume } from '../../store/case/input';
@@ -71,6 +72,24 @@ function ReadFacts({ known }: { known: VolumeSummary }) {
   );
 }
 
+/** Noise of the segmentation, and the click that takes it away. */
+function Flaws({ flaws }: { flaws: Flaw[] }) {
+  const remedy = () => {
+    cleanLabels();
+    previewSoon();
+  };
+  return (
+    <div class="stale" data-testid="flaws">
+      {flaws.map(({ text }) => (
+        <p key={text}>{text}</p>
+      ))}
+      <button type="button" class="button small" onClick={remedy}>
+        Clean the labels
+      </button>
+    </div>
+  );
+}
+
 export function SourceSection({ current }: { current: Recipe }) {
   const { phantom, file } = current.source;
   const known = volume.value;
@@ -90,11 +109,13 @@ export function SourceSection({ current }: { current: Recipe }) {
       )}
       {phantom && <PhantomFields phantom={phantom} />}
       {known && <ReadFacts known={known} />}
-      {known?.warnings.map((warning) => (
-        <p key={warning} class="stale">
-          {warning}
-        </p>
-      ))}
+      {known &&
+        otherWarnings(known).map((warning) => (
+          <p key={warning} class="stale">
+            {warning}
+          </p>
+        ))}
+      {known?.flaws && known.flaws.length > 0 && <Flaws flaws={known.flaws} />}
     </section>
   );
 }

@@ -5,6 +5,7 @@ const words: Record<string, string> = {
   'volume.slice_ratio': 'Interpolate slices above',
   'volume.speck_voxels': 'Remove pieces below',
   'volume.hole_voxels': 'Fill holes below',
+  'volume.handle_voxels': 'Mend thin handles below',
   'volume.flat_border': 'Flat where the image ends',
   'volume.align_slices': 'Put shifted slices back',
   'volume.largest_shift_mm': 'Largest move of a slice',

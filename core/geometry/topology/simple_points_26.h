@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "remesh/field/simple_points.h"
+#include "geometry/topology/simple_points.h"
 
-namespace voxtet::remesh {
+namespace voxtet {
 
 /// Neighbours x, y, z = -1, 0, 1, x fastest; the voxel itself is in the middle.
 constexpr std::size_t kCube = 27, kCubeMiddle = 13;
@@ -53,4 +53,4 @@ constexpr bool is_simple_in_cube(std::uint32_t in_set) {
          pieces_at_middle(kAll & ~in_set, kEdgeRings) == 1;
 }
 
-}  // namespace voxtet::remesh
+}  // namespace voxtet

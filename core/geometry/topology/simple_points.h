@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace voxtet::remesh {
+namespace voxtet {
 
 /// For each neighbour, the others next to it, as bits.
 template <std::size_t kCount>
@@ -25,4 +25,4 @@ constexpr std::uint32_t grow_piece(std::uint32_t piece, std::uint32_t within,
   return piece;
 }
 
-}  // namespace voxtet::remesh
+}  // namespace voxtet

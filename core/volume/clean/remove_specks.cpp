@@ -1,25 +1,16 @@
-#include "volume/remove_specks.h"
+#include "volume/clean/remove_specks.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "geometry/topology/label_components.h"
-#include "types/stage_names.h"
+#include "volume/clean/face_areas.h"
 
 namespace voxtet {
 namespace {
-
-/// Area of a voxel's face across each index axis, mm^2.
-std::array<double, 3> face_areas(const LabelVolume& volume) {
-  const Eigen::Matrix3d axes = volume.linear();
-  return {axes.col(1).cross(axes.col(2)).norm(), axes.col(2).cross(axes.col(0)).norm(),
-          axes.col(0).cross(axes.col(1)).norm()};
-}
 
 std::vector<bool> on_border(const Grid& grid, const std::vector<std::uint32_t>& ids, std::size_t components) {
   std::vector<bool> border(components, false);
@@ -29,15 +20,32 @@ std::vector<bool> on_border(const Grid& grid, const std::vector<std::uint32_t>& 
   return border;
 }
 
+/// Of each label the component with the most voxels, of equals the first.
+std::vector<bool> largest_of_labels(const LabelVolume& volume, const std::vector<std::uint32_t>& ids,
+                                    const std::vector<std::uint32_t>& sizes) {
+  constexpr std::uint32_t kNone = 0xffffffffU;
+  std::vector<std::uint32_t> largest(65536, kNone);
+  for (std::size_t v = 0; v < ids.size(); ++v) {
+    std::uint32_t& best = largest[volume.labels[v]];
+    if (best == kNone || sizes[ids[v]] > sizes[best]) best = ids[v];
+  }
+  std::vector<bool> is_largest(sizes.size(), false);
+  for (std::size_t label = kBackground + 1; label < largest.size(); ++label)
+    if (largest[label] != kNone) is_largest[largest[label]] = true;
+  return is_largest;
+}
+
 /// The voxels of each component to be removed, the smallest first.
 std::vector<std::vector<std::size_t>> small_components(const LabelVolume& volume, const SpeckLimits& limits) {
   std::vector<std::uint32_t> sizes;
   const std::vector<std::uint32_t> ids = label_components(volume.size, volume.labels, sizes);
   const std::vector<bool> border = on_border(volume, ids, sizes.size());
+  const std::vector<bool> largest = largest_of_labels(volume, ids, sizes);
   std::vector<std::vector<std::size_t>> voxels(sizes.size());
   for (std::size_t v = 0; v < ids.size(); ++v) {
     const bool hole = volume.labels[v] == kBackground;
-    if (sizes[ids[v]] < (hole ? limits.hole_voxels : limits.speck_voxels) && !(hole && border[ids[v]]))
+    if (sizes[ids[v]] < (hole ? limits.hole_voxels : limits.speck_voxels) && !(hole && border[ids[v]]) &&
+        !largest[ids[v]])
       voxels[ids[v]].push_back(v);
   }
   std::erase_if(voxels, [](const auto& component) { return component.empty(); });
@@ -58,52 +66,31 @@ bool has_grown(const LabelVolume& volume, const std::vector<std::size_t>& compon
   return grown;
 }
 
-struct Removed {
-  std::size_t components = 0, voxels = 0, largest = 0;
-};
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 }  // namespace
 
-LabelVolume remove_specks(const LabelVolume& volume, const SpeckLimits& limits, const RunContext& ctx) {
-  LabelVolume out = volume;
+std::map<Label, RemovedPieces> remove_specks(LabelVolume& volume, const SpeckLimits& limits) {
   const std::array<double, 3> areas = face_areas(volume);
-  std::map<Label, Removed> removed;
+  std::map<Label, RemovedPieces> removed;
+  if (limits.speck_voxels == 0 && limits.hole_voxels == 0) return removed;
   // A component that another one has become part of is looked at again, as what it is then.
   for (bool again = true; std::exchange(again, false);) {
-    for (const std::vector<std::size_t>& voxels : small_components(out, limits)) {
-      const Label own = out.labels[voxels.front()];
-      if (has_grown(out, voxels)) {
+    for (const std::vector<std::size_t>& voxels : small_components(volume, limits)) {
+      const Label own = volume.labels[voxels.front()];
+      if (has_grown(volume, voxels)) {
         again = true;
         continue;
       }
-      const Label other = neighbour_by_area(out.size, out.labels, voxels, areas);
+      const Label other = neighbour_by_area(volume.size, volume.labels, voxels, areas);
       if (other == own) continue;
-      for (const std::size_t voxel : voxels) out.labels[voxel] = other;
+      for (const std::size_t voxel : voxels) volume.labels[voxel] = other;
       again = true;
-      Removed& sum = removed.try_emplace(own).first->second;
-      ++sum.components;
+      RemovedPieces& sum = removed.try_emplace(own).first->second;
+      ++sum.pieces;
       sum.voxels += voxels.size();
       sum.largest = std::max(sum.largest, voxels.size());
     }
   }
-  std::vector<bool> left(65536, false);
-  for (const Label label : out.labels) left[label] = true;
-  for (const auto& [label, sum] : removed) {
-    const bool hole = label == kBackground;
-    ctx.note(kVolumeStage, "removed " + counted(sum.components, hole ? "hole" : "speck") +
-                               (hole ? "" : " of label " + std::to_string(label)) + ": " +
-                               counted(sum.voxels, "voxel") + ", the largest of " +
-                               std::to_string(sum.largest));
-    if (!hole && !left[label])
-      ctx.warn(kVolumeStage, "label " + std::to_string(label) +
-                                 " was removed altogether: no component of it has " +
-                                 std::to_string(limits.speck_voxels) + " voxels");
-  }
-  return out;
+  return removed;
 }
 
 }  // namespace voxtet

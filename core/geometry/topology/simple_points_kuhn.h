@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "remesh/field/simple_points.h"
+#include "geometry/topology/simple_points.h"
 
-namespace voxtet::remesh {
+namespace voxtet {
 
 /// Seven upward steps, whose axes are the bits of their number plus one, then the seven opposite ones.
 constexpr std::size_t kUp = 7, kNeighbours = 14;
@@ -45,4 +45,4 @@ constexpr bool is_simple(std::uint32_t in_set) {
   return in_set != 0 && in_set != kAll && are_joined(in_set) && are_joined(kAll & ~in_set);
 }
 
-}  // namespace voxtet::remesh
+}  // namespace voxtet
