@@ -14,7 +14,7 @@ import { awaitedSides, type SideFile } from './side_files';
 import { openSideFile } from './size_files';
 import { unpackZip } from './zip';
 
-const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|mgh|mgz|hdr|elem|vtu|msh|mesh)$/i;
+const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|mgh|mgz|hdr|elem|ele|vtu|vtk|msh|mesh|inp|bdf|nas|feb|xdmf)$/i;
 
 /** DICOM files say so after 128 bytes of anything. */
 async function isDicom(file: File): Promise<boolean> {
