@@ -11,6 +11,7 @@ import {
   type SharedCase,
 } from '../../store/case/exchange';
 import { filesOf } from '../../store/case/input';
+import { unread } from '../../store/case/open_files';
 import { paintedEdges, paintedName } from '../../store/case/painting';
 import { recipe } from '../../store/case/recipe';
 import { simulated } from '../../store/run/frames';
@@ -24,6 +25,7 @@ import { Gallery } from '../case/gallery';
 import { Icon } from '../controls/icons';
 import { KeyList } from '../view/key_list';
 import { SizesDialog } from '../run/sizes_dialog';
+import { ReadingDialog } from './reading_dialog';
 
 const formatNotes: Record<ExportFormat, [string, string]> = {
   vtu: ['VTU', 'ParaView, PyVista: tetrahedra and labels, mm'],
@@ -202,8 +204,13 @@ function ShareDialog({ close }: { close(): void }) {
 }
 
 export function ToolDialogs() {
-  const close = () => (dialogShown.value = null);
-  switch (dialogShown.value) {
+  const close = () => {
+    dialogShown.value = null;
+    unread.value = null;
+  };
+  switch (unread.value ? 'reading' : dialogShown.value) {
+    case 'reading':
+      return <ReadingDialog close={close} />;
     case 'export':
       return <ExportDialog close={close} />;
     case 'share':
