@@ -44,7 +44,7 @@ int convert_mesh(const ConvertOptions& wanted, const Output& output) {
   WriteMeshOptions options;
   options.infos = std::move(arrays.infos);
   for (Field& field : arrays.cell_data) {
-    if (field.components == 1 || has_place_for(field.on, field.components, *format))
+    if (has_place_for(field.on, field.components, *format))
       options.cell_data.push_back(std::move(field));
     else
       print_warning(out + ": left out " + field.name + ", for which this format has no place");

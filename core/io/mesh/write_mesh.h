@@ -17,7 +17,7 @@ namespace voxtet {
 /// element surfaces per pair of sides. FEBio .feb 4.0: parts with a material each, surfaces per pair. XDMF 3:
 /// .xdmf with its numbers in .h5. Legacy VTK, MSH 2.2, Nastran .bdf, TetGen .node, .ele and .face: ASCII,
 /// mm. STL (binary) and PLY (binary): boundary faces, all or an STL for each label. Cell data: arrays in VTU,
-/// VTK and XDMF, attributes in TetGen's .ele, a _data.msh beside MSH, a .sol beside MEDIT, one .NAME.dat each
+/// VTK and XDMF, a _data.msh beside MSH, a .sol beside MEDIT, one .NAME.dat each
 /// beside openCARP, one .NAME.inp each beside Abaqus, mesh data in FEBio. Point data: in VTU, VTK, XDMF and
 /// openCARP alike. Named surfaces: .NAME.surf and .NAME.surf.vtx beside openCARP, physical groups in MSH,
 /// surfaces in Abaqus and FEBio, .surfaces.vtu beside VTU, .surfaces.vtk beside VTK, .facets.xdmf beside

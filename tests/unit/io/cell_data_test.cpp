@@ -22,7 +22,7 @@ TEST(CellData, StandsBesideTheMeshThatIsReadBackWithoutIt) {
   const TetMesh mesh = test::kuhn_cube(3);
   for (const MeshFormat format :
        {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kMsh, MeshFormat::kMsh22, MeshFormat::kMedit,
-        MeshFormat::kCarp, MeshFormat::kAbaqus, MeshFormat::kFebio, MeshFormat::kTetgen}) {
+        MeshFormat::kCarp, MeshFormat::kAbaqus, MeshFormat::kFebio}) {
     const auto files = write_tet_mesh(mesh, format, with_data(mesh));
     ASSERT_TRUE(files.ok()) << files.error().message;
     const VolumeFile file{"cube" + files->front().suffix, files->front().bytes,
@@ -40,8 +40,7 @@ TEST(CellData, StandsBesideTheMeshThatIsReadBackWithoutIt) {
 
 TEST(CellData, IsReadBackWhereItStandsWithTheMesh) {
   const TetMesh mesh = test::kuhn_cube(3);
-  for (const MeshFormat format :
-       {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kXdmf, MeshFormat::kTetgen}) {
+  for (const MeshFormat format : {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kXdmf}) {
     const auto files = write_tet_mesh(mesh, format, with_data(mesh));
     ASSERT_TRUE(files.ok()) << files.error().message;
     const SiblingReader sibling = [&](const std::string& name) -> Result<Bytes> {

@@ -28,12 +28,6 @@ Read read(const std::string& name, const std::string& text, const std::string& l
   return out;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
 std::string error_of(const std::string& name, const std::string& text, const std::string& label_array = {}) {
   const Bytes bytes = bytes_of(text);
   const Result<TetMesh> mesh = read_tet_mesh({name, bytes, {}}, nullptr, label_array);

@@ -39,8 +39,8 @@ std::vector<LabelInfo> names_back(MeshFormat format, const std::vector<LabelInfo
 }
 
 TEST(LabelNames, ComeBackFromFilesThatHoldThem) {
-  for (const MeshFormat format : {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kMsh, MeshFormat::kMsh22,
-                                  MeshFormat::kMedit, MeshFormat::kNastran}) {
+  for (const MeshFormat format :
+       {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kMsh, MeshFormat::kMsh22, MeshFormat::kMedit}) {
     const std::vector<LabelInfo> back = names_back(format, kInfos);
     ASSERT_EQ(back.size(), 2U);
     EXPECT_EQ(back[0].label, 1);
@@ -70,6 +70,13 @@ TEST(LabelNames, AreWordsInFormatsOfWords) {
     // A second time they are the same.
     EXPECT_EQ(file_with_names(format, back), file_with_names(format, kInfos));
   }
+}
+
+TEST(LabelNames, AreAsciiInNastran) {
+  const std::vector<LabelInfo> back = names_back(MeshFormat::kNastran, kInfos);
+  ASSERT_EQ(back.size(), 2U);
+  EXPECT_EQ(back[0].name, "Herz 'wand', links/");
+  EXPECT_EQ(back[1].name, "*END, a=b <x>& --_");
 }
 
 TEST(LabelNames, ThoseThatAFileMakesUpAreNone) {

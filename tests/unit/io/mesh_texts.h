@@ -18,6 +18,13 @@ inline Bytes bytes_of(const std::string& text) {
   return {text.begin(), text.end()};
 }
 
+/// The text with the first `from` replaced, which must be there.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
 inline std::string text_of(const Bytes& bytes) {
   return {bytes.begin(), bytes.end()};
 }

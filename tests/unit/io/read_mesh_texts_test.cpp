@@ -4,12 +4,6 @@
 namespace voxtet::test {
 namespace {
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
 TEST(ReadMedit, SkipsOtherSectionsAndCommentsInAnyOrder) {
   const auto mesh = read_text("a.mesh", kMeditText);
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;

@@ -35,4 +35,15 @@ std::vector<std::string> label_legend(const TetMesh& mesh, const std::vector<Lab
   return legend;
 }
 
+std::string in_ascii(const std::string& text) {
+  std::string ascii;
+  bool in_run = false;
+  for (const char c : text) {
+    const bool plain = static_cast<unsigned char>(c) < 0x80;
+    if (plain || !in_run) ascii += plain ? c : '_';
+    in_run = !plain;
+  }
+  return ascii;
+}
+
 }  // namespace voxtet

@@ -24,4 +24,8 @@ std::vector<std::string> facet_legend(const FacetTags& tags);
 /// The same for the labels of tetrahedra, all of them: "1 LV", "7 label 7".
 std::vector<std::string> label_legend(const TetMesh& mesh, const std::vector<LabelInfo>& infos);
 
+/// The text with an underscore for each run of bytes beyond ASCII: for formats whose readers know no other
+/// letters.
+std::string in_ascii(const std::string& text);
+
 }  // namespace voxtet

@@ -54,9 +54,9 @@ bool has_place_for(On on, int components, MeshFormat format) {
     case MeshFormat::kMsh22: return on == On::kTets;
     case MeshFormat::kMedit:
     case MeshFormat::kAbaqus:
-    case MeshFormat::kFebio:
-    case MeshFormat::kTetgen: return on == On::kTets && components == 1;
+    case MeshFormat::kFebio: return on == On::kTets && components == 1;
     case MeshFormat::kNastran:
+    case MeshFormat::kTetgen:
     case MeshFormat::kStl:
     case MeshFormat::kLabelStl:
     case MeshFormat::kPly: break;

@@ -55,32 +55,6 @@ Result<NumberedMesh> read_node(const VolumeFile& file, bool& lps) {
   return found;
 }
 
-/// Fields for the attributes behind the first, as comments name them.
-std::vector<Field> attribute_fields(std::span<const std::uint8_t> bytes, std::int64_t attributes) {
-  std::vector<Field> fields;
-  std::vector<std::string> names;
-  for (const std::string_view comment : head_comments(bytes)) {
-    constexpr std::string_view kAttributes = "attributes: ";
-    if (!comment.starts_with(kAttributes)) continue;
-    std::string list(comment.substr(kAttributes.size()));
-    for (char& c : list)
-      if (c == ',') c = ' ';
-    names = words_of(list);
-  }
-  for (std::int64_t a = 1; a < attributes; ++a) {
-    const auto i = static_cast<std::size_t>(a);
-    const bool named = names.size() == static_cast<std::size_t>(attributes) && is_field_name(names[i]);
-    fields.push_back({named ? names[i] : "attribute_" + std::to_string(a + 1),
-                      "",
-                      "1",
-                      On::kTets,
-                      Scale::kSequential,
-                      1,
-                      {}});
-  }
-  return fields;
-}
-
 Result<TetMesh> read_ele(const VolumeFile& file, NumberedMesh found, bool lps, MeshArrays* arrays) {
   MeshCursor in(file.bytes, file.name, kTetgenReader, '#');
   const std::int64_t count = in.integer("the number of tetrahedra", 0, kMostItems);
@@ -90,7 +64,9 @@ Result<TetMesh> read_ele(const VolumeFile& file, NumberedMesh found, bool lps, M
   const std::int64_t attributes = in.integer("the number of attributes", 0, kMostAttributes);
   in.can_hold(static_cast<std::uint64_t>(count), 2 * static_cast<std::uint64_t>(1 + nodes + attributes),
               "tetrahedra");
-  std::vector<Field> fields = attribute_fields(file.bytes, attributes);
+  std::vector<Field> fields;
+  for (std::int64_t a = 2; a <= attributes && in.ok(); ++a)
+    fields.push_back({"attribute_" + std::to_string(a), "", "1", On::kTets, Scale::kSequential, 1, {}});
   for (std::int64_t i = 0; i < count && in.ok(); ++i) {
     const std::int64_t tag = in.integer("the number of a tetrahedron", 0, kMostItems);
     std::array<std::uint64_t, 4> corners{};

@@ -9,8 +9,8 @@
 namespace voxtet {
 
 /// `file` is either of them; the other comes from `file.sibling`. Numbers may count from 0 or 1. The label is
-/// the first attribute of .ele, and without attributes all is one region; further attributes go to `arrays`,
-/// by the names in write_tetgen.h's comments or as attribute_2, ... Of ten nodes the corners are read.
+/// the first attribute of .ele, and without attributes all is one region; further attributes go to `arrays`
+/// as attribute_2, ... Of ten nodes the corners are read.
 /// Comments of write_tetgen.h say the space and the names of labels. Errors: kBadInput naming file and line.
 Result<TetMesh> read_tetgen(const VolumeFile& file, MeshArrays* arrays);
 

@@ -81,8 +81,9 @@ Result<std::vector<OutputFile>> write_nastran(const TetMesh& mesh, const WriteMe
   const FacetTags facets = facet_tags(mesh, options);
   ByteWriter out(112 * mesh.points.size() + 57 * mesh.tets.size() + 73 * mesh.faces.size() + 4096);
   out.text("$ voxtet mesh\n$ " + coordinates_note(options.space) + "\n");
-  for (const std::string& label : label_legend(mesh, options.infos)) out.text("$ label " + label + "\n");
-  for (const std::string& tag : facet_legend(facets)) out.text("$ load " + tag + "\n");
+  for (const std::string& label : label_legend(mesh, options.infos))
+    out.text("$ label " + in_ascii(label) + "\n");
+  for (const std::string& tag : facet_legend(facets)) out.text("$ load " + in_ascii(tag) + "\n");
   out.text("BEGIN BULK\n");
   for (const Label label : group_tets(mesh.labels).labels) {
     out.text("PSOLID  ");

@@ -11,8 +11,8 @@ namespace voxtet {
 /// each label with the material of the same number, which the user gives (MAT1). Grid number = point index +
 /// 1, element number = place in the mesh + 1. Surfaces are loads: PLOAD4 of unit pressure, load set = facet
 /// tag (facet_tags.h), on the element behind the face; a load set acts only where a case selects it. Comments
-/// give space and unit, and the names of labels and surfaces. Errors: kUsage for more points or tetrahedra
-/// than have numbers of eight digits; kInternal for a face that is no side of a tetrahedron.
+/// give space and unit, and the names of labels and surfaces (in_ascii). Errors: kUsage for more points or
+/// tetrahedra than have numbers of eight digits; kInternal for a face that is no side of a tetrahedron.
 Result<std::vector<OutputFile>> write_nastran(const TetMesh& mesh, const WriteMeshOptions& options);
 
 }  // namespace voxtet

@@ -37,19 +37,13 @@ Bytes write_node(const TetMesh& mesh, PatientSpace space) {
 }
 
 Bytes write_ele(const TetMesh& mesh, const WriteMeshOptions& options) {
-  ByteWriter out((40 + 16 * options.cell_data.size()) * mesh.tets.size() + 4096);
-  for (const std::string& label : label_legend(mesh, options.infos)) out.text("# label " + label + "\n");
-  std::string attributes = "# attributes: label";
-  for (const Field& data : options.cell_data) attributes += ", " + data.name;
-  out.text(attributes + "\n" + std::to_string(mesh.tets.size()) + " 4 " +
-           std::to_string(1 + options.cell_data.size()) + "\n");
+  ByteWriter out(48 * mesh.tets.size() + 4096);
+  for (const std::string& label : label_legend(mesh, options.infos))
+    out.text("# label " + in_ascii(label) + "\n");
+  out.text(std::to_string(mesh.tets.size()) + " 4 1\n");
   for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
     write_corners(out, t + 1, mesh.tets[t]);
     out.integer(mesh.labels[t]);
-    for (const Field& data : options.cell_data) {
-      out.text(" ");
-      out.real(data.values[t]);
-    }
     out.text("\n");
   }
   return out.take();
@@ -58,7 +52,7 @@ Bytes write_ele(const TetMesh& mesh, const WriteMeshOptions& options) {
 Bytes write_face(const TetMesh& mesh, const WriteMeshOptions& options) {
   const FacetTags facets = facet_tags(mesh, options);
   ByteWriter out(40 * mesh.faces.size() + 4096);
-  for (const std::string& tag : facet_legend(facets)) out.text("# marker " + tag + "\n");
+  for (const std::string& tag : facet_legend(facets)) out.text("# marker " + in_ascii(tag) + "\n");
   out.text(std::to_string(mesh.faces.size()) + " 1\n");
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     write_corners(out, f + 1, mesh.faces[f]);

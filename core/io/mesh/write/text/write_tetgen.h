@@ -6,9 +6,10 @@
 
 namespace voxtet {
 
-/// Numbers count from 1; mm, coordinates that read back exactly. .ele: the first attribute is the label, and
-/// each of the cell data is a further one. .face: the marker is the facet tag (facet_tags.h). Comments ("#")
-/// give space and unit in .node, and the names of labels, attributes and markers in .ele and .face.
+/// Numbers count from 1; mm, coordinates that read back exactly. .ele: one attribute, the label, a whole
+/// number (no cell data: meshio reads attributes that are real as none). .face: the marker is the facet tag
+/// (facet_tags.h). Comments ("#") give space and unit in .node, the names of labels in .ele and those of
+/// markers in .face (in_ascii).
 std::vector<OutputFile> write_tetgen(const TetMesh& mesh, const WriteMeshOptions& options);
 
 }  // namespace voxtet
