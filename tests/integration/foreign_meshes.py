@@ -75,8 +75,8 @@ def check_reading_legacy_vtk(tool, cube, folder):
                 writer.SetHeader(f"voxtet mesh, space {space.upper()}")
                 writer.SetFileTypeToBinary() if binary else writer.SetFileTypeToASCII()
                 expect(writer.Write() == 1, f"VTK cannot write {path.name}")
-                # As text VTK writes so many digits that the same double comes back, or nearly.
-                expect_voxtet_reads(tool, path, cube, path.name, tolerance=0.0 if binary else EXACT_MM)
+                # As text VTK writes eleven digits.
+                expect_voxtet_reads(tool, path, cube, path.name, tolerance=0.0 if binary else 1e-9)
 
 
 def check_reading_text_of_meshio(tool, cube, folder):

@@ -126,16 +126,18 @@ TEST(ForeignVtk, IsReadWithItsOtherCellsAndArrays) {
   EXPECT_TRUE(tag.notes().empty());
 }
 
-TEST(ForeignVtk, IsReadInBinaryOfVersion5) {
-  const Bytes bytes = binary_vtk("vtk output");
-  MeshArrays arrays;
-  const Result<TetMesh> mesh = read_tet_mesh({"a.vtk", bytes, {}}, &arrays);
-  ASSERT_TRUE(mesh) << mesh.error().message;
-  EXPECT_EQ(mesh->tets, kOneTet);
-  EXPECT_EQ(mesh->labels, std::vector<Label>{12});
-  EXPECT_EQ(mesh->points[3], Eigen::Vector3d(0, 0, 1));
-  ASSERT_EQ(arrays.cell_data.size(), 1U);
-  EXPECT_EQ(arrays.cell_data[0].values, std::vector<float>{2.25F});
+TEST(ForeignVtk, IsReadInBinary) {
+  for (const bool version_5 : {true, false}) {
+    const Bytes bytes = binary_vtk("vtk output", version_5);
+    MeshArrays arrays;
+    const Result<TetMesh> mesh = read_tet_mesh({"a.vtk", bytes, {}}, &arrays);
+    ASSERT_TRUE(mesh) << mesh.error().message;
+    EXPECT_EQ(mesh->tets, kOneTet);
+    EXPECT_EQ(mesh->labels, std::vector<Label>{12});
+    EXPECT_EQ(mesh->points[3], Eigen::Vector3d(0, 0, 1));
+    ASSERT_EQ(arrays.cell_data.size(), 1U);
+    EXPECT_EQ(arrays.cell_data[0].values, std::vector<float>{2.25F});
+  }
 }
 
 TEST(ForeignVtk, NamesWhatIsWrong) {

@@ -95,16 +95,22 @@ void put_big_endian(Bytes& bytes, T value) {
   bytes.insert(bytes.end(), raw.rbegin(), raw.rend());
 }
 
-/// One tetrahedron among a triangle and an unused point, as ParaView writes them since version 5.8.
-inline Bytes binary_vtk(const std::string& title) {
+/// One tetrahedron among a triangle and an unused point, as ParaView writes them since version 5.8, or
+/// before.
+inline Bytes binary_vtk(const std::string& title, bool version_5 = true) {
   Bytes bytes;
   const auto text = [&](const std::string& line) { bytes.insert(bytes.end(), line.begin(), line.end()); };
   text("# vtk DataFile Version 5.1\n" + title + "\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 float\n");
   for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 7, 7, 7}) put_big_endian(bytes, x);
-  text("\nMETADATA\nINFORMATION 0\n\nCELLS 3 7\nOFFSETS vtktypeint64\n");
-  for (const std::int64_t offset : {0, 3, 7}) put_big_endian(bytes, offset);
-  text("\nCONNECTIVITY vtktypeint64\n");
-  for (const std::int64_t point : {0, 1, 2, 0, 1, 2, 3}) put_big_endian(bytes, point);
+  if (version_5) {
+    text("\nMETADATA\nINFORMATION 0\n\nCELLS 3 7\nOFFSETS vtktypeint64\n");
+    for (const std::int64_t offset : {0, 3, 7}) put_big_endian(bytes, offset);
+    text("\nCONNECTIVITY vtktypeint64\n");
+    for (const std::int64_t point : {0, 1, 2, 0, 1, 2, 3}) put_big_endian(bytes, point);
+  } else {
+    text("\nCELLS 2 9\n");
+    for (const std::int32_t number : {3, 0, 1, 2, 4, 0, 1, 2, 3}) put_big_endian(bytes, number);
+  }
   text("\nCELL_TYPES 2\n");
   for (const std::int32_t type : {5, 10}) put_big_endian(bytes, type);
   text("\nCELL_DATA 2\nSCALARS label int\nLOOKUP_TABLE default\n");

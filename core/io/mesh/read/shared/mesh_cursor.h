@@ -48,6 +48,8 @@ class MeshCursor {
   std::string_view word(const char* what);
   std::string_view peek_word();
   std::string_view rest_of_line();
+  /// Whether the next line begins with a text. The cursor stays: binary data may stand there.
+  bool next_line_begins(std::string_view text) const;
   std::int64_t integer(const char* what, std::int64_t lo, std::int64_t hi);
   double real(const char* what);
   void expect(std::string_view wanted);

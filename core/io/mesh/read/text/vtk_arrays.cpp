@@ -200,7 +200,7 @@ class VtkFileReader {
   /// Before version 5: the number of a cell's points and then these, for each cell. From then on two arrays.
   void read_cells() {
     const std::int64_t first = read_count("the number of cells"), second = read_count("the size of cells");
-    if (!binary_ ? lower_case(in_.peek_word()) == "offsets" : peeks_offsets()) {
+    if (in_.next_line_begins("OFFSETS")) {
       in_.word("OFFSETS");
       file_.offsets = whole(values(read_type(), first, 1), "an offset");
       in_.expect("CONNECTIVITY");
@@ -221,9 +221,6 @@ class VtkFileReader {
       file_.offsets.push_back(static_cast<std::int64_t>(file_.connectivity.size()));
     }
   }
-
-  /// In binary files the word would be a number of 1.3e9 points: 'OFFS'.
-  bool peeks_offsets() { return in_.peek_word().starts_with("OFFSETS"); }
 
   std::int64_t read_count(const char* what) { return in_.integer(what, 0, std::int64_t{1} << 40); }
 
