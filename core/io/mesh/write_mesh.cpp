@@ -224,9 +224,10 @@ Status write_files(const std::string& path, const std::vector<OutputFile>& files
   if (const Result<MeshFormat> format = mesh_format_of(path); !format.ok()) return format.error();
   const std::string base = path.substr(0, path.size() - mesh_ending_of(path).size());
   std::vector<TargetFile> targets;
+  const std::string ending = lower_case(mesh_ending_of(path));
   for (const OutputFile& file : files) {
-    // The ending that was asked for keeps its case.
-    const bool asked = lower_case(mesh_ending_of(path)) == file.suffix;
+    // The ending that was asked for keeps its case; .nas is another one of .bdf.
+    const bool asked = ending == file.suffix || (ending == ".nas" && file.suffix == ".bdf");
     targets.push_back({asked ? path : base + file.suffix, file.bytes});
   }
   return place_files(targets);
