@@ -39,11 +39,12 @@ struct FoundGrid {
   std::vector<FoundAttribute> attributes;
 };
 
+const std::map<std::string_view, char> kEntities{
+    {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}};
+
 std::string without_entities(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    static const std::map<std::string_view, char> kEntities{
-        {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&apos;", '\''}};
     const std::size_t end = text[i] == '&' ? text.find(';', i) : std::string_view::npos;
     const auto entity =
         end == std::string_view::npos ? kEntities.end() : kEntities.find(text.substr(i, end - i + 1));
