@@ -42,6 +42,9 @@ Bytes to_bytes(const val& typed_array) {
 }
 
 Result<MeshFormat> format_of(const std::string& name) {
+  if (name == "msh22") return MeshFormat::kMsh22;
+  if (name == "label_stl") return MeshFormat::kLabelStl;
+  if (name == "tetgen") return MeshFormat::kTetgen;
   return mesh_format_of(name == "medit" ? "x.mesh" : "x." + name);
 }
 

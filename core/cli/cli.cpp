@@ -62,16 +62,18 @@ int run_forecast(const CaseOptions& options, double elements, const Output& outp
   return kExitOk;
 }
 
-Result<TetMesh> read_mesh(const std::string& path) {
-  if (path != kDash) return read_tet_mesh_file(path);
+Result<TetMesh> read_mesh(const std::string& path, const std::string& label_array, MeshArrays& arrays) {
+  if (path != kDash) return read_tet_mesh_file(path, &arrays, label_array);
   const Result<Bytes> bytes = read_standard_input();
   if (!bytes) return bytes.error();
-  return read_tet_mesh({"stdin", *bytes, {}});
+  return read_tet_mesh({"stdin", *bytes, {}}, &arrays, label_array);
 }
 
-int run_check(const std::string& path, const Output& output) {
-  Result<TetMesh> mesh = read_mesh(path);
+int run_check(const std::string& path, const std::string& label_array, const Output& output) {
+  MeshArrays arrays;
+  Result<TetMesh> mesh = read_mesh(path, label_array, arrays);
   if (!mesh) return fail(mesh.error(), output);
+  for (const std::string& note : arrays.notes) print_note(path + ": " + note);
   RunContext ctx;
   Result<QualityReport> report = measure_mesh(*mesh, {}, ctx);
   if (!report) return fail(report.error(), output);
@@ -160,7 +162,7 @@ int run_cli(int argc, const char* const* argv) {
   CaseOptions options;
   Output output;
   MeshOptions wanted;
-  std::string in, out, base;
+  std::string in, out, base, label_array;
   std::vector<std::string> set;
   int code = kExitOk;
 
@@ -194,9 +196,13 @@ int run_cli(int argc, const char* const* argv) {
   verify->callback([&] { code = run_verify(options, output); });
 
   CLI::App* check = app.add_subcommand("check", "measure a mesh file");
-  check->add_option("MESH", in, ".vtu .msh .mesh .elem .carp, or - for standard input")->required();
+  check
+      ->add_option("MESH", in,
+                   ".vtu .vtk .msh .mesh .xdmf .inp .bdf .feb .ele .elem .carp, or - for standard input")
+      ->required();
+  check->add_option("--label-array", label_array, kLabelArrayHelp)->check(kNotEmpty);
   check->add_flag("--json", output.as_json, "print the report, or the error, as JSON");
-  check->callback([&] { code = run_check(in, output); });
+  check->callback([&] { code = run_check(in, label_array, output); });
 
   CLI::App* phantom = app.add_subcommand("phantom", "generate a body as a label volume");
   phantom->add_option("NAME", in, "sphere, shell, torus, slab, nested_boxes, branching_tube, biventricle")

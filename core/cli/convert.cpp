@@ -33,17 +33,18 @@ Result<Field> values_of_file(const std::string& path, std::size_t points, std::o
 
 int convert_mesh(const ConvertOptions& wanted, const Output& output) {
   const std::string &in = wanted.in, &out = wanted.out;
-  const Result<MeshFormat> format = mesh_format_of(out);
+  const Result<MeshFormat> format = written_format(out, output);
   if (!format) return fail(format.error());
   MeshArrays arrays;
-  Result<TetMesh> mesh = read_tet_mesh_file(in, &arrays);
+  Result<TetMesh> mesh = read_tet_mesh_file(in, &arrays, wanted.label_array);
   if (!mesh) return fail(mesh.error());
+  for (const std::string& note : arrays.notes) print_warning(in + ": " + note);
   for (const std::string& name : arrays.left_out)
     print_warning(in + ": left out the array " + name + ", expected a finite number for each cell");
   WriteMeshOptions options;
   options.infos = std::move(arrays.infos);
   for (Field& field : arrays.cell_data) {
-    if (field.components == 1 || has_place_for(field.on, field.components, *format))
+    if (has_place_for(field.on, field.components, *format))
       options.cell_data.push_back(std::move(field));
     else
       print_warning(out + ": left out " + field.name + ", for which this format has no place");
@@ -68,8 +69,8 @@ void add_convert_command(CLI::App& command, ConvertOptions& wanted, Output& outp
       ->check(kNotEmpty);
   command.add_option("--time", wanted.time_ms, "time of the frame of an .igb, ms; the last if absent");
   add_read_options(command, wanted.read);
-  command.add_option("--space", output.lps_or_ras, "patient space written")
-      ->check(CLI::IsMember({"ras", "lps"}));
+  command.add_option("--label-array", wanted.label_array, kLabelArrayHelp)->check(kNotEmpty);
+  add_write_options(command, output);
 }
 
 int run_convert(const ConvertOptions& wanted, const Output& output) {
@@ -80,6 +81,8 @@ int run_convert(const ConvertOptions& wanted, const Output& output) {
   if (mesh_format_of(in).ok()) return convert_mesh(wanted, output);
   if (!wanted.values.empty())
     return fail(usage_error("cli", "--values: found the volume " + in + ", expected a mesh file"));
+  if (!wanted.label_array.empty())
+    return fail(usage_error("cli", "--label-array: found the volume " + in + ", expected a mesh file"));
   const Result<ReadOptions> read = read_options_of(wanted.read);
   if (!read) return fail(read.error());
   ReadRemarks remarks;

@@ -14,6 +14,7 @@ struct ConvertOptions {
   std::string in, out;
   std::vector<std::string> values;  ///< files of values at the mesh's points, .dat or .igb
   std::optional<double> time_ms;    ///< of the frame of an .igb; none: the last
+  std::string label_array;          ///< of a mesh, in the place of `label`
   ReadOptionTexts read;             ///< of a volume
 };
 

@@ -27,7 +27,7 @@ Status check_mesh_outputs(const CaseOptions& options, const MeshOptions& wanted,
     return usage_error("cli",
                        "--json: found -o -, which has standard output for the mesh; expected --report FILE");
   if (!wanted.out.empty()) {
-    if (Result<MeshFormat> format = mesh_format_of(*out); !format) return format.error();
+    if (const Result<MeshFormat> format = written_format(*out, output); !format) return format.error();
     if (until < Stage::kTransfer)
       return usage_error("cli", "-o: there is no mesh to write when a run ends with the stage " +
                                     wanted.until + ", expected --until transfer or quality, or --dump");
@@ -68,17 +68,18 @@ std::optional<Error> error_of(const Status& done, const Session& session, const 
 void add_mesh_command(CLI::App& command, CaseOptions& options, MeshOptions& wanted, Output& output) {
   add_case_options(command, options, output, "VOLUME|CASE.json");
   command
-      .add_option("-o,--output", wanted.out,
-                  "mesh file: .vtu .msh .mesh .carp .inp .feb .xdmf .stl .ply; or - for standard output")
+      .add_option(
+          "-o,--output", wanted.out,
+          "mesh file: .vtu .vtk .msh .mesh .carp .inp .bdf .feb .xdmf .ele .stl .ply; or - for standard "
+          "output")
       ->check(kNotEmpty);
   command.add_option("--output-format", output.mesh_format,
-                     "of the mesh on standard output: vtu, msh, mesh, inp, feb, stl or ply");
+                     "of the mesh on standard output: vtu, vtk, msh, mesh, inp, bdf, feb, stl or ply");
   command.add_option("--report", wanted.report, "write the report as JSON to this file")->check(kNotEmpty);
   command.add_option("--until", wanted.until, "end with this stage: volume, surface, smooth, ...");
   command.add_option("--dump", wanted.dump, "write what each stage gave into this folder")->check(kNotEmpty);
   command.add_flag("--measures", wanted.measures, "write the measures of tetrahedra into the mesh file too");
-  command.add_option("--space", output.lps_or_ras, "patient space of the mesh file")
-      ->check(CLI::IsMember({"ras", "lps"}));
+  add_write_options(command, output);
 }
 
 int run_mesh(const CaseOptions& options, const MeshOptions& wanted, const Output& output) {

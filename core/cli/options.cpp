@@ -101,8 +101,27 @@ int fail_run(Error error, const Output& output) {
   return fail(run_error(std::move(error), output), output);
 }
 
+void add_write_options(CLI::App& command, Output& output) {
+  command.add_option("--space", output.lps_or_ras, "patient space of the mesh file")
+      ->check(CLI::IsMember({"ras", "lps"}));
+  command.add_option("--msh", output.msh_version, "version of a .msh: 4.1 (as if absent), or 2.2 as text")
+      ->check(CLI::IsMember({"4.1", "2.2"}));
+  command.add_flag("--stl-per-label", output.stl_per_label, "for a.stl: a.LABEL.stl for each label");
+}
+
+Result<MeshFormat> written_format(const std::string& path, const Output& output) {
+  const Result<MeshFormat> format = mesh_format_of(path);
+  if (!format) return format;
+  if (!output.msh_version.empty() && *format != MeshFormat::kMsh)
+    return usage_error("cli", "--msh " + output.msh_version + ": found " + path + ", expected a name.msh");
+  if (output.stl_per_label && *format != MeshFormat::kStl)
+    return usage_error("cli", "--stl-per-label: found " + path + ", expected a name.stl");
+  if (output.msh_version == "2.2") return MeshFormat::kMsh22;
+  return output.stl_per_label ? MeshFormat::kLabelStl : *format;
+}
+
 Result<std::string> mesh_path_of(const std::string& path, const Output& output) {
-  constexpr const char* kForms = "vtu, msh, mesh, inp, feb, stl or ply";
+  constexpr const char* kForms = "vtu, vtk, msh, mesh, inp, bdf, feb, stl or ply";
   if (path != kDash) {
     if (output.mesh_format.empty()) return path;
     return usage_error("cli", "--output-format " + output.mesh_format + ": found -o " + path +
@@ -112,7 +131,8 @@ Result<std::string> mesh_path_of(const std::string& path, const Output& output) 
     return usage_error("cli", std::string("-o -: expected --output-format with ") + kForms);
   const std::string name = "stdout." + output.mesh_format;
   const Result<MeshFormat> format = mesh_format_of(name);
-  if (!format || *format == MeshFormat::kCarp || *format == MeshFormat::kXdmf)
+  if (!format || *format == MeshFormat::kCarp || *format == MeshFormat::kXdmf ||
+      *format == MeshFormat::kTetgen)
     return usage_error("cli", "--output-format: found '" + output.mesh_format + "', expected " + kForms +
                                   (format ? ": a format of one file" : ""));
   return name;
@@ -122,7 +142,7 @@ int export_mesh(const TetMesh& mesh, WriteMeshOptions options, const std::string
                 const Output& output) {
   const Result<std::string> name = mesh_path_of(path, output);
   if (!name) return fail(name.error(), output);
-  Result<MeshFormat> format = mesh_format_of(*name);
+  const Result<MeshFormat> format = written_format(*name, output);
   if (!format) return fail(format.error(), output);
   options.space = output.space();
   options.name = mesh_name_of(*name);
@@ -144,7 +164,7 @@ int export_mesh(const TetMesh& mesh, WriteMeshOptions options, const std::string
 int export_session(const Session& session, bool measures, const std::string& path, const Output& output) {
   const Result<std::string> name = mesh_path_of(path, output);
   if (!name) return fail(name.error(), output);
-  Result<MeshFormat> format = mesh_format_of(*name);
+  const Result<MeshFormat> format = written_format(*name, output);
   if (!format) return fail(format.error(), output);
   Exported exported = exported_fields(session, *format, measures);
   for (const std::string& field : exported.left_out)

@@ -22,6 +22,8 @@ struct Output {
   int threads = 0;          ///< 0: as many as the machine has cores
   std::string mesh_format;  ///< of a mesh on standard output, as "vtu"
   std::string lps_or_ras = "ras";
+  std::string msh_version;     ///< "2.2" or "4.1"; empty: 4.1
+  bool stl_per_label = false;  ///< an .stl for each label instead of one
   PatientSpace space() const { return lps_or_ras == "lps" ? PatientSpace::kLps : PatientSpace::kRas; }
 };
 
@@ -30,6 +32,12 @@ bool is_nifti_name(const std::string& path);
 
 /// Refuses an empty text: what is left of a shell's variable that is not set.
 extern const CLI::Validator kNotEmpty;
+
+/// The help of --label-array.
+inline constexpr const char* kLabelArrayHelp =
+    "the cell array of .vtu, .vtk, .xdmf that holds the labels, in the place of label; of .msh gmsh:physical "
+    "or "
+    "gmsh:geometrical";
 
 /// The options of commands that open a case.
 void add_case_options(CLI::App& command, CaseOptions& options, Output& output, const std::string& input_name);
@@ -49,6 +57,13 @@ Error run_error(Error error, const Output& output);
 
 /// Prints why a run ended, and returns its exit code.
 int fail_run(Error error, const Output& output);
+
+/// The options of how a mesh file is written: --space, --msh, --stl-per-label.
+void add_write_options(CLI::App& command, Output& output);
+
+/// The format of a mesh file, by its ending and these options. Errors: kUsage for an unknown ending, and for
+/// an option of another format.
+Result<MeshFormat> written_format(const std::string& path, const Output& output);
 
 /// The path of a mesh file, by whose ending its format is known; for "-" a name with the ending that
 /// --output-format says. Errors: kUsage where that is missing, or given for a path, or makes several files.

@@ -27,8 +27,8 @@ Status check_simulate_outputs(const CaseOptions& options, const SimulateOptions&
     if (!format) return format.error();
     if (!has_place_for(On::kPoints, 1, *format))
       return usage_error("cli", "-o " + wanted.out +
-                                    ": this format has no place for values at points, expected .vtu, .xdmf "
-                                    "or .carp");
+                                    ": this format has no place for values at points, expected .vtu, .vtk, "
+                                    ".xdmf or .carp");
   }
   if (!wanted.frames.empty() && !wanted.frames.ends_with(".igb"))
     return usage_error("cli", "--frames " + wanted.frames + ": frames are written as .igb");
@@ -109,7 +109,8 @@ Result<Stage> stage_to_run(const Recipe& recipe, const std::string& what) {
 void add_simulate_command(CLI::App& command, CaseOptions& options, SimulateOptions& wanted, Output& output) {
   add_case_options(command, options, output, "CASE.json");
   command
-      .add_option("-o,--output", wanted.out, "mesh file with what was found at its points: .vtu .xdmf .carp")
+      .add_option("-o,--output", wanted.out,
+                  "mesh file with what was found at its points: .vtu .vtk .xdmf .carp")
       ->check(kNotEmpty);
   command.add_option("--report", wanted.report, "write the report as JSON to this file")->check(kNotEmpty);
   command.add_option("--traces", wanted.traces, "write the electrodes' potentials as CSV to this file")

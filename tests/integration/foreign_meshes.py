@@ -61,6 +61,44 @@ def check_reading_vtk(tool, cube, folder):
         expect_voxtet_reads(tool, path, cube, path.name, tolerance=EXACT_MM if mode == "Ascii" else 0.0)
 
 
+def check_reading_legacy_vtk(tool, cube, folder):
+    """Versions before and after 5, as text and binary."""
+    for space in ("ras", "lps"):
+        grid = vtk_grid(folder / f"{space}.vtu")[0]
+        for version in (42, 51):
+            for binary in (False, True):
+                path = folder / f"legacy_{space}_{version}_{binary}.vtk"
+                writer = vtk.vtkUnstructuredGridWriter()
+                writer.SetFileName(str(path))
+                writer.SetInputData(grid)
+                writer.SetFileVersion(version)
+                writer.SetHeader(f"voxtet mesh, space {space.upper()}")
+                writer.SetFileTypeToBinary() if binary else writer.SetFileTypeToASCII()
+                expect(writer.Write() == 1, f"VTK cannot write {path.name}")
+                # As text VTK writes eleven digits.
+                expect_voxtet_reads(tool, path, cube, path.name, tolerance=0.0 if binary else 1e-9)
+
+
+def check_reading_text_of_meshio(tool, cube, folder):
+    cells = [("tetra", cube.tets)]
+
+    def mesh(name):
+        return meshio.Mesh(cube.points, cells, cell_data={name: [cube.labels]})
+
+    for binary in (False, True):
+        path = folder / f"meshio_{binary}.vtk"
+        meshio.vtk.write(path, mesh("label"), binary=binary)
+        expect_voxtet_reads(tool, path, cube, path.name, tolerance=EXACT_MM)
+    path = folder / "meshio.node"
+    meshio.write(path, mesh("tetgen:ref"))
+    expect_voxtet_reads(tool, path, cube, path.name, tolerance=EXACT_MM)
+    for name, options in (("xml", {"data_format": "XML"}), ("gzip", {"data_format": "HDF", "compression": "gzip"}),
+                          ("plain", {"data_format": "HDF", "compression": None})):
+        path = folder / f"meshio_{name}.xdmf"
+        meshio.write(path, mesh("label"), **options)
+        expect_voxtet_reads(tool, path, cube, path.name, tolerance=EXACT_MM)
+
+
 def check_reading_meshio(tool, cube, folder):
     cells = [("triangle", cube.faces), ("tetra", cube.tets)]
 
@@ -92,9 +130,9 @@ def check_reading_gmsh(tool, cube, folder):
             for everything in ([], ["-save_all"]):
                 name = f"gmsh_{version}{''.join(binary)}{''.join(everything)}.msh"
                 run_gmsh("-0", folder / "ras.msh", "-format", version, *binary, *everything, "-o", folder / name)
-                if everything and version == "msh22":
-                    continue  # saves no physical groups
+                # MSH 2.2 with everything has no physical groups: its geometric entities are the labels.
                 expect_voxtet_reads(tool, folder / name, cube, name, ordered=False)
 
 
-CHECKS = (check_reading_vtk, check_reading_meshio, check_reading_gmsh)
+CHECKS = (check_reading_vtk, check_reading_legacy_vtk, check_reading_meshio, check_reading_text_of_meshio,
+          check_reading_gmsh)

@@ -5,7 +5,7 @@ Sample run: read_back.py build/native/tests/unit/io/mesh_files
 1. written_meshes.py: VTK, meshio, Gmsh and numpy parsers read the cube of tests/support/labelled_mesh.h, in RAS and LPS:
    points to 1e-12 mm (32-bit formats: 1e-6 of their size), tetrahedra, labels, sides, names of groups, positive volumes,
    cell data. written_solver_files.py: CalculiX, meshio, h5py and an XML parser read the formats of solvers; CalculiX
-   measures volumes, areas and normals.
+   measures volumes, areas and normals. written_text_formats.py: VTK, meshio and Gmsh read those of text.
 2. foreign_meshes.py: VTK, meshio and Gmsh write the cube in every variant of their formats; voxtet must read the same mesh.
 Exit code 77: something that this needs is absent.
 """
@@ -18,6 +18,7 @@ from cube_files import Cube
 import foreign_meshes
 import written_meshes
 import written_solver_files
+import written_text_formats
 
 
 def main():
@@ -27,7 +28,7 @@ def main():
         subprocess.run([tool, "write", name], check=True)
         for space in ("ras", "lps"):
             cube = Cube(folder, space)
-            for check in written_meshes.CHECKS + written_solver_files.CHECKS:
+            for check in written_meshes.CHECKS + written_solver_files.CHECKS + written_text_formats.CHECKS:
                 check(cube, folder, space)
         cube = Cube(folder, "ras")
         for check in foreign_meshes.CHECKS:

@@ -45,11 +45,14 @@ bool write_all(const std::string& folder) {
     const WriteMeshOptions options{
         .space = space, .infos = test::cube_infos(), .cell_data = test::cube_cell_data(mesh), .name = name};
     const std::string base = folder + "/" + name;
-    for (const char* ending : {".vtu", ".msh", ".mesh", ".carp", ".inp", ".feb", ".xdmf", ".stl", ".ply"}) {
+    for (const char* ending : {".vtu", ".vtk", ".msh", ".mesh", ".carp", ".inp", ".bdf", ".feb", ".xdmf",
+                               ".node", ".stl", ".ply"}) {
       const auto format = mesh_format_of(ending);
       good = good && format.ok() && write_export(base + ending, write_tet_mesh(mesh, *format, options));
     }
-    for (const char* ending : {".vtu", ".stl", ".ply"}) {
+    good = good && write_export(base + "_22.msh", write_tet_mesh(mesh, MeshFormat::kMsh22, options)) &&
+           write_export(base + "_label.stl", write_tet_mesh(mesh, MeshFormat::kLabelStl, options));
+    for (const char* ending : {".vtu", ".vtk", ".stl", ".ply"}) {
       const auto format = mesh_format_of(ending);
       good = good && format.ok() &&
              write_export(base + "_surface" + ending, write_surface(surface, *format, options));

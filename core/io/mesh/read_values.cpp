@@ -6,7 +6,7 @@
 
 #include "io/bytes/byte_source.h"
 #include "io/bytes/header_text.h"
-#include "io/mesh/read/mesh_cursor.h"
+#include "io/mesh/read/shared/mesh_cursor.h"
 #include "io/mesh/shared/mesh_format.h"
 
 namespace voxtet {

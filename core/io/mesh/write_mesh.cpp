@@ -8,6 +8,10 @@
 
 #include "io/bytes/files.h"
 #include "io/bytes/header_text.h"
+#include "io/mesh/write/text/write_msh22.h"
+#include "io/mesh/write/text/write_nastran.h"
+#include "io/mesh/write/text/write_tetgen.h"
+#include "io/mesh/write/text/write_vtk.h"
 #include "io/mesh/write/write_abaqus.h"
 #include "io/mesh/write/write_carp.h"
 #include "io/mesh/write/write_febio.h"
@@ -132,19 +136,25 @@ std::optional<Error> check_places(const WriteMeshOptions& options, MeshFormat fo
   for (const Field& data : options.cell_data)
     if (data.components != 1 && !has_place_for(data.on, data.components, format))
       return usage_error(kMeshWriter, "vectors on tetrahedra (" + data.name +
-                                          "): this format has no place for them, expected .vtu, .xdmf, .carp "
-                                          "or .msh");
+                                          "): this format has no place for them, expected .vtu, .vtk, .xdmf, "
+                                          ".carp or .msh");
   for (const Field& data : options.point_data)
     if (!has_place_for(data.on, data.components, format))
       return usage_error(kMeshWriter,
                          "values at points (" + data.name +
-                             "): this format has no place for them, expected .vtu, .xdmf or .carp");
+                             "): this format has no place for them, expected .vtu, .vtk, .xdmf or .carp");
   return {};
 }
 
 std::vector<OutputFile> write_vtu_files(const TetMesh& mesh, const WriteMeshOptions& options) {
   std::vector<OutputFile> files{{".vtu", write_vtu(mesh, options)}};
   if (!options.surfaces.empty()) files.push_back({".surfaces.vtu", write_vtu(boundary_of(mesh), options)});
+  return files;
+}
+
+std::vector<OutputFile> write_vtk_files(const TetMesh& mesh, const WriteMeshOptions& options) {
+  std::vector<OutputFile> files{{".vtk", write_vtk(mesh, options)}};
+  if (!options.surfaces.empty()) files.push_back({".surfaces.vtk", write_vtk(boundary_of(mesh), options)});
   return files;
 }
 
@@ -155,7 +165,9 @@ std::vector<std::string> files_of_mesh(const std::string& path) {
   if (!format) return {path};
   const std::string base = path.substr(0, path.size() - mesh_ending_of(path).size());
   if (*format == MeshFormat::kCarp) return {base + ".pts", base + ".elem", base + ".lon", base + ".lon.txt"};
-  if (*format == MeshFormat::kXdmf) return {base + ".xdmf", base + ".h5"};
+  if (*format == MeshFormat::kXdmf)
+    return {base + ".xdmf", base + ".h5", base + ".facets.xdmf", base + ".facets.h5"};
+  if (*format == MeshFormat::kTetgen) return {base + ".node", base + ".ele", base + ".face"};
   return {path};
 }
 
@@ -168,13 +180,18 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
   if (auto error = check_sets(options.surfaces, mesh.faces.size())) return *std::move(error);
   switch (format) {
     case MeshFormat::kVtu: return write_vtu_files(mesh, options);
+    case MeshFormat::kVtk: return write_vtk_files(mesh, options);
     case MeshFormat::kMsh: return write_msh(mesh, options);
+    case MeshFormat::kMsh22: return write_msh22(mesh, options);
     case MeshFormat::kMedit: return write_medit(mesh, options);
     case MeshFormat::kCarp: return write_carp(mesh, options);
     case MeshFormat::kAbaqus: return write_abaqus(mesh, options);
     case MeshFormat::kFebio: return std::vector<OutputFile>{{".feb", write_febio(mesh, options)}};
+    case MeshFormat::kNastran: return write_nastran(mesh, options);
+    case MeshFormat::kTetgen: return write_tetgen(mesh, options);
     case MeshFormat::kXdmf: return write_xdmf(mesh, options);
     case MeshFormat::kStl:
+    case MeshFormat::kLabelStl:
     case MeshFormat::kPly: break;
   }
   return write_surface(boundary_of(mesh), format, options);
@@ -186,25 +203,31 @@ Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFo
   if (auto error = check_sets(options.surfaces, surface.triangles.size())) return *std::move(error);
   switch (format) {
     case MeshFormat::kVtu: return std::vector<OutputFile>{{".vtu", write_vtu(surface, options)}};
+    case MeshFormat::kVtk: return std::vector<OutputFile>{{".vtk", write_vtk(surface, options)}};
     case MeshFormat::kStl: return std::vector<OutputFile>{{".stl", write_stl(surface, options)}};
+    case MeshFormat::kLabelStl: return write_label_stls(surface, options);
     case MeshFormat::kPly: return std::vector<OutputFile>{{".ply", write_ply(surface, options)}};
     case MeshFormat::kMsh:
+    case MeshFormat::kMsh22:
     case MeshFormat::kMedit:
     case MeshFormat::kCarp:
     case MeshFormat::kAbaqus:
+    case MeshFormat::kNastran:
     case MeshFormat::kFebio:
-    case MeshFormat::kXdmf: break;
+    case MeshFormat::kXdmf:
+    case MeshFormat::kTetgen: break;
   }
-  return Error{ErrorCode::kUsage, kMeshWriter, "a surface is written as .stl, .ply or .vtu only", {}};
+  return Error{ErrorCode::kUsage, kMeshWriter, "a surface is written as .stl, .ply, .vtu or .vtk only", {}};
 }
 
 Status write_files(const std::string& path, const std::vector<OutputFile>& files) {
   if (const Result<MeshFormat> format = mesh_format_of(path); !format.ok()) return format.error();
   const std::string base = path.substr(0, path.size() - mesh_ending_of(path).size());
   std::vector<TargetFile> targets;
+  const std::string ending = lower_case(mesh_ending_of(path));
   for (const OutputFile& file : files) {
-    // The ending that was asked for keeps its case.
-    const bool asked = lower_case(mesh_ending_of(path)) == file.suffix;
+    // The ending that was asked for keeps its case; .nas is another one of .bdf.
+    const bool asked = ending == file.suffix || (ending == ".nas" && file.suffix == ".bdf");
     targets.push_back({asked ? path : base + file.suffix, file.bytes});
   }
   return place_files(targets);

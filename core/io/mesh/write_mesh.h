@@ -15,11 +15,13 @@ namespace voxtet {
 /// (volumes, named) and per pair of sides (surfaces). MEDIT: ASCII, mm. openCARP: .pts (um), .elem (Tt,
 /// label), .lon (fibres; without them .lon.txt, which says so). Abaqus .inp: element sets, and
 /// element surfaces per pair of sides. FEBio .feb 4.0: parts with a material each, surfaces per pair. XDMF 3:
-/// .xdmf with its numbers in .h5. STL (binary) and PLY (binary): boundary faces. Cell data: arrays in VTU and
-/// XDMF, a _data.msh beside MSH, a .sol beside MEDIT, one .NAME.dat each beside openCARP, one .NAME.inp each
-/// beside Abaqus, mesh data in FEBio. Point data: in VTU, XDMF and openCARP alike. Named surfaces: .NAME.surf
-/// and .NAME.surf.vtx beside openCARP, physical groups in MSH, surfaces in Abaqus and FEBio, .surfaces.vtu
-/// beside VTU and .surfaces.xdmf beside XDMF; not in the others. Every file whose format has a place for it
+/// .xdmf with its numbers in .h5. Legacy VTK, MSH 2.2, Nastran .bdf, TetGen .node, .ele and .face: ASCII,
+/// mm. STL (binary) and PLY (binary): boundary faces, all or an STL for each label. Cell data: arrays in VTU,
+/// VTK and XDMF, a _data.msh beside MSH, a .sol beside MEDIT, one .NAME.dat each
+/// beside openCARP, one .NAME.inp each beside Abaqus, mesh data in FEBio. Point data: in VTU, VTK, XDMF and
+/// openCARP alike. Named surfaces: .NAME.surf and .NAME.surf.vtx beside openCARP, physical groups in MSH,
+/// surfaces in Abaqus and FEBio, .surfaces.vtu beside VTU, .surfaces.vtk beside VTK, .facets.xdmf beside
+/// XDMF, loads in Nastran, markers in TetGen; not in the others. Every file whose format has a place for it
 /// says its space and unit; the header of each format (write_vtu.h, write_msh.h, ...) says where, and the
 /// details. The flip to LPS is a rotation: orientation stays. Equal meshes give equal bytes. Errors: kUsage
 /// for a mesh without tetrahedra, or without faces where only these are written; kInternal where the mesh
@@ -33,8 +35,8 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
 /// openCARP's .lon and .lon.txt write_files() writes one.
 std::vector<std::string> files_of_mesh(const std::string& path);
 
-/// STL, PLY, VTU (triangles with cell arrays `label_behind`, `label_front`) of a surface. Errors: kUsage for
-/// others.
+/// STL, PLY, VTU, VTK (triangles with cell arrays `label_behind`, `label_front`) of a surface. Errors: kUsage
+/// for others.
 Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFormat format,
                                               const WriteMeshOptions& options);
 

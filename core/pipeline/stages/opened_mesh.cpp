@@ -80,6 +80,7 @@ Result<OpenedMesh> open_mesh(const VolumeFile& file, std::vector<std::string>& w
   MeshArrays arrays;
   Result<TetMesh> read = read_tet_mesh(file, &arrays);
   if (!read) return read.error();
+  for (const std::string& note : arrays.notes) warnings.push_back(file.name + ": " + note);
   OpenedMesh opened;
   opened.mesh = std::move(read).value();
   opened.fibres = {unit_vectors(find_field(arrays.cell_data, kFibreField)),

@@ -244,7 +244,7 @@ TEST_F(CliTest, RefusesASimulationThatCannotBe) {
            {{"simulate", at("ball.json"), "--what", "eikonal", "--save-state", at("s")},
             "--save-state, --from-state: the activation map alone has no state"},
            {{"simulate", at("ball.json"), "-o", at("a.inp")},
-            "this format has no place for values at points, expected .vtu, .xdmf or .carp"},
+            "this format has no place for values at points, expected .vtu, .vtk, .xdmf or .carp"},
            {{"simulate", at("ball.json"), "--frames", at("a.vtu")},
             "--frames " + at("a.vtu") + ": frames are written as .igb"},
            {{"simulate", at("ball.json"), "--what", "eikonal", "--frames", at("a.igb")},

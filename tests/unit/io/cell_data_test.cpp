@@ -21,7 +21,8 @@ WriteMeshOptions with_data(const TetMesh& mesh) {
 TEST(CellData, StandsBesideTheMeshThatIsReadBackWithoutIt) {
   const TetMesh mesh = test::kuhn_cube(3);
   for (const MeshFormat format :
-       {MeshFormat::kVtu, MeshFormat::kMsh, MeshFormat::kMedit, MeshFormat::kCarp}) {
+       {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kMsh, MeshFormat::kMsh22, MeshFormat::kMedit,
+        MeshFormat::kCarp, MeshFormat::kAbaqus, MeshFormat::kFebio}) {
     const auto files = write_tet_mesh(mesh, format, with_data(mesh));
     ASSERT_TRUE(files.ok()) << files.error().message;
     const VolumeFile file{"cube" + files->front().suffix, files->front().bytes,
@@ -37,18 +38,26 @@ TEST(CellData, StandsBesideTheMeshThatIsReadBackWithoutIt) {
   }
 }
 
-TEST(CellData, OfVtuIsReadBack) {
+TEST(CellData, IsReadBackWhereItStandsWithTheMesh) {
   const TetMesh mesh = test::kuhn_cube(3);
-  const auto files = write_tet_mesh(mesh, MeshFormat::kVtu, with_data(mesh));
-  ASSERT_TRUE(files.ok()) << files.error().message;
-  MeshArrays arrays;
-  ASSERT_TRUE(read_tet_mesh({"cube.vtu", files->front().bytes, {}}, &arrays).ok());
-  EXPECT_TRUE(arrays.left_out.empty());
-  const std::vector<Field> wanted = test::cube_cell_data(mesh);
-  ASSERT_EQ(arrays.cell_data.size(), wanted.size());
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    EXPECT_EQ(arrays.cell_data[i].name, wanted[i].name);
-    EXPECT_EQ(arrays.cell_data[i].values, wanted[i].values);
+  for (const MeshFormat format : {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kXdmf}) {
+    const auto files = write_tet_mesh(mesh, format, with_data(mesh));
+    ASSERT_TRUE(files.ok()) << files.error().message;
+    const SiblingReader sibling = [&](const std::string& name) -> Result<Bytes> {
+      for (const OutputFile& file : *files)
+        if (name == "mesh" + file.suffix) return file.bytes;
+      return Error{ErrorCode::kBadInput, "test", name, {}};
+    };
+    MeshArrays arrays;
+    const auto back = read_tet_mesh({"mesh" + files->front().suffix, files->front().bytes, sibling}, &arrays);
+    ASSERT_TRUE(back.ok()) << back.error().message;
+    EXPECT_TRUE(arrays.left_out.empty());
+    const std::vector<Field> wanted = test::cube_cell_data(mesh);
+    ASSERT_EQ(arrays.cell_data.size(), wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      EXPECT_EQ(arrays.cell_data[i].name, wanted[i].name);
+      EXPECT_EQ(arrays.cell_data[i].values, wanted[i].values);
+    }
   }
 }
 

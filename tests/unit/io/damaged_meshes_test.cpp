@@ -28,13 +28,18 @@ std::vector<std::vector<OutputFile>> sample_exports() {
   const TetMesh mesh = kuhn_cube(2);
   std::vector<std::vector<OutputFile>> exports;
   for (const MeshFormat format :
-       {MeshFormat::kVtu, MeshFormat::kMsh, MeshFormat::kMedit, MeshFormat::kCarp}) {
+       {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kMsh, MeshFormat::kMsh22, MeshFormat::kMedit,
+        MeshFormat::kCarp, MeshFormat::kAbaqus, MeshFormat::kNastran, MeshFormat::kFebio, MeshFormat::kXdmf,
+        MeshFormat::kTetgen}) {
     auto files = write_tet_mesh(mesh, format, {PatientSpace::kLps, cube_infos()});
     EXPECT_TRUE(files.ok());
     // The .elem first: it is the file whose cuts are read below.
-    if (files->size() > 1) std::swap((*files)[0], (*files)[1]);
+    if (files->size() > 1 && format != MeshFormat::kXdmf) std::swap((*files)[0], (*files)[1]);
     exports.push_back(std::move(files).value());
   }
+  // Of our own we know that labels must follow.
+  exports.push_back({{".vtk", binary_vtk("voxtet mesh, space RAS")}});
+  exports.push_back({{".xdmf", bytes_of(kXdmfText)}});
   exports.push_back({{".mesh", bytes_of(kMeditText)}});
   exports.push_back({{".msh", bytes_of(kMsh22Text)}});
   exports.push_back({{".msh", bytes_of(kMsh41Text)}});

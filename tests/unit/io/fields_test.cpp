@@ -170,10 +170,10 @@ TEST(Fields, AreRefusedWhereTheFormatHasNoPlaceForThem) {
     const auto files = write_tet_mesh(two_tets(), format, {.cell_data = {kFibre}});
     ASSERT_FALSE(files.ok());
     EXPECT_EQ(files.error().code, ErrorCode::kUsage);
-    EXPECT_EQ(
-        files.error().message,
-        "vectors on tetrahedra (fibre): this format has no place for them, expected .vtu, .xdmf, .carp or "
-        ".msh");
+    EXPECT_EQ(files.error().message,
+              "vectors on tetrahedra (fibre): this format has no place for them, expected .vtu, .vtk, .xdmf, "
+              ".carp or "
+              ".msh");
   }
   for (const MeshFormat format :
        {MeshFormat::kMsh, MeshFormat::kMedit, MeshFormat::kAbaqus, MeshFormat::kFebio}) {
@@ -181,8 +181,9 @@ TEST(Fields, AreRefusedWhereTheFormatHasNoPlaceForThem) {
     const auto files = write_tet_mesh(two_tets(), format, {.point_data = {kTimes}});
     ASSERT_FALSE(files.ok());
     EXPECT_EQ(files.error().code, ErrorCode::kUsage);
-    EXPECT_EQ(files.error().message,
-              "values at points (time_ms): this format has no place for them, expected .vtu, .xdmf or .carp");
+    EXPECT_EQ(
+        files.error().message,
+        "values at points (time_ms): this format has no place for them, expected .vtu, .vtk, .xdmf or .carp");
   }
 }
 

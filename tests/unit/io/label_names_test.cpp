@@ -39,13 +39,15 @@ std::vector<LabelInfo> names_back(MeshFormat format, const std::vector<LabelInfo
 }
 
 TEST(LabelNames, ComeBackFromFilesThatHoldThem) {
-  for (const MeshFormat format : {MeshFormat::kVtu, MeshFormat::kMsh, MeshFormat::kMedit}) {
+  for (const MeshFormat format :
+       {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kMsh, MeshFormat::kMsh22, MeshFormat::kMedit}) {
     const std::vector<LabelInfo> back = names_back(format, kInfos);
     ASSERT_EQ(back.size(), 2U);
     EXPECT_EQ(back[0].label, 1);
     EXPECT_EQ(back[1].label, 7);
     // In quotes there are none.
-    EXPECT_EQ(back[0].name, format == MeshFormat::kVtu ? kInfos[0].name : "Herz 'wand', links/");
+    EXPECT_EQ(back[0].name, format == MeshFormat::kVtu || format == MeshFormat::kVtk ? kInfos[0].name
+                                                                                     : "Herz 'wand', links/");
     EXPECT_EQ(back[1].name, kInfos[2].name);
     // From there to the others, as if they came from the volume.
     for (const MeshFormat other : {MeshFormat::kAbaqus, MeshFormat::kFebio, MeshFormat::kXdmf})
@@ -57,8 +59,30 @@ TEST(LabelNames, ComeBackFromFilesThatHoldThem) {
   EXPECT_NE(text.find("ELSET=END_a_b_x_7\n"), std::string::npos);
 }
 
+TEST(LabelNames, AreWordsInFormatsOfWords) {
+  for (const MeshFormat format : {MeshFormat::kAbaqus, MeshFormat::kFebio}) {
+    const std::vector<LabelInfo> back = names_back(format, kInfos);
+    ASSERT_EQ(back.size(), 2U);
+    EXPECT_EQ(back[0].label, 1);
+    EXPECT_EQ(back[0].name, "Herz_wand_links");
+    EXPECT_EQ(back[1].label, 7);
+    EXPECT_EQ(back[1].name, "END_a_b_x");
+    // A second time they are the same.
+    EXPECT_EQ(file_with_names(format, back), file_with_names(format, kInfos));
+  }
+}
+
+TEST(LabelNames, AreAsciiInNastran) {
+  const std::vector<LabelInfo> back = names_back(MeshFormat::kNastran, kInfos);
+  ASSERT_EQ(back.size(), 2U);
+  EXPECT_EQ(back[0].name, "Herz 'wand', links/");
+  EXPECT_EQ(back[1].name, "*END, a=b <x>& --_");
+}
+
 TEST(LabelNames, ThoseThatAFileMakesUpAreNone) {
-  for (const MeshFormat format : {MeshFormat::kVtu, MeshFormat::kMsh, MeshFormat::kMedit})
+  for (const MeshFormat format :
+       {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kMsh, MeshFormat::kMsh22, MeshFormat::kMedit,
+        MeshFormat::kAbaqus, MeshFormat::kNastran, MeshFormat::kFebio})
     EXPECT_TRUE(names_back(format, {}).empty());
 }
 

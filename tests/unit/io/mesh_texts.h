@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstring>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,6 +16,13 @@ namespace voxtet::test {
 
 inline Bytes bytes_of(const std::string& text) {
   return {text.begin(), text.end()};
+}
+
+/// The text with the first `from` replaced, which must be there.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
 inline std::string text_of(const Bytes& bytes) {
@@ -65,6 +74,51 @@ inline void expect_refusal(const std::string& name, const std::string& text,
   const std::string message = refusal(read_text(name, text));
   for (const std::string& part : parts)
     EXPECT_NE(message.find(part), std::string::npos) << part << " in: " << message;
+}
+
+inline const std::string kXdmfText = R"(<?xml version="1.0"?>
+<Xdmf Version="3.0"><Domain><Grid Name="Grid">
+<Geometry GeometryType="XYZ"><DataItem DataType="Float" Dimensions="5 3" Format="XML" Precision="8">
+0 0 0 1 0 0 0 1 0 0 0 1e0 7 7 7</DataItem></Geometry>
+<Topology TopologyType="Tetrahedron" NumberOfElements="1">
+<DataItem DataType="Int" Dimensions="1 4" Format="XML" Precision="8">0 1 2 3</DataItem></Topology>
+<Attribute Name="tag" AttributeType="Scalar" Center="Cell">
+<DataItem DataType="Int" Dimensions="1" Format="XML" Precision="8">9</DataItem></Attribute>
+</Grid></Domain></Xdmf>
+)";
+
+/// The least significant byte last, as in legacy VTK.
+template <class T>
+void put_big_endian(Bytes& bytes, T value) {
+  Bytes raw(sizeof(T));
+  std::memcpy(raw.data(), &value, sizeof(T));
+  bytes.insert(bytes.end(), raw.rbegin(), raw.rend());
+}
+
+/// One tetrahedron among a triangle and an unused point, as ParaView writes them since version 5.8, or
+/// before.
+inline Bytes binary_vtk(const std::string& title, bool version_5 = true) {
+  Bytes bytes;
+  const auto text = [&](const std::string& line) { bytes.insert(bytes.end(), line.begin(), line.end()); };
+  text("# vtk DataFile Version 5.1\n" + title + "\nBINARY\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 float\n");
+  for (const float x : {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 7, 7, 7}) put_big_endian(bytes, x);
+  if (version_5) {
+    text("\nMETADATA\nINFORMATION 0\n\nCELLS 3 7\nOFFSETS vtktypeint64\n");
+    for (const std::int64_t offset : {0, 3, 7}) put_big_endian(bytes, offset);
+    text("\nCONNECTIVITY vtktypeint64\n");
+    for (const std::int64_t point : {0, 1, 2, 0, 1, 2, 3}) put_big_endian(bytes, point);
+  } else {
+    text("\nCELLS 2 9\n");
+    for (const std::int32_t number : {3, 0, 1, 2, 4, 0, 1, 2, 3}) put_big_endian(bytes, number);
+  }
+  text("\nCELL_TYPES 2\n");
+  for (const std::int32_t type : {5, 10}) put_big_endian(bytes, type);
+  text("\nCELL_DATA 2\nSCALARS label int\nLOOKUP_TABLE default\n");
+  for (const std::int32_t label : {0, 12}) put_big_endian(bytes, label);
+  text("\nFIELD FieldData 1\nother 1 2 double\n");
+  for (const double value : {0.5, 2.25}) put_big_endian(bytes, value);
+  text("\n");
+  return bytes;
 }
 
 inline const std::string kMeditText = R"(MeshVersionFormatted 2

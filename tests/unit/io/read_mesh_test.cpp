@@ -32,7 +32,9 @@ TEST(KuhnCube, IsAValidLabelledMesh) {
 
 TEST(ReadTetMesh, GivesExactlyWhatWasWritten) {
   const TetMesh mesh = test::kuhn_cube(5);
-  for (const MeshFormat format : {MeshFormat::kVtu, MeshFormat::kMsh, MeshFormat::kMedit})
+  for (const MeshFormat format :
+       {MeshFormat::kVtu, MeshFormat::kVtk, MeshFormat::kMsh, MeshFormat::kMsh22, MeshFormat::kMedit,
+        MeshFormat::kFebio, MeshFormat::kXdmf, MeshFormat::kTetgen})
     for (const PatientSpace space : {PatientSpace::kRas, PatientSpace::kLps}) {
       const auto files = write_tet_mesh(mesh, format, {space, test::cube_infos()});
       ASSERT_TRUE(files.ok());
@@ -56,6 +58,23 @@ TEST(ReadTetMesh, KeepsPointsThatNoTetrahedronUses) {
     ASSERT_TRUE(read.ok()) << read.error().message;
     expect_same(*read, mesh);
   }
+}
+
+TEST(ReadTetMesh, GivesWhatWasWrittenWithinTheDigitsOfAFormat) {
+  const TetMesh mesh = test::kuhn_cube(4);
+  for (const MeshFormat format : {MeshFormat::kAbaqus, MeshFormat::kNastran})
+    for (const PatientSpace space : {PatientSpace::kRas, PatientSpace::kLps}) {
+      const auto files = write_tet_mesh(mesh, format, {space, test::cube_infos()});
+      ASSERT_TRUE(files.ok());
+      const auto read = read_export(*files);
+      ASSERT_TRUE(read.ok()) << read.error().message;
+      EXPECT_TRUE(read->tets == mesh.tets);
+      EXPECT_TRUE(read->labels == mesh.labels);
+      ASSERT_EQ(read->points.size(), mesh.points.size());
+      // Fields of 16 characters hold twelve decimals of "-12.".
+      for (std::size_t p = 0; p < mesh.points.size(); ++p)
+        EXPECT_LT((read->points[p] - mesh.points[p]).cwiseAbs().maxCoeff(), 0.51e-12);
+    }
 }
 
 TEST(ReadTetMesh, ReadsOpenCarpFromEitherFile) {

@@ -4,12 +4,6 @@
 namespace voxtet::test {
 namespace {
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
 TEST(ReadMedit, SkipsOtherSectionsAndCommentsInAnyOrder) {
   const auto mesh = read_text("a.mesh", kMeditText);
   ASSERT_TRUE(mesh.ok()) << mesh.error().message;
@@ -22,14 +16,13 @@ TEST(ReadMedit, NamesWhatIsWrong) {
   expect_refusal("a.mesh", replaced(kMeditText, "1 2 3 5 9", "1 2 3 6 9"),
                  {"a.mesh", "tetrahedron 1", "vertex 6", "1 to 5"});
   expect_refusal("a.mesh", replaced(kMeditText, "1 2 3 5 9", "1 2 3 0 9"), {"line 5", "\"0\""});
-  expect_refusal("a.mesh", replaced(kMeditText, "1 2 3 5 9", "1 2 3 5 0"),
-                 {"tetrahedron 1", "reference is 0"});
   expect_refusal("a.mesh", replaced(kMeditText, "1e0", "nan"), {"line 12", "nan", "finite"});
   expect_refusal("a.mesh", replaced(kMeditText, "5\n0 0", "4000000000\n0 0"), {"4000000000 vertices"});
   expect_refusal("a.mesh", replaced(kMeditText, "End\n", ""), {"ends", "End"});
   expect_refusal("a.mesh", replaced(kMeditText, "Tetrahedra 1\n1 2 3 5 9\n", ""), {"no linear tetrahedra"});
   expect_refusal("a.mesh", replaced(kMeditText, "Dimension 3", "Dimension 2"), {"line 3", "Dimension"});
-  expect_refusal("a.txt", "hello", {"a.txt", "VTU", "MSH", "MEDIT", "openCARP"});
+  expect_refusal("a.txt", "hello",
+                 {"a.txt", "VTU", "legacy VTK", "MSH", "MEDIT", "Nastran", "TetGen", "openCARP"});
 }
 
 TEST(ReadMsh, Reads22WithSparseTagsInAnyOrder) {
@@ -50,14 +43,11 @@ TEST(ReadMsh, Reads41WithParametricNodesAndTakesTheFirstGroup) {
 
 TEST(ReadMsh, NamesWhatIsWrong) {
   expect_refusal("a.msh", replaced(kMsh22Text, "20 15 5\n", "20 15 6\n"), {"element 2", "node 6", "4 nodes"});
-  expect_refusal("a.msh", replaced(kMsh22Text, "2 4 2 4 1", "2 4 2 0 1"),
-                 {"tetrahedron 2", "physical group is 0"});
   expect_refusal("a.msh", replaced(kMsh22Text, "5 0 0 1", "10 0 0 1"), {"node tag 10", "twice"});
   expect_refusal("a.msh", replaced(kMsh22Text, "0 0 1\n", "0 0 inf\n"), {"line 12", "inf"});
   expect_refusal("a.msh", replaced(kMsh22Text, "$EndElements\n", ""), {"$EndElements"});
   expect_refusal("a.msh", replaced(kMsh22Text, "2.2 0 8", "3.0 0 8"), {"line 2", "3.0", "4.1 or 2.2"});
   expect_refusal("a.msh", replaced(kMsh22Text, "8 2 2 1 1", "8 77 2 1 1"), {"element type 77"});
-  expect_refusal("a.msh", replaced(kMsh41Text, "2 6 8 0", "0 0"), {"tetrahedron 2", "physical group is 0"});
   expect_refusal("a.msh", replaced(kMsh41Text, "2 4 1 4", "2 5 1 4"), {"4 nodes", "says 5"});
   expect_refusal("a.msh", replaced(kMsh41Text, "2 2 1 2", "2 3 1 2"), {"2 elements", "says 3"});
   expect_refusal("a.msh", replaced(kMsh41Text, "$EndNodeData\n", ""), {"$EndNodeData"});
@@ -85,13 +75,10 @@ TEST(ReadVtu, NamesWhatIsWrong) {
   expect_refusal("a.vtu", replaced(kVtuText, "0 1 2 3<", "0 1 2 5<"),
                  {"a.vtu", "cell 1", "point 5", "0 to 4"});
   expect_refusal("a.vtu", replaced(kVtuText, "0 1 2 3<", "0 1 2 -1<"), {"cell 1", "point -1"});
-  expect_refusal("a.vtu", replaced(kVtuText, "0 65535", "0 65536"), {"cell 1", "label is 65536"});
   expect_refusal("a.vtu", replaced(kVtuText, "0 65535", "0 1.5"), {"label", "1.5"});
   expect_refusal("a.vtu", replaced(kVtuText, "-2.5", "nan"), {"Points", "nan"});
   expect_refusal("a.vtu", replaced(kVtuText, "-2.5", ""), {"Points", "14 numbers, expected 15"});
   expect_refusal("a.vtu", replaced(kVtuText, "-2.5", "1 1"), {"Points", "behind 15 numbers"});
-  expect_refusal("a.vtu", replaced(kVtuText, "\"label\" format", "\"tag\" format"),
-                 {"\"label\"", "\"other\"", "\"tag\""});
   expect_refusal("a.vtu", replaced(kVtuText, "3 7", "8 7"), {"offsets", "cell 1"});
   expect_refusal("a.vtu", replaced(kVtuText, "5 10", "5 5"), {"no linear tetrahedra"});
   expect_refusal("a.vtu", replaced(kVtuText, "UnstructuredGrid'", "PolyData'"),

@@ -31,6 +31,16 @@ std::vector<NamedSet> roof_and_floor(const TetMesh& mesh) {
   return sets;
 }
 
+/// Three pairs of sides, then the two surfaces.
+std::vector<std::int32_t> tags_of(const TetMesh& mesh, const std::vector<NamedSet>& sets) {
+  std::vector<std::int32_t> tags;
+  for (const Sides& sides : mesh.face_sides)
+    tags.push_back(sides == Sides{2, 0} ? 1 : sides == Sides{5, 0} ? 2 : 3);
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (const std::uint32_t face : sets[s].members) tags[face] = static_cast<std::int32_t>(4 + s);
+  return tags;
+}
+
 std::string corners(const Triangle& face) {
   return std::to_string(face[0]) + " " + std::to_string(face[1]) + " " + std::to_string(face[2]);
 }
@@ -117,28 +127,85 @@ TEST(Surfaces, AreNumbersOfTheTrianglesBesideVtu) {
   EXPECT_EQ(tail<std::int32_t>(vtu, footer + 4 * wanted.size(), wanted.size()), wanted);
 }
 
-TEST(Surfaces, AreAGridOfTheirOwnOnThePointsOfTheMeshBesideXdmf) {
+TEST(Surfaces, AndInterfacesAreTagsOfFacetsOnThePointsOfTheMeshBesideXdmf) {
   const TetMesh mesh = two_tets();
   const std::vector<NamedSet> sets = roof_and_floor(mesh);
   const std::vector<OutputFile> files = written(mesh, MeshFormat::kXdmf, {.surfaces = sets, .name = "a"});
   ASSERT_EQ(files.size(), 4U);
   const std::vector<OutputFile> without = written(mesh, MeshFormat::kXdmf, {.name = "a"});
+  EXPECT_NE(text_of(without, ".facets.xdmf").find("; facet 1 label 2|background, 2 label 5|background, 3 "),
+            std::string::npos);
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(files[i].bytes, without[i].bytes);
-  const std::string xml = text_of(files, ".surfaces.xdmf");
+  const std::string xml = text_of(files, ".facets.xdmf");
   for (const char* part :
-       {"; surface 1 roof, 2 floor -->", "<Grid Name=\"surfaces\" GridType=\"Uniform\">",
-        "Dimensions=\"5 3\" Format=\"HDF\">a.surfaces.h5:/points<",
-        "<Topology TopologyType=\"Triangle\" NodesPerElement=\"3\" NumberOfElements=\"4\">\n"
-        "<DataItem DataType=\"Int\" Precision=\"4\" Dimensions=\"4 3\" "
-        "Format=\"HDF\">a.surfaces.h5:/triangles<",
-        "<Attribute Name=\"surface\" AttributeType=\"Scalar\" Center=\"Cell\">\n"
-        "<DataItem DataType=\"Int\" Precision=\"4\" Dimensions=\"4\" Format=\"HDF\">a.surfaces.h5:/surface<"})
+       {"; facet 1 label 2|background, 3 label 5|label 2, 4 roof, 5 floor -->",
+        "<Grid Name=\"facets\" GridType=\"Uniform\">",
+        "Dimensions=\"5 3\" Format=\"HDF\">a.facets.h5:/points<",
+        "<Topology TopologyType=\"Triangle\" NodesPerElement=\"3\" NumberOfElements=\"7\">\n"
+        "<DataItem DataType=\"Int\" Precision=\"4\" Dimensions=\"7 3\" "
+        "Format=\"HDF\">a.facets.h5:/triangles<",
+        "<Attribute Name=\"facet\" AttributeType=\"Scalar\" Center=\"Cell\">\n"
+        "<DataItem DataType=\"Int\" Precision=\"4\" Dimensions=\"7\" Format=\"HDF\">a.facets.h5:/facet<"})
     EXPECT_NE(xml.find(part), std::string::npos) << part;
-  const std::string numbers = text_of(files, ".surfaces.h5");
-  EXPECT_EQ(tail<std::int32_t>(numbers, 16, 4), (std::vector<std::int32_t>{1, 1, 2, 2}));
-  const Triangle& first = mesh.faces[sets[0].members[0]];
-  EXPECT_EQ(tail<std::uint32_t>(numbers, 16 + 48, 3),
+  const std::string numbers = text_of(files, ".facets.h5");
+  EXPECT_EQ(tail<std::int32_t>(numbers, 28, 7), tags_of(mesh, sets));
+  const Triangle& first = mesh.faces[0];
+  EXPECT_EQ(tail<std::uint32_t>(numbers, 28 + 84, 3),
             (std::vector<std::uint32_t>(first.begin(), first.end())));
+}
+
+TEST(Surfaces, AreTheTagOfEachFaceInMsh22TetgenAndNastran) {
+  const TetMesh mesh = two_tets();
+  const std::vector<NamedSet> sets = roof_and_floor(mesh);
+  const std::vector<std::int32_t> tags = tags_of(mesh, sets);
+  const std::string msh = text_of(written(mesh, MeshFormat::kMsh22, {.surfaces = sets}), ".msh");
+  EXPECT_NE(msh.find("2 3 \"label 5|label 2\"\n2 4 \"roof\"\n2 5 \"floor\"\n3 2 \"label 2\"\n"),
+            std::string::npos);
+  const std::string face = text_of(written(mesh, MeshFormat::kTetgen, {.surfaces = sets}), ".face");
+  EXPECT_TRUE(
+      face.starts_with("# marker 1 label 2|background\n# marker 3 label 5|label 2\n# marker 4 roof\n"
+                       "# marker 5 floor\n7 1\n"));
+  const std::string bdf = text_of(written(mesh, MeshFormat::kNastran, {.surfaces = sets}), ".bdf");
+  EXPECT_NE(bdf.find("$ load 4 roof\n$ load 5 floor\n"), std::string::npos);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    std::string corners;
+    for (const std::uint32_t corner : mesh.faces[f]) corners += " " + std::to_string(corner + 1);
+    const std::string tag = std::to_string(tags[f]);
+    // In MSH the elementary tag follows: faces of two labels and one surface are two entities.
+    const std::size_t element = msh.find("\n" + std::to_string(3 + f) + " 2 2 " + tag + " ");
+    ASSERT_NE(element, std::string::npos) << msh;
+    EXPECT_EQ(msh.substr(msh.find('\n', element + 1) - corners.size(), corners.size()), corners);
+    EXPECT_NE(face.find("\n" + std::to_string(f + 1) + corners + " " + tag + "\n"), std::string::npos)
+        << face;
+    // On the element behind the face: a corner of the face, then the corner that is not on it.
+    const std::size_t behind = mesh.face_sides[f][0] == 2 ? 0 : 1;
+    std::size_t apex = 0;
+    for (const std::uint32_t corner : mesh.tets[behind])
+      if (std::find(mesh.faces[f].begin(), mesh.faces[f].end(), corner) == mesh.faces[f].end())
+        apex = corner + 1;
+    const std::string load = "PLOAD4  " + tag + "       " + std::to_string(behind + 1) +
+                             "       1.0                             " +
+                             std::to_string(mesh.faces[f][0] + 1) + "       " + std::to_string(apex) + "\n";
+    EXPECT_NE(bdf.find(load), std::string::npos) << load << bdf;
+  }
+}
+
+TEST(Surfaces, AreNumbersOfTheTrianglesBesideVtk) {
+  const TetMesh mesh = two_tets();
+  const std::vector<NamedSet> sets = roof_and_floor(mesh);
+  const std::vector<OutputFile> files = written(mesh, MeshFormat::kVtk, {.surfaces = sets});
+  ASSERT_EQ(files.size(), 2U);
+  const std::string vtk = text_of(files, ".surfaces.vtk");
+  EXPECT_NE(vtk.find("surface_names 1 11 unsigned_char\n114 111 111 102 0 102 108 111 111 114 0\n"),
+            std::string::npos);
+  std::string numbers = "SCALARS surface int 1\nLOOKUP_TABLE default\n";
+  for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
+    std::size_t number = 0;
+    for (std::size_t s = 0; s < 2; ++s)
+      if (std::count(sets[s].members.begin(), sets[s].members.end(), f) > 0) number = s + 1;
+    numbers += std::to_string(number) + "\n";
+  }
+  EXPECT_TRUE(vtk.ends_with(numbers)) << vtk;
 }
 
 TEST(Surfaces, AreLeftOutByTheOtherFormats) {

@@ -22,12 +22,17 @@
 namespace voxtet {
 namespace {
 
-constexpr std::array<MeshFormat, 9> kFormats{MeshFormat::kVtu,  MeshFormat::kMsh,    MeshFormat::kMedit,
-                                             MeshFormat::kCarp, MeshFormat::kAbaqus, MeshFormat::kFebio,
-                                             MeshFormat::kXdmf, MeshFormat::kStl,    MeshFormat::kPly};
+constexpr std::array<MeshFormat, 14> kFormats{
+    MeshFormat::kVtu,    MeshFormat::kVtk,    MeshFormat::kMsh,      MeshFormat::kMsh22, MeshFormat::kMedit,
+    MeshFormat::kCarp,   MeshFormat::kAbaqus, MeshFormat::kNastran,  MeshFormat::kFebio, MeshFormat::kXdmf,
+    MeshFormat::kTetgen, MeshFormat::kStl,    MeshFormat::kLabelStl, MeshFormat::kPly};
 
 std::size_t file_count(MeshFormat format) {
-  return format == MeshFormat::kCarp ? 3U : format == MeshFormat::kXdmf ? 2U : 1U;
+  if (format == MeshFormat::kXdmf) return 4;
+  // Of the cube's labels there are three.
+  const bool three =
+      format == MeshFormat::kCarp || format == MeshFormat::kTetgen || format == MeshFormat::kLabelStl;
+  return three ? 3 : 1;
 }
 
 template <class T>
@@ -67,6 +72,12 @@ class Folder {
 TEST(MeshFormatOf, KnowsEveryEndingInAnyCaseAndListsThemOtherwise) {
   for (const auto& [path, format] :
        std::vector<std::pair<std::string, MeshFormat>>{{"a.vtu", MeshFormat::kVtu},
+                                                       {"a.vtk", MeshFormat::kVtk},
+                                                       {"a.bdf", MeshFormat::kNastran},
+                                                       {"a.nas", MeshFormat::kNastran},
+                                                       {"a.node", MeshFormat::kTetgen},
+                                                       {"a.ele", MeshFormat::kTetgen},
+                                                       {"a.face", MeshFormat::kTetgen},
                                                        {"x/b.c.MSH", MeshFormat::kMsh},
                                                        {"a.mesh", MeshFormat::kMedit},
                                                        {"a.pts", MeshFormat::kCarp},
@@ -86,7 +97,9 @@ TEST(MeshFormatOf, KnowsEveryEndingInAnyCaseAndListsThemOtherwise) {
     const auto found = mesh_format_of(path);
     ASSERT_FALSE(found.ok()) << path;
     EXPECT_EQ(found.error().code, ErrorCode::kUsage);
-    EXPECT_NE(found.error().message.find(".vtu .msh .mesh .pts .elem .lon .carp .inp .feb .xdmf .stl .ply"),
+    EXPECT_NE(found.error().message.find(
+                  ".vtu .vtk .msh .mesh .pts .elem .lon .carp .inp .bdf .nas .feb .xdmf .node .ele "
+                  ".face .stl .ply"),
               std::string::npos);
   }
 }
@@ -221,9 +234,12 @@ TEST(WriteSurface, WritesPlyWithSidesAndOnlyTheFormatsOfSurfaces) {
     EXPECT_EQ(value_at<Label>(bytes, faces + 17 * t + 15), surface.sides[t][1]);
   }
   EXPECT_TRUE(write_surface(surface, MeshFormat::kVtu, {}).ok());
+  EXPECT_TRUE(write_surface(surface, MeshFormat::kVtk, {}).ok());
   EXPECT_TRUE(write_surface(surface, MeshFormat::kStl, {}).ok());
-  for (const MeshFormat format : {MeshFormat::kMsh, MeshFormat::kMedit, MeshFormat::kCarp,
-                                  MeshFormat::kAbaqus, MeshFormat::kFebio, MeshFormat::kXdmf}) {
+  EXPECT_TRUE(write_surface(surface, MeshFormat::kLabelStl, {}).ok());
+  for (const MeshFormat format :
+       {MeshFormat::kMsh, MeshFormat::kMsh22, MeshFormat::kMedit, MeshFormat::kCarp, MeshFormat::kAbaqus,
+        MeshFormat::kNastran, MeshFormat::kFebio, MeshFormat::kXdmf, MeshFormat::kTetgen}) {
     const auto refused = write_surface(surface, format, {});
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, ErrorCode::kUsage);

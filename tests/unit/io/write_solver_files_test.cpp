@@ -66,6 +66,7 @@ TEST(WriteAbaqus, NumbersFromOneWithASetForEachLabelAndASurfaceForEachPair) {
   EXPECT_EQ(only_file(MeshFormat::kAbaqus, {PatientSpace::kLps, kInfos}),
             "*HEADING\nvoxtet mesh\n"
             "** space LPS, unit mm: x to the left of the patient, y posterior, z superior\n"
+            "** 5 nodes, 2 elements\n"
             "*NODE\n1, 0, 0, 0\n2, -1, 0, 0\n3, 0, -0.25, 0\n4, 0, 0, 2\n5, 0, 0, -2\n"
             "*ELEMENT, TYPE=C3D4, ELSET=label_3rd_wall_2\n1, 1, 3, 2, 5\n"
             "*ELEMENT, TYPE=C3D4, ELSET=scar_dense_5\n2, 1, 2, 3, 4\n"

@@ -130,7 +130,10 @@ export interface FittingSizes {
   forecast: Forecast;
 }
 
-export const exportFormats = ['vtu', 'xdmf', 'msh', 'medit', 'carp', 'inp', 'feb', 'stl', 'ply'] as const;
+export const exportFormats = [
+  ...(['vtu', 'vtk', 'xdmf', 'msh', 'msh22', 'medit', 'carp', 'inp', 'bdf', 'feb', 'tetgen'] as const),
+  ...(['stl', 'label_stl', 'ply'] as const),
+] as const;
 export type ExportFormat = (typeof exportFormats)[number];
 export type Space = 'ras' | 'lps';
 

@@ -30,11 +30,11 @@ Eigen::Vector3d read_point(MeshCursor& in, bool binary) {
 }
 
 void add_tet(MeshCursor& in, MshFile& file, std::uint64_t tag, const std::array<std::uint64_t, 4>& corners,
-             std::int64_t group) {
+             std::int64_t group, std::int64_t entity, int nodes) {
   if (!in.ok()) return;
-  file.labels.push_back(checked_label(in, group, tag, "physical group"));
-  file.tet_tags.push_back(tag);
-  file.tets.push_back(corners);
+  file.mesh.add_tet(tag, corners, group);
+  file.mesh.curved += nodes > 4 ? 1 : 0;
+  file.entities.push_back(entity);
 }
 
 /// Reads a list of `count` integers and returns the first, or 0.
@@ -57,10 +57,10 @@ std::int64_t group_of_volume(const MshFile& file, std::int32_t volume) {
 /// The tags and nodes of one element of MSH 2.2.
 void read_msh22_element(MeshCursor& in, MshFile& file, std::int64_t number, std::int64_t type,
                         std::int64_t tags) {
-  std::int32_t group = 0;
+  std::array<std::int32_t, 2> group_and_entity{};
   for (std::int64_t i = 0; i < tags && in.ok(); ++i) {
     const std::int32_t value = msh_int(in, file.binary, "a tag of an element");
-    if (i == 0) group = value;
+    if (i < 2) group_and_entity[static_cast<std::size_t>(i)] = value;
   }
   const int corners = msh_corners(in, type);
   std::array<std::uint64_t, 4> nodes{};
@@ -71,10 +71,16 @@ void read_msh22_element(MeshCursor& in, MshFile& file, std::int64_t number, std:
               ", expected no negative number");
     if (c < 4) nodes[static_cast<std::size_t>(c)] = static_cast<std::uint64_t>(node);
   }
-  if (type == kMshTetrahedron) add_tet(in, file, static_cast<std::uint64_t>(number), nodes, group);
+  if (is_msh_tetrahedron(type))
+    add_tet(in, file, static_cast<std::uint64_t>(number), nodes, group_and_entity[0], group_and_entity[1],
+            corners);
 }
 
 }  // namespace
+
+bool is_msh_tetrahedron(std::int64_t type) {
+  return type == 4 || type == 11 || (type >= 29 && type <= 31);
+}
 
 int msh_corners(MeshCursor& in, std::int64_t type) {
   for (const TypeSize& entry : kTypeSizes)
@@ -121,8 +127,8 @@ void read_msh41_nodes(MeshCursor& in, MshFile& file) {
   msh_size(in, file.binary, "the least node tag");
   msh_size(in, file.binary, "the greatest node tag");
   if (!in.can_hold(nodes, file.binary ? 32 : 8, "nodes")) return;
-  file.nodes.reserve(nodes);
-  file.node_tags.reserve(nodes);
+  file.mesh.nodes.reserve(nodes);
+  file.mesh.node_tags.reserve(nodes);
   for (std::uint64_t b = 0; b < blocks && in.ok(); ++b) {
     const std::int32_t dimension = msh_int(in, file.binary, "the dimension of an entity");
     msh_int(in, file.binary, "the tag of an entity");
@@ -130,15 +136,15 @@ void read_msh41_nodes(MeshCursor& in, MshFile& file) {
     const std::uint64_t count = msh_size(in, file.binary, "the number of nodes of a block");
     if (!in.can_hold(count, file.binary ? 32 : 8, "nodes")) return;
     for (std::uint64_t i = 0; i < count; ++i)
-      file.node_tags.push_back(msh_size(in, file.binary, "a node tag"));
+      file.mesh.node_tags.push_back(msh_size(in, file.binary, "a node tag"));
     for (std::uint64_t i = 0; i < count && in.ok(); ++i) {
-      file.nodes.push_back(read_point(in, file.binary));
+      file.mesh.nodes.push_back(read_point(in, file.binary));
       for (int d = 0; parametric && d < dimension && d < 3; ++d)
         msh_real(in, file.binary, "a parameter of a node");
     }
   }
-  if (in.ok() && file.nodes.size() != nodes)
-    in.fail("$Nodes holds " + std::to_string(file.nodes.size()) + " nodes, its header says " +
+  if (in.ok() && file.mesh.nodes.size() != nodes)
+    in.fail("$Nodes holds " + std::to_string(file.mesh.nodes.size()) + " nodes, its header says " +
             std::to_string(nodes));
 }
 
@@ -158,7 +164,7 @@ void read_msh41_elements(MeshCursor& in, MshFile& file) {
     const std::uint64_t bytes = (file.binary ? 8 : 2) * (corners + 1);
     if (!in.can_hold(count, bytes, "elements")) return;
     seen += count;
-    if (type != kMshTetrahedron && file.binary) {
+    if (!is_msh_tetrahedron(type) && file.binary) {
       in.skip_bytes(count * bytes, "an element");
       continue;
     }
@@ -170,7 +176,7 @@ void read_msh41_elements(MeshCursor& in, MshFile& file) {
         const std::uint64_t value = msh_size(in, file.binary, "a node of an element");
         if (c < 4) node[c] = value;
       }
-      if (type == kMshTetrahedron) add_tet(in, file, tag, node, group);
+      if (is_msh_tetrahedron(type)) add_tet(in, file, tag, node, group, entity, static_cast<int>(corners));
     }
   }
   if (in.ok() && seen != elements)
@@ -182,13 +188,13 @@ void read_msh22_nodes(MeshCursor& in, MshFile& file) {
   const std::int64_t count = in.integer("the number of nodes", 0, INT32_MAX);
   begin_binary(in, file);
   if (!in.can_hold(static_cast<std::uint64_t>(count), file.binary ? 28 : 8, "nodes")) return;
-  file.nodes.reserve(static_cast<std::size_t>(count));
-  file.node_tags.reserve(static_cast<std::size_t>(count));
+  file.mesh.nodes.reserve(static_cast<std::size_t>(count));
+  file.mesh.node_tags.reserve(static_cast<std::size_t>(count));
   for (std::int64_t i = 0; i < count && in.ok(); ++i) {
     const std::int32_t tag = msh_int(in, file.binary, "a node number");
     if (in.ok() && tag < 0) in.fail("node number " + std::to_string(tag) + " is negative");
-    file.node_tags.push_back(static_cast<std::uint64_t>(tag));
-    file.nodes.push_back(read_point(in, file.binary));
+    file.mesh.node_tags.push_back(static_cast<std::uint64_t>(tag));
+    file.mesh.nodes.push_back(read_point(in, file.binary));
   }
 }
 

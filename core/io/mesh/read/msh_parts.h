@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/mesh/read/mesh_cursor.h"
+#include "io/mesh/read/shared/mesh_cursor.h"
+#include "io/mesh/read/shared/numbered_mesh.h"
 
 namespace voxtet {
 
@@ -16,13 +17,10 @@ struct MshFile {
   bool binary = false;
   bool lps = false;
   std::vector<std::pair<std::int32_t, std::int32_t>>
-      volumes;  ///< 4.1: entity, its first physical group or 0; ascending
-  std::vector<std::uint64_t> node_tags;
-  std::vector<Eigen::Vector3d> nodes;
-  std::vector<std::uint64_t> tet_tags;
-  std::vector<std::array<std::uint64_t, 4>> tets;  ///< node tags
-  std::vector<Label> labels;
-  std::vector<LabelInfo> infos;  ///< the named groups of volumes
+      volumes;                         ///< 4.1: entity, its first physical group or 0; ascending
+  NumberedMesh mesh;                   ///< labels: the (first) physical group, or 0
+  std::vector<std::int64_t> entities;  ///< the geometric entity of each tetrahedron
+  std::vector<LabelInfo> infos;        ///< the named groups of volumes
 };
 
 void read_msh_names(MeshCursor& in, MshFile& file);
@@ -32,7 +30,8 @@ void read_msh41_elements(MeshCursor& in, MshFile& file);
 void read_msh22_nodes(MeshCursor& in, MshFile& file);
 void read_msh22_elements(MeshCursor& in, MshFile& file);
 
-inline constexpr std::int32_t kMshTetrahedron = 4;
+/// Whether a Gmsh type is a tetrahedron of any order; its corners are the first four nodes.
+bool is_msh_tetrahedron(std::int64_t type);
 
 /// Nodes of an element of a Gmsh type; fails for a type that is not in the manual.
 int msh_corners(MeshCursor& in, std::int64_t type);

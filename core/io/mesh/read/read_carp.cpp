@@ -3,7 +3,8 @@
 #include <array>
 
 #include "io/bytes/header_text.h"
-#include "io/mesh/read/mesh_cursor.h"
+#include "io/mesh/read/shared/found_labels.h"
+#include "io/mesh/read/shared/mesh_cursor.h"
 #include "io/mesh/shared/mesh_format.h"
 #include "io/mesh/write/write_carp.h"
 
@@ -44,13 +45,14 @@ int corners_of(MeshCursor& in, std::string_view name) {
 
 /// `is_tet` says of each element of the file whether it was kept.
 Result<TetMesh> read_elements(const VolumeFile& file, std::vector<Eigen::Vector3d> points,
-                              std::vector<bool>& is_tet) {
+                              std::vector<bool>& is_tet, MeshArrays* arrays) {
   MeshCursor in(file.bytes, file.name, kReader);
   TetMesh mesh;
+  std::vector<std::int64_t> regions;
   const std::int64_t count = in.integer("the number of elements", 0, kMostItems);
   if (in.can_hold(static_cast<std::uint64_t>(count), 7, "elements")) {
     mesh.tets.reserve(static_cast<std::size_t>(count));
-    mesh.labels.reserve(static_cast<std::size_t>(count));
+    regions.reserve(static_cast<std::size_t>(count));
   }
   const auto last = static_cast<std::int64_t>(points.size()) - 1;
   mesh.points = std::move(points);
@@ -71,12 +73,11 @@ Result<TetMesh> read_elements(const VolumeFile& file, std::vector<Eigen::Vector3
       continue;
     }
     if (in.ok() && in.at_line_end()) in.fail("element " + std::to_string(i + 1) + " has no region");
-    const std::int64_t region = in.integer("the region of an element", INT32_MIN, INT32_MAX);
+    regions.push_back(in.integer("the region of an element", INT32_MIN, INT32_MAX));
     mesh.tets.push_back({corner[0], corner[1], corner[2], corner[3]});
-    mesh.labels.push_back(in.ok() ? checked_label(in, region, static_cast<std::uint64_t>(i) + 1, "region")
-                                  : 0);
   }
   in.expect_end("the last element");
+  set_labels(in, mesh, regions, "region", arrays);
   return finish_mesh(in, std::move(mesh), false);
 }
 
@@ -127,7 +128,7 @@ Result<TetMesh> read_carp(const VolumeFile& file, MeshArrays* arrays) {
   const Result<VolumeFile> elements_file = part(".elem");
   if (!elements_file.ok()) return elements_file.error();
   std::vector<bool> is_tet;
-  Result<TetMesh> mesh = read_elements(*elements_file, std::move(points).value(), is_tet);
+  Result<TetMesh> mesh = read_elements(*elements_file, std::move(points).value(), is_tet, arrays);
   if (!mesh.ok() || arrays == nullptr) return mesh;
   const Result<VolumeFile> directions_file = part(".lon");
   if (!directions_file.ok()) return mesh;  // a mesh without fibres has none

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/bytes/volume_file.h"
-#include "io/mesh/read/mesh_arrays.h"
+#include "io/mesh/read/shared/mesh_arrays.h"
 #include "types/result.h"
 #include "types/tet_mesh.h"
 

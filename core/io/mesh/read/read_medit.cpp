@@ -4,7 +4,8 @@
 #include <cctype>
 
 #include "io/bytes/header_text.h"
-#include "io/mesh/read/mesh_cursor.h"
+#include "io/mesh/read/shared/found_labels.h"
+#include "io/mesh/read/shared/mesh_cursor.h"
 
 namespace voxtet {
 namespace {
@@ -20,19 +21,17 @@ void read_vertices(MeshCursor& in, std::vector<Eigen::Vector3d>& points) {
   }
 }
 
-void read_tetrahedra(MeshCursor& in, TetMesh& mesh) {
+void read_tetrahedra(MeshCursor& in, TetMesh& mesh, std::vector<std::int64_t>& references) {
   const std::int64_t count = in.integer("the number of tetrahedra", 0, kMostItems);
   if (!in.can_hold(static_cast<std::uint64_t>(count), 10, "tetrahedra")) return;
   mesh.tets.reserve(static_cast<std::size_t>(count));
-  mesh.labels.reserve(static_cast<std::size_t>(count));
+  references.reserve(static_cast<std::size_t>(count));
   for (std::int64_t i = 0; i < count && in.ok(); ++i) {
     Tet tet{};
     for (std::uint32_t& corner : tet)
       corner = static_cast<std::uint32_t>(in.integer("a vertex of a tetrahedron", 1, kMostItems) - 1);
     mesh.tets.push_back(tet);
-    const std::int64_t reference = in.integer("the reference of a tetrahedron", INT32_MIN, INT32_MAX);
-    mesh.labels.push_back(
-        in.ok() ? checked_label(in, reference, static_cast<std::uint64_t>(i) + 1, "reference") : 0);
+    references.push_back(in.integer("the reference of a tetrahedron", INT32_MIN, INT32_MAX));
   }
 }
 
@@ -78,6 +77,7 @@ std::vector<LabelInfo> names_of(std::span<const std::uint8_t> bytes) {
 Result<TetMesh> read_medit(const VolumeFile& file, MeshArrays* arrays) {
   MeshCursor in(file.bytes, file.name, "read_medit", '#');
   TetMesh mesh;
+  std::vector<std::int64_t> references;
   in.expect("MeshVersionFormatted");
   in.integer("the version", 1, 4);
   bool ended = false, seen_vertices = false, seen_tetrahedra = false;
@@ -92,7 +92,7 @@ Result<TetMesh> read_medit(const VolumeFile& file, MeshArrays* arrays) {
       read_vertices(in, mesh.points);
     } else if (keyword == "Tetrahedra" && !seen_tetrahedra) {
       seen_tetrahedra = true;
-      read_tetrahedra(in, mesh);
+      read_tetrahedra(in, mesh, references);
     } else if (starts_keyword(keyword) && keyword != "Vertices" && keyword != "Tetrahedra") {
       while (!in.at_end() && !starts_keyword(in.peek_word())) in.word("a number");
     } else if (in.ok()) {
@@ -100,6 +100,7 @@ Result<TetMesh> read_medit(const VolumeFile& file, MeshArrays* arrays) {
     }
   }
   check_corners(in, mesh);
+  set_labels(in, mesh, references, "reference", arrays);
   if (arrays) arrays->infos = names_of(file.bytes);
   return finish_mesh(in, std::move(mesh), says_lps(file.bytes));
 }

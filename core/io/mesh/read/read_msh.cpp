@@ -1,10 +1,10 @@
 #include "io/mesh/read/read_msh.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "io/bytes/header_text.h"
 #include "io/mesh/read/msh_parts.h"
+#include "io/mesh/read/shared/found_labels.h"
 
 namespace voxtet {
 namespace {
@@ -49,81 +49,35 @@ void read_section(MeshCursor& in, MshFile& file, std::string_view section) {
   if (section != "$Comments") in.expect("$End" + name);
 }
 
-/// The permutation that sorts `tags`; fails where one comes twice.
-std::vector<std::uint32_t> sorted_by_tag(MeshCursor& in, const std::vector<std::uint64_t>& tags,
-                                         const char* what) {
-  std::vector<std::uint32_t> order(tags.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
-  if (!std::is_sorted(tags.begin(), tags.end()))
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return tags[a] < tags[b]; });
-  for (std::size_t i = 1; i < order.size() && in.ok(); ++i)
-    if (tags[order[i - 1]] == tags[order[i]])
-      in.fail(std::string(what) + " tag " + std::to_string(tags[order[i]]) + " comes twice");
-  return order;
-}
-
-/// Node tag -> index of the point, by subtraction where tags are without gaps.
-class NodeIndex {
- public:
-  explicit NodeIndex(std::vector<std::uint64_t> ascending) : tags_(std::move(ascending)) {
-    dense_ = !tags_.empty() && tags_.back() - tags_.front() + 1 == tags_.size();
-  }
-  /// Index, or the number of nodes where no node has this tag.
-  std::size_t find(std::uint64_t tag) const {
-    if (dense_) return tag < tags_.front() || tag > tags_.back() ? tags_.size() : tag - tags_.front();
-    const auto at = std::lower_bound(tags_.begin(), tags_.end(), tag);
-    return at == tags_.end() || *at != tag ? tags_.size() : static_cast<std::size_t>(at - tags_.begin());
-  }
-  std::size_t size() const { return tags_.size(); }
-
- private:
-  std::vector<std::uint64_t> tags_;
-  bool dense_ = false;
-};
-
-TetMesh assemble(MeshCursor& in, const MshFile& file) {
-  TetMesh mesh;
-  const std::vector<std::uint32_t> node_order = sorted_by_tag(in, file.node_tags, "node");
-  const std::vector<std::uint32_t> tet_order = sorted_by_tag(in, file.tet_tags, "element");
-  if (!in.ok()) return mesh;
-  std::vector<std::uint64_t> tags;
-  tags.reserve(node_order.size());
-  mesh.points.reserve(node_order.size());
-  for (const std::uint32_t node : node_order) {
-    tags.push_back(file.node_tags[node]);
-    mesh.points.push_back(file.nodes[node]);
-  }
-  const NodeIndex index(std::move(tags));
-  mesh.tets.reserve(tet_order.size());
-  mesh.labels.reserve(tet_order.size());
-  for (const std::uint32_t t : tet_order) {
-    Tet tet{};
-    for (std::size_t c = 0; c < 4; ++c) {
-      const std::size_t point = index.find(file.tets[t][c]);
-      if (point == index.size()) {
-        in.fail("element " + std::to_string(file.tet_tags[t]) + ": node " + std::to_string(file.tets[t][c]) +
-                " is not among the " + std::to_string(index.size()) + " nodes of the file");
-        return mesh;
-      }
-      tet[c] = static_cast<std::uint32_t>(point);
-    }
-    mesh.tets.push_back(tet);
-    mesh.labels.push_back(file.labels[t]);
-  }
-  return mesh;
+/// Whether the labels are geometric entities: those are taken where no tetrahedron is in a physical group.
+bool choose_labels(MeshCursor& in, MshFile& file, const std::string& label_array) {
+  constexpr const char *kPhysical = "gmsh:physical", *kGeometrical = "gmsh:geometrical";
+  if (!label_array.empty() && label_array != kPhysical && label_array != kGeometrical)
+    in.fail("no array " + in_quotes(label_array) + " of labels, expected " + kPhysical + " or " +
+            kGeometrical);
+  const std::vector<std::int64_t>& groups = file.mesh.labels;
+  const bool grouped =
+      std::any_of(groups.begin(), groups.end(), [](std::int64_t group) { return group != 0; });
+  const bool geometric = label_array == kGeometrical || (label_array.empty() && !grouped);
+  if (geometric) file.mesh.labels = file.entities;
+  return geometric;
 }
 
 }  // namespace
 
-Result<TetMesh> read_msh(const VolumeFile& volume_file, MeshArrays* arrays) {
+Result<TetMesh> read_msh(const VolumeFile& volume_file, MeshArrays* arrays, const std::string& label_array) {
   MeshCursor in(volume_file.bytes, volume_file.name, "read_msh");
   MshFile file;
   in.expect("$MeshFormat");
   read_format(in, file);
   while (in.ok() && !in.at_end()) read_section(in, file, in.word("a section"));
-  TetMesh mesh = in.ok() ? assemble(in, file) : TetMesh{};
-  if (arrays) arrays->infos = std::move(file.infos);
+  const bool geometric = choose_labels(in, file, label_array);
+  TetMesh mesh = in.ok() ? assemble(in, file.mesh) : TetMesh{};
+  if (geometric && label_array.empty())
+    add_note(arrays, "no physical groups of volumes: the labels are the tags of geometric entities");
+  set_labels(in, mesh, file.mesh.labels, geometric ? "geometric entity" : "physical group", arrays);
+  keep_corners(mesh, file.mesh.curved, arrays);
+  if (arrays && !geometric) arrays->infos = std::move(file.infos);
   return finish_mesh(in, std::move(mesh), file.lps);
 }
 

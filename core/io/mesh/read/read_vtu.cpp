@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "io/bytes/header_text.h"
-#include "io/mesh/read/mesh_cursor.h"
+#include "io/mesh/read/shared/found_labels.h"
+#include "io/mesh/read/shared/mesh_cursor.h"
 #include "io/mesh/read/vtu_arrays.h"
 #include "io/mesh/write/write_vtu.h"
 
@@ -13,7 +14,9 @@ namespace {
 /// Appends the pieces of one file to one mesh; messages are without the file's name.
 class PieceReader {
  public:
-  explicit PieceReader(const VtuDocument& document) : arrays_(document) {}
+  /// `label_array` may be empty: then it is `label`, and may be absent.
+  PieceReader(const VtuDocument& document, std::string label_array)
+      : label_array_(std::move(label_array)), arrays_(document) {}
 
   Status read(const VtuPiece& piece) {
     std::uint64_t points = 0, cells = 0;
@@ -39,6 +42,9 @@ class PieceReader {
   }
 
   TetMesh mesh;
+  std::vector<std::int64_t> labels;  ///< of the tetrahedra in pieces that have some
+  std::uint64_t curved = 0;          ///< tetrahedra with points on their edges
+  std::string other_arrays;          ///< what there is in the last piece without labels
 
  private:
   static Error refuse(const std::string& message) { return {ErrorCode::kBadInput, "read_vtu", message, {}}; }
@@ -58,14 +64,27 @@ class PieceReader {
   Result<std::vector<std::int64_t>> integers(const VtuPiece& piece, std::string_view section,
                                              std::string_view name, std::uint64_t count) const {
     if (const VtuArray* array = find(piece, section, name)) return arrays_.integers(*array, count);
+    return refuse("no " + std::string(section) + " array \"" + std::string(name) + "\", found" +
+                  names_in(piece, section));
+  }
+
+  static std::string names_in(const VtuPiece& piece, std::string_view section) {
     std::string found;
     for (const VtuArray& array : piece.arrays)
       if (array.section == section) {
         found += ' ';
         found += in_quotes(array.name);
       }
-    if (found.empty()) found = " none";
-    return refuse("no " + std::string(section) + " array \"" + std::string(name) + "\", found" + found);
+    return found.empty() ? " none" : found;
+  }
+
+  /// Those of all cells; none where the array may be absent and is.
+  Result<std::vector<std::int64_t>> labels_of(const VtuPiece& piece, std::uint64_t count) {
+    if (label_array_.empty() && find(piece, "CellData", "label") == nullptr) {
+      other_arrays = names_in(piece, "CellData");
+      return std::vector<std::int64_t>{};
+    }
+    return integers(piece, "CellData", label_array_.empty() ? "label" : label_array_, count);
   }
 
   Status read_points(const VtuPiece& piece, std::uint64_t count) {
@@ -92,23 +111,26 @@ class PieceReader {
     const auto connectivity = integers(piece, "Cells", "connectivity",
                                        count == 0 ? 0 : static_cast<std::uint64_t>(offsets->back()));
     if (!connectivity.ok()) return connectivity.error();
-    const auto labels = integers(piece, "CellData", "label", count);
-    if (!labels.ok()) return labels.error();
+    const auto cell_labels = labels_of(piece, count);
+    if (!cell_labels.ok()) return cell_labels.error();
     tet_cells_.clear();
     cell_count_ = count;
     for (std::size_t c = 0; c < count; ++c) {
-      if ((*types)[c] != kVtkTetra) continue;
+      if ((*types)[c] != kVtkTetra && (*types)[c] != kVtkQuadraticTetra) continue;
+      const bool is_curved = (*types)[c] == kVtkQuadraticTetra;
+      curved += is_curved ? 1 : 0;
       tet_cells_.push_back(c);
       const auto begin = static_cast<std::size_t>(c == 0 ? 0 : (*offsets)[c - 1]);
-      if ((*offsets)[c] - static_cast<std::int64_t>(begin) != 4)
-        return refuse("cell " + std::to_string(c) + " is a tetrahedron, but has not 4 points");
-      if (Status status = add_tet(c, &(*connectivity)[begin], (*labels)[c], first_point); !status.ok())
-        return status;
+      if ((*offsets)[c] - static_cast<std::int64_t>(begin) != (is_curved ? 10 : 4))
+        return refuse("cell " + std::to_string(c) + " is a tetrahedron, but has not " +
+                      (is_curved ? "10" : "4") + " points");
+      if (Status status = add_tet(c, &(*connectivity)[begin], first_point); !status.ok()) return status;
+      if (!cell_labels->empty()) labels.push_back((*cell_labels)[c]);
     }
     return std::monostate{};
   }
 
-  Status add_tet(std::size_t cell, const std::int64_t* corners, std::int64_t label, std::size_t first_point) {
+  Status add_tet(std::size_t cell, const std::int64_t* corners, std::size_t first_point) {
     const std::size_t points = mesh.points.size() - first_point;
     Tet tet{};
     for (std::size_t k = 0; k < 4; ++k) {
@@ -117,18 +139,15 @@ class PieceReader {
                       ", expected 0 to " + std::to_string(static_cast<std::int64_t>(points) - 1));
       tet[k] = static_cast<std::uint32_t>(first_point + static_cast<std::size_t>(corners[k]));
     }
-    if (label < 1 || label > 65535)
-      return refuse("cell " + std::to_string(cell) + ": label is " + std::to_string(label) +
-                    ", expected 1 to 65535");
     mesh.tets.push_back(tet);
-    mesh.labels.push_back(static_cast<Label>(label));
     return std::monostate{};
   }
 
   /// An array that is missing, or cannot be read, in one piece has too few values in the end.
   void read_cell_data(const VtuPiece& piece, std::size_t first_tet) {
     for (const VtuArray& array : piece.arrays) {
-      if (array.section != "CellData" || array.name == "label") continue;
+      if (array.section != "CellData" || array.name == (label_array_.empty() ? "label" : label_array_))
+        continue;
       auto data = std::find_if(cell_data_.begin(), cell_data_.end(),
                                [&](const Field& known) { return known.name == array.name; });
       if (data == cell_data_.end()) {
@@ -143,6 +162,7 @@ class PieceReader {
     }
   }
 
+  std::string label_array_;
   VtuArrays arrays_;
   std::vector<Field> cell_data_;
   std::vector<std::size_t> tet_cells_;  ///< those of the last piece
@@ -176,34 +196,37 @@ std::vector<LabelInfo> names_in(const VtuDocument& document) {
     return {};
   };
   const std::vector<std::int64_t> labels = values_of(kLabelValues), bytes = values_of(kLabelNames);
-  std::vector<LabelInfo> infos;
-  auto begin = bytes.begin();
-  for (const std::int64_t label : labels) {
-    const auto end = std::find(begin, bytes.end(), 0);
-    if (end == bytes.end()) break;
-    std::string name;
-    for (auto byte = begin; byte != end; ++byte) name += static_cast<char>(*byte);
-    add_label_name(label, name, infos);
-    begin = end + 1;
-  }
-  return infos;
+  return named_labels(labels, bytes);
 }
 
-Result<TetMesh> read_document(const VtuDocument& document, MeshArrays* arrays) {
+Result<TetMesh> read_document(MeshCursor& in, const VtuDocument& document, MeshArrays* arrays,
+                              const std::string& label_array) {
   if (Status status = VtuArrays(document).check(); !status.ok()) return status.error();
-  PieceReader reader(document);
+  PieceReader reader(document, label_array);
   for (const VtuPiece& piece : document.pieces)
     if (Status status = reader.read(piece); !status.ok()) return status.error();
   if (arrays) {
     *arrays = reader.arrays();
     arrays->infos = names_in(document);
   }
+  if (reader.labels.empty() && !reader.mesh.tets.empty())
+    set_one_region(reader.mesh,
+                   "no cell array \"label\", found" + reader.other_arrays + " (--label-array NAME takes one)",
+                   arrays);
+  else if (reader.labels.size() != reader.mesh.tets.size())
+    return Error{ErrorCode::kBadInput,
+                 "read_vtu",
+                 "a Piece without CellData array \"label\", found" + reader.other_arrays,
+                 {}};
+  else
+    set_labels(in, reader.mesh, reader.labels, "label", arrays);
+  keep_corners(reader.mesh, reader.curved, arrays);
   return std::move(reader.mesh);
 }
 
 }  // namespace
 
-Result<TetMesh> read_vtu(const VolumeFile& file, MeshArrays* arrays) {
+Result<TetMesh> read_vtu(const VolumeFile& file, MeshArrays* arrays, const std::string& label_array) {
   const std::string_view text(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
   const auto named = [&](Error error) {
     error.message = file.name + ": " + error.message;
@@ -211,9 +234,9 @@ Result<TetMesh> read_vtu(const VolumeFile& file, MeshArrays* arrays) {
   };
   const Result<VtuDocument> document = parse_vtu_xml(text);
   if (!document.ok()) return named(document.error());
-  Result<TetMesh> mesh = read_document(*document, arrays);
-  if (!mesh.ok()) return named(mesh.error());
   MeshCursor end(file.bytes, file.name, "read_vtu");
+  Result<TetMesh> mesh = read_document(end, *document, arrays, label_array);
+  if (!mesh.ok()) return named(mesh.error());
   return finish_mesh(end, std::move(mesh).value(), says_lps(*document));
 }
 

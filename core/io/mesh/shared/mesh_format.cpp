@@ -11,7 +11,8 @@ struct Ending {
   std::string_view text;
   MeshFormat format;
 };
-constexpr std::array<Ending, 12> kEndings{{{".vtu", MeshFormat::kVtu},
+constexpr std::array<Ending, 18> kEndings{{{".vtu", MeshFormat::kVtu},
+                                           {".vtk", MeshFormat::kVtk},
                                            {".msh", MeshFormat::kMsh},
                                            {".mesh", MeshFormat::kMedit},
                                            {".pts", MeshFormat::kCarp},
@@ -19,8 +20,13 @@ constexpr std::array<Ending, 12> kEndings{{{".vtu", MeshFormat::kVtu},
                                            {".lon", MeshFormat::kCarp},
                                            {".carp", MeshFormat::kCarp},
                                            {".inp", MeshFormat::kAbaqus},
+                                           {".bdf", MeshFormat::kNastran},
+                                           {".nas", MeshFormat::kNastran},
                                            {".feb", MeshFormat::kFebio},
                                            {".xdmf", MeshFormat::kXdmf},
+                                           {".node", MeshFormat::kTetgen},
+                                           {".ele", MeshFormat::kTetgen},
+                                           {".face", MeshFormat::kTetgen},
                                            {".stl", MeshFormat::kStl},
                                            {".ply", MeshFormat::kPly}}};
 
@@ -41,20 +47,26 @@ Result<MeshFormat> mesh_format_of(const std::string& path) {
 bool has_place_for(On on, int components, MeshFormat format) {
   switch (format) {
     case MeshFormat::kVtu:
+    case MeshFormat::kVtk:
     case MeshFormat::kXdmf:
     case MeshFormat::kCarp: return true;
-    case MeshFormat::kMsh: return on == On::kTets;
+    case MeshFormat::kMsh:
+    case MeshFormat::kMsh22: return on == On::kTets;
     case MeshFormat::kMedit:
     case MeshFormat::kAbaqus:
     case MeshFormat::kFebio: return on == On::kTets && components == 1;
+    case MeshFormat::kNastran:
+    case MeshFormat::kTetgen:
     case MeshFormat::kStl:
+    case MeshFormat::kLabelStl:
     case MeshFormat::kPly: break;
   }
   return false;
 }
 
 bool has_place_for_surfaces(MeshFormat format) {
-  return format != MeshFormat::kMedit && format != MeshFormat::kStl && format != MeshFormat::kPly;
+  return format != MeshFormat::kMedit && format != MeshFormat::kStl && format != MeshFormat::kLabelStl &&
+         format != MeshFormat::kPly;
 }
 
 bool has_fibres(const std::vector<Field>& cell_data) {

@@ -16,7 +16,22 @@ namespace voxtet {
 /// The stage in errors of the writers.
 inline constexpr const char* kMeshWriter = "write_mesh";
 
-enum class MeshFormat { kVtu, kMsh, kMedit, kCarp, kAbaqus, kFebio, kXdmf, kStl, kPly };
+enum class MeshFormat {
+  kVtu,
+  kVtk,  ///< legacy
+  kMsh,  ///< 4.1
+  kMsh22,
+  kMedit,
+  kCarp,
+  kAbaqus,
+  kNastran,
+  kFebio,
+  kXdmf,
+  kTetgen,
+  kStl,
+  kLabelStl,  ///< an .stl for each label
+  kPly
+};
 enum class PatientSpace { kRas, kLps };
 
 struct WriteMeshOptions {
@@ -47,15 +62,16 @@ inline constexpr std::string_view kNoFibres =
     "no fibres are known, so no .lon file is written; openCARP requires one: make the fibres, a direction "
     "for each element of .elem, before simulating";
 
-/// A file of an export: openCARP makes three, XDMF two, every other format one; cell and point data and
-/// surfaces may add more. `suffix` is appended to the base name.
+/// A file of an export: openCARP and TetGen make three, XDMF four, STL by labels one for each, every other
+/// format one; cell and point data and surfaces may add more. `suffix` is appended to the base name.
 struct OutputFile {
   std::string suffix;  ///< ".vtu", ".msh", "_data.msh", ".pts", ".fraction_5.dat", ...
   Bytes bytes;
 };
 
-/// Format of a file name by its ending (.vtu .msh .mesh .pts/.elem/.lon/.carp .inp .feb .xdmf .stl .ply), in
-/// any case. Errors: kUsage listing the known endings.
+/// Format of a file name by its ending (.vtu .vtk .msh .mesh .pts/.elem/.lon/.carp .inp .bdf/.nas .feb .xdmf
+/// .node/.ele/.face .stl .ply), in any case; never kMsh22 or kLabelStl, which share an ending with another.
+/// Errors: kUsage listing the known endings.
 Result<MeshFormat> mesh_format_of(const std::string& path);
 
 /// The ending of a path's last name with its dot (".vtu"); empty where it has none.

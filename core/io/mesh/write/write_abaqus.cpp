@@ -93,7 +93,9 @@ Result<std::vector<OutputFile>> write_abaqus(const TetMesh& mesh, const WriteMes
   const Result<std::vector<FaceOwner>> owners = face_owners(mesh);
   if (!owners) return owners.error();
   ByteWriter out(72 * mesh.points.size() + 44 * mesh.tets.size() + 28 * mesh.faces.size() + 4096);
-  out.text("*HEADING\nvoxtet mesh\n** " + coordinates_note(options.space) + "\n");
+  out.text("*HEADING\nvoxtet mesh\n** " + coordinates_note(options.space) + "\n** " +
+           std::to_string(mesh.points.size()) + " nodes, " + std::to_string(mesh.tets.size()) +
+           " elements\n");
   write_abaqus_nodes(out, mesh, options.space);
   write_elements(out, mesh, options.infos);
   write_surfaces(out, mesh, *owners, options);

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "io/bytes/byte_writer.h"
 #include "io/mesh/shared/mesh_groups.h"
@@ -28,6 +30,21 @@ Bytes write_stl(const SurfaceMesh& surface, const WriteMeshOptions& options) {
     out.raw(std::uint16_t{0});
   }
   return out.take();
+}
+
+std::vector<OutputFile> write_label_stls(const SurfaceMesh& surface, const WriteMeshOptions& options) {
+  std::map<Label, std::vector<Triangle>> outward;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    const auto& [behind, front] = surface.sides[t];
+    if (behind != kBackground) outward[behind].push_back({a, b, c});
+    if (front != kBackground) outward[front].push_back({a, c, b});
+  }
+  std::vector<OutputFile> files;
+  for (auto& [label, triangles] : outward)
+    files.push_back({"." + word_name(label, options.infos) + ".stl",
+                     write_stl({surface.points, std::move(triangles), {}}, options)});
+  return files;
 }
 
 }  // namespace voxtet

@@ -12,4 +12,8 @@ namespace voxtet {
 /// and unit.
 Bytes write_stl(const SurfaceMesh& surface, const WriteMeshOptions& options);
 
+/// The closed boundary of each label as a file of its own, normals outwards: ".LV_myocardium_1.stl", named by
+/// word_name. What lies between two labels is in both.
+std::vector<OutputFile> write_label_stls(const SurfaceMesh& surface, const WriteMeshOptions& options);
+
 }  // namespace voxtet

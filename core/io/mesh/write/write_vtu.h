@@ -11,7 +11,7 @@
 namespace voxtet {
 
 /// VTK's number of the cell type.
-inline constexpr std::uint8_t kVtkTetra = 10;
+inline constexpr std::uint8_t kVtkTetra = 10, kVtkQuadraticTetra = 24;
 
 /// Field data that hold the names of labels.
 inline constexpr std::string_view kLabelValues = "label_values", kLabelNames = "label_names";

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/bytes/header_text.h"
+#include "io/mesh/shared/facet_tags.h"
 #include "io/mesh/shared/hdf5_arrays.h"
 #include "io/mesh/shared/mesh_groups.h"
 
@@ -39,6 +40,12 @@ std::string data_item(const Hdf5Array& array, const std::string& file) {
          "\" Format=\"HDF\">" + file + ":/" + array.name + "</DataItem>\n";
 }
 
+/// No comment may hold two hyphens.
+std::string without_pairs_of_hyphens(std::string note) {
+  for (std::size_t at = 0; (at = note.find("--", at)) != std::string::npos;) note.insert(at + 1, " ");
+  return note;
+}
+
 /// "; label 1 LV myocardium, 2 RV", for a comment; nothing where no label has a name.
 std::string label_note(const TetMesh& mesh, const std::vector<LabelInfo>& infos) {
   const std::vector<Label> labels = group_tets(mesh.labels).labels;
@@ -48,9 +55,7 @@ std::string label_note(const TetMesh& mesh, const std::vector<LabelInfo>& infos)
     const std::string number = std::to_string(labels[i]);
     if (names[i] != "label " + number) note += (note.empty() ? "; label " : ", ") + number + " " + names[i];
   }
-  // No comment may hold two hyphens.
-  for (std::size_t at = 0; (at = note.find("--", at)) != std::string::npos;) note.insert(at + 1, " ");
-  return note;
+  return without_pairs_of_hyphens(note);
 }
 
 constexpr std::size_t kGridArrays = 2;
@@ -117,25 +122,23 @@ Bytes write_description(const XdmfGrid& grid) {
   return {xml.begin(), xml.end()};
 }
 
-/// The named surfaces on the same points: FEniCS finds facets by their points' numbers.
-void write_surfaces(const TetMesh& mesh, const WriteMeshOptions& options, std::vector<OutputFile>& files) {
-  std::size_t count = 0;
-  for (const NamedSet& set : options.surfaces) count += set.members.size();
+/// The faces on the same points: FEniCS finds facets by their points' numbers.
+void write_facets(const TetMesh& mesh, const WriteMeshOptions& options, std::vector<OutputFile>& files) {
+  const FacetTags facets = facet_tags(mesh, options);
   const std::vector<Hdf5Array> arrays{{"points", Hdf5Type::kFloat64, {mesh.points.size(), 3}},
-                                      {"triangles", Hdf5Type::kInt32, {count, 3}},
-                                      {"surface", Hdf5Type::kInt32, {count}}};
+                                      {"triangles", Hdf5Type::kInt32, {mesh.faces.size(), 3}},
+                                      {"facet", Hdf5Type::kInt32, {mesh.faces.size()}}};
   ByteWriter out = begin_hdf5(arrays);
   write_points(out, mesh, options.space);
-  for (const NamedSet& set : options.surfaces)
-    for (const std::uint32_t face : set.members)
-      for (const std::uint32_t corner : mesh.faces[face]) out.raw(static_cast<std::int32_t>(corner));
-  for (std::size_t s = 0; s < options.surfaces.size(); ++s)
-    for (std::size_t i = 0; i < options.surfaces[s].members.size(); ++i)
-      out.raw(static_cast<std::int32_t>(s + 1));
-  const std::string note = coordinates_note(options.space) + "; surface " + set_legend(options.surfaces);
-  files.push_back({".surfaces.xdmf", write_description({"surfaces", note, options.name + ".surfaces.h5",
-                                                        "Triangle", arrays, arrays.size()})});
-  files.push_back({".surfaces.h5", out.take()});
+  for (const Triangle& face : mesh.faces)
+    for (const std::uint32_t corner : face) out.raw(static_cast<std::int32_t>(corner));
+  for (const std::int32_t tag : facets.of_face) out.raw(tag);
+  std::string note = coordinates_note(options.space) + "; facet ";
+  for (const std::string& tag : facet_legend(facets)) note += (note.ends_with("facet ") ? "" : ", ") + tag;
+  files.push_back(
+      {".facets.xdmf", write_description({"facets", without_pairs_of_hyphens(note),
+                                          options.name + ".facets.h5", "Triangle", arrays, arrays.size()})});
+  files.push_back({".facets.h5", out.take()});
 }
 
 }  // namespace
@@ -154,7 +157,7 @@ Result<std::vector<OutputFile>> write_xdmf(const TetMesh& mesh, const WriteMeshO
                                    options.name + ".h5", "Tetrahedron", arrays,
                                    arrays.size() - options.point_data.size()})},
       {".h5", write_numbers(mesh, options, arrays)}};
-  if (!options.surfaces.empty()) write_surfaces(mesh, options, files);
+  if (!mesh.faces.empty()) write_facets(mesh, options, files);
   return files;
 }
 

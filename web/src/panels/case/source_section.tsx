@@ -105,6 +105,16 @@ export function SourceSection({ current }: { current: Recipe }) {
       {file && (
         <p class="source-name" title={file.name}>
           <Icon name="file" /> {file.name}
+          {known && !known.mesh && (
+            <button
+              type="button"
+              class="link-button"
+              title="Unit, background, frame, and which segment wins where some overlap"
+              onClick={() => (dialogShown.value = 'reading')}
+            >
+              How it is read…
+            </button>
+          )}
         </p>
       )}
       {phantom && <PhantomFields phantom={phantom} />}

@@ -1,3 +1,5 @@
 import { signal } from '@preact/signals';
 
-export const dialogShown = signal<'export' | 'share' | 'examples' | 'keys' | 'sizes' | null>(null);
+export const dialogShown = signal<'export' | 'share' | 'examples' | 'keys' | 'sizes' | 'reading' | null>(
+  null,
+);

@@ -1,6 +1,6 @@
 import { acceptOffer, offered, closeOffer } from '../../store/case/open_case';
 import { filesOf } from '../../store/case/input';
-import { droppedFiles } from '../../store/case/open_files';
+import { droppedFiles, unread } from '../../store/case/open_files';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
 import { whole } from '../controls/format';
@@ -99,7 +99,7 @@ export function Dialogs() {
     <>
       <OfferDialog />
       {droppedFiles.value && <DropDialog />}
-      {dialogShown.value !== null && <ToolDialogs />}
+      {(dialogShown.value !== null || unread.value) && <ToolDialogs />}
     </>
   );
 }

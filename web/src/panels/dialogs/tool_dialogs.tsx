@@ -11,6 +11,7 @@ import {
   type SharedCase,
 } from '../../store/case/exchange';
 import { filesOf } from '../../store/case/input';
+import { unread } from '../../store/case/open_files';
 import { paintedEdges, paintedName } from '../../store/case/painting';
 import { recipe } from '../../store/case/recipe';
 import { simulated } from '../../store/run/frames';
@@ -24,16 +25,22 @@ import { Gallery } from '../case/gallery';
 import { Icon } from '../controls/icons';
 import { KeyList } from '../view/key_list';
 import { SizesDialog } from '../run/sizes_dialog';
+import { ReadingDialog } from './reading_dialog';
 
 const formatNotes: Record<ExportFormat, [string, string]> = {
   vtu: ['VTU', 'ParaView, PyVista: tetrahedra and labels, mm'],
-  xdmf: ['XDMF', 'FEniCS, ParaView; two files: .xdmf, .h5, mm'],
-  msh: ['Gmsh MSH', 'Gmsh, FEniCS; labels and interfaces named, mm'],
+  vtk: ['Legacy VTK', '.vtk as text, for programs and scripts that know no VTU, mm'],
+  xdmf: ['XDMF', 'FEniCS, ParaView; .xdmf, .h5, and the same of tagged facets, mm'],
+  msh: ['Gmsh MSH 4.1', 'Gmsh, FEniCS; labels and interfaces named, mm'],
+  msh22: ['Gmsh MSH 2.2', 'As text, for programs that know no later one; named, mm'],
   medit: ['Medit', 'MMG, FreeFEM; mm'],
   carp: ['openCARP', '.pts, .elem, .lon; a whole case after a simulation; µm'],
   inp: ['Abaqus', 'Abaqus, CalculiX; labels and interfaces named, mm'],
+  bdf: ['Nastran', '.bdf: CTETRA, PSOLID by label, surfaces as loads, mm'],
   feb: ['FEBio', 'FEBio Studio; parts and interfaces named, mm'],
+  tetgen: ['TetGen', '.node, .ele with labels, .face with markers, mm'],
   stl: ['STL', 'Boundary surface, for printing and viewing, mm'],
+  label_stl: ['STL by label', 'The closed boundary of each label, in one zip, mm'],
   ply: ['PLY', 'Boundary surface with labels, mm'],
 };
 
@@ -197,8 +204,13 @@ function ShareDialog({ close }: { close(): void }) {
 }
 
 export function ToolDialogs() {
-  const close = () => (dialogShown.value = null);
-  switch (dialogShown.value) {
+  const close = () => {
+    dialogShown.value = null;
+    unread.value = null;
+  };
+  switch (unread.value ? 'reading' : dialogShown.value) {
+    case 'reading':
+      return <ReadingDialog close={close} />;
     case 'export':
       return <ExportDialog close={close} />;
     case 'share':

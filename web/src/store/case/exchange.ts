@@ -40,6 +40,13 @@ async function writing(
 export function exportMesh(format: ExportFormat, space: Space): Promise<void> {
   return writing(format, async (meshed, name) => {
     const files = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name);
+    // Browsers ask about each of many files.
+    if (format === 'label_stl') {
+      const entries = files.map(({ suffix, bytes }) => [`${name}${suffix}`, bytes] as const);
+      const zip = await packZip(Object.fromEntries(entries));
+      download(`${name}.stl.zip`, new Blob([zip], { type: 'application/zip' }));
+      return `${files.length} files in one zip written`;
+    }
     for (const file of files) download(`${name}${file.suffix}`, new Blob([file.bytes]));
     return `${files.length === 1 ? 'File' : `${files.length} files`} written`;
   });

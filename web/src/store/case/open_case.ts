@@ -82,9 +82,13 @@ export function editPhantom(label: string, change: Partial<PhantomParams>): void
 }
 
 /** A volume has been read: it is the one that the case waits for, or begins a case. */
-export function takeVolume(summary: VolumeSummary, fileName: string): void {
+export function takeVolume(
+  summary: VolumeSummary,
+  fileName: string,
+  reading: Partial<Recipe['source']> = {},
+): void {
   const awaited = awaitedFile.value;
-  if (!awaited) return beginCase(summary, fileName);
+  if (!awaited) return beginCase(summary, fileName, reading);
   if (awaited.sha256 && awaited.sha256 !== summary.digest) {
     tell(
       'error',
@@ -106,10 +110,10 @@ export function takeVolume(summary: VolumeSummary, fileName: string): void {
   showVolume(summary);
 }
 
-function beginCase(summary: VolumeSummary, fileName: string): void {
+function beginCase(summary: VolumeSummary, fileName: string, reading: Partial<Recipe['source']> = {}): void {
   if (!defaults.value) return;
   const fresh = structuredClone(defaults.value);
-  const source = { ...fresh.source, file: { name: fileName, sha256: summary.digest } };
+  const source = { ...fresh.source, ...reading, file: { name: fileName, sha256: summary.digest } };
   leaveCase();
   engine.files.forgetVolumes(summary.digest);
   notices.value = notices.value.filter(({ tone }) => tone !== 'error');

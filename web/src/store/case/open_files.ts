@@ -14,7 +14,8 @@ import { awaitedSides, type SideFile } from './side_files';
 import { openSideFile } from './size_files';
 import { unpackZip } from './zip';
 
-const headerSuffix = /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|mgh|mgz|hdr|elem|vtu|msh|mesh)$/i;
+const headerSuffix =
+  /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|mgh|mgz|hdr|elem|ele|vtu|vtk|msh|mesh|inp|bdf|nas|feb|xdmf)$/i;
 
 /** DICOM files say so after 128 bytes of anything. */
 async function isDicom(file: File): Promise<boolean> {
@@ -23,6 +24,9 @@ async function isDicom(file: File): Promise<boolean> {
 
 /** Files that were dropped on an open case: what they are for is for the user to say. */
 export const droppedFiles = signal<File[] | null>(null);
+
+/** A file that could not be read, where the engine names what the user may say of it. */
+export const unread = signal<{ file: VolumeFile; message: string } | null>(null);
 
 /** Whoever comes second is read second, and does not end the first. */
 let reading: Promise<void> = Promise.resolve();
@@ -156,15 +160,19 @@ async function readVolume(files: readonly File[]): Promise<void> {
   const newest = takeTurn();
   activity.value = 'opening';
   announcement.value = `Reading ${files[0].name}`;
+  let file: VolumeFile | undefined;
   try {
-    const file = await volumeFileOf(files);
+    file = await volumeFileOf(files);
     if (!newest()) return;
     endStages();
     if (engine.busy) await engine.cancel();
     const summary = await engine.openVolume(file, awaitedFile.value ? recipe.value?.source : {});
     if (newest()) takeVolume(summary, files[0].name);
   } catch (error) {
-    tellError(error);
+    const { message } = error as Error;
+    const canBeSaid = file && !awaitedFile.value && /\bsource\.(unit|background|frame)\b/.test(message);
+    if (file && canBeSaid) unread.value = { file, message };
+    else tellError(error);
   } finally {
     if (newest() && activity.value === 'opening') activity.value = 'idle';
   }

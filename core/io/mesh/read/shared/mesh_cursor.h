@@ -31,6 +31,8 @@ class MeshCursor {
   const Error& error() const { return *error_; }
   /// Records the failure "file: line 12: message" ("byte 345" once something binary was read).
   void fail(const std::string& message);
+  /// The same for a reader that takes lines by itself, counted from 1.
+  void fail_in_line(std::size_t line, const std::string& message);
 
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   /// Fails unless `count` items of at least `bytes_each` can still follow. Call it before memory is
@@ -46,6 +48,8 @@ class MeshCursor {
   std::string_view word(const char* what);
   std::string_view peek_word();
   std::string_view rest_of_line();
+  /// Whether the next line begins with a text. The cursor stays: binary data may stand there.
+  bool next_line_begins(std::string_view text) const;
   std::int64_t integer(const char* what, std::int64_t lo, std::int64_t hi);
   double real(const char* what);
   void expect(std::string_view wanted);
@@ -84,10 +88,6 @@ class MeshCursor {
   bool binary_ = false;
   std::optional<Error> error_;
 };
-
-/// `value` as the label of a tetrahedron; fails naming the tetrahedron (counted from 1) unless it is 1 to
-/// 65535.
-Label checked_label(MeshCursor& cursor, std::int64_t value, std::uint64_t tet_number, const char* what);
 
 /// Adds the name that a file gives a label, in the order of labels. Not where the number is no label, has a
 /// name already, or has the name that writers make up for one without ("label 5").

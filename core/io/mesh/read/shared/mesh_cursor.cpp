@@ -1,4 +1,4 @@
-#include "io/mesh/read/mesh_cursor.h"
+#include "io/mesh/read/shared/mesh_cursor.h"
 
 #include <algorithm>
 #include <charconv>
@@ -24,6 +24,13 @@ void MeshCursor::fail(const std::string& message) {
                                       : "line " + std::to_string(1 + std::count(begin_, at_, '\n'));
     error_ = Error{ErrorCode::kBadInput, reader_, file_ + ": " + place + ": " + message, {}};
   }
+  at_ = end_;
+}
+
+void MeshCursor::fail_in_line(std::size_t line, const std::string& message) {
+  if (!error_)
+    error_ =
+        Error{ErrorCode::kBadInput, reader_, file_ + ": line " + std::to_string(line) + ": " + message, {}};
   at_ = end_;
 }
 
@@ -86,6 +93,11 @@ std::string_view MeshCursor::rest_of_line() {
   return trimmed(line);
 }
 
+bool MeshCursor::next_line_begins(std::string_view text) const {
+  const char* stop = std::find(at_, end_, '\n');
+  return stop != end_ && std::string_view(stop + 1, end_).starts_with(text);
+}
+
 std::int64_t MeshCursor::integer(const char* what, std::int64_t lo, std::int64_t hi) {
   const std::string_view text = peek_word();
   if (text.empty()) {
@@ -144,13 +156,6 @@ void MeshCursor::skip_bytes(std::uint64_t count, const char* what) {
     return;
   }
   at_ += count;
-}
-
-Label checked_label(MeshCursor& cursor, std::int64_t value, std::uint64_t tet_number, const char* what) {
-  if (value >= 1 && value <= std::numeric_limits<Label>::max()) return static_cast<Label>(value);
-  cursor.fail("tetrahedron " + std::to_string(tet_number) + ": " + what + " is " + std::to_string(value) +
-              ", expected 1 to 65535");
-  return 0;
 }
 
 void add_label_name(std::int64_t label, std::string_view name, std::vector<LabelInfo>& infos) {
