@@ -144,6 +144,9 @@ void visit_fields(V& v, SmoothParams& p) {
   v.field({"step", "", 0.01, 0.49, "Step of each iteration."}, p.step);
   v.field({"max_move_voxels", "voxel", 0.01, 1, "How far a vertex may move along each image axis."},
           p.max_move_voxels);
+  v.field({"slice_share", "", 0, 1,
+           "Across thick slices vertices may move as if so much of a slice were a voxel; 0: they may not."},
+          p.slice_share);
   v.field({"keep_volume", "", 0, 0, "Restore each label's volume after smoothing."}, p.keep_volume);
 }
 

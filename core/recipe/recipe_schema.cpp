@@ -92,7 +92,8 @@ class SchemaWriter {
 }  // namespace
 
 json thick_stack_preset() {
-  return {{"volume", {{"slice_ratio", 2}, {"align_slices", true}}}, {"smooth", {{"iterations", 200}}}};
+  return {{"volume", {{"slice_ratio", 2}, {"align_slices", true}}},
+          {"smooth", {{"iterations", 100}, {"slice_share", 0.4}}}};
 }
 
 json recipe_schema() {

@@ -94,7 +94,7 @@ def check_element_data(cube, folder, space):
         script.write_text(f'Merge "{space}.msh";\nMerge "{space}_data.msh";\nSave View[{view}] "{saved.name}";\n')
         run_gmsh(script, "-", tolerated="Warning : Discarding interpolation matrices")
         rows = [line[3:].replace("){", ",").split("}")[0].split(",")
-                for line in saved.read_text().splitlines() if line.startswith("SS(")]
+                for line in saved.read_text(encoding="utf-8").splitlines() if line.startswith("SS(")]
         numbers = np.array(rows, float)
         expect(len(numbers) == len(cube.tets), f"MSH by gmsh: {len(numbers)} values of {name}")
         found = numbers[:, :12].reshape(-1, 4, 3).mean(1), numbers[:, 12]
@@ -109,7 +109,7 @@ def check_boxes(cube, folder, space):
     """The $Entities of an ASCII copy that Gmsh makes: boxes of the groups, and surfaces that bound volumes."""
     copy = folder / f"{space}_by_gmsh41.msh"
     run_gmsh("-0", folder / f"{space}.msh", "-format", "msh41", "-o", copy)
-    lines = copy.read_text().split("$Entities\n")[1].split("$EndEntities")[0].splitlines()
+    lines = copy.read_text(encoding="utf-8").split("$Entities\n")[1].split("$EndEntities")[0].splitlines()
     expect([int(n) for n in lines[0].split()] == [0, 0, len(cube.pairs), len(set(cube.labels.tolist()))],
            f"MSH by gmsh: numbers of entities {lines[0]}")
     for line in lines[1:]:
@@ -139,7 +139,7 @@ def check_medit(cube, folder, space):
     expect(f"# space {space.upper()}\n# unit mm\n" in text, "MEDIT: space and unit")
     for (dimension, tag), name in cube.group_names.items():
         expect(f"# {'tetrahedra' if dimension == 3 else 'triangles'} {tag} {name}\n" in text, f"MEDIT: name {name}")
-    words = (folder / f"{space}.sol").read_text().split("SolAtTetrahedra")[1].split()
+    words = (folder / f"{space}.sol").read_text(encoding="utf-8").split("SolAtTetrahedra")[1].split()
     expect(words[:4] == [str(len(cube.tets)), "2", "1", "1"] and words[-1] == "End", f"MEDIT: solution {words[:4]}")
     columns = np.array(words[4:-1], float).reshape(-1, 2)
     for column, name in enumerate(CELL_DATA):
@@ -153,7 +153,7 @@ def check_medit(cube, folder, space):
 
 def check_carp(cube, folder, space):
     def rows(ending):
-        lines = (folder / f"{space}{ending}").read_text().splitlines()
+        lines = (folder / f"{space}{ending}").read_text(encoding="utf-8").splitlines()
         return int(lines[0]), [line.split() for line in lines[1:]]
 
     count, points = rows(".pts")
@@ -164,7 +164,7 @@ def check_carp(cube, folder, space):
     numbers = np.array([row[1:] for row in elements], int)
     expect((numbers[:, :4] == cube.tets).all() and (numbers[:, 4] == cube.labels).all(), "openCARP: tetrahedra, regions")
     expect(not (folder / f"{space}.lon").exists(), "openCARP: no fibres where none are known")
-    expect("no fibres" in (folder / f"{space}.lon.txt").read_text(), "openCARP: a word on missing fibres")
+    expect("no fibres" in (folder / f"{space}.lon.txt").read_text(encoding="utf-8"), "openCARP: a word on missing fibres")
     for name in CELL_DATA:
         expect_cell_data(cube, np.loadtxt(folder / f"{space}.{name}.dat"), name, "openCARP")
 

@@ -102,7 +102,7 @@ def run_calculix(cube, folder, space):
     expect(done.returncode == 0 and "*ERROR" not in done.stdout and "*WARNING" not in done.stdout,
            f"CalculiX complains: {done.stdout}{done.stderr}")
     numbers, rows = {}, []
-    for line in (folder / f"{space}_deck.dat").read_text().splitlines():
+    for line in (folder / f"{space}_deck.dat").read_text(encoding="utf-8").splitlines():
         if " set " in line:
             rows = numbers.setdefault(line.split(" set ")[1].split(" and ")[0], [])
         elif "E+" in line or "E-" in line:

@@ -30,7 +30,7 @@ def check_vtk(cube, folder, space):
     names = bytes(vtk_to_numpy(grid.GetFieldData().GetArray("label_names")).astype(np.uint8)).split(b"\0")[:-1]
     expect([name.decode() for name in names] == ["LV myocardium", "veine \"cave\" | sup\u00e9rieure"],
            f"VTK by VTK: names {names}")
-    expect(path.read_text().splitlines()[1].startswith(f"voxtet mesh, space {space.upper()}, unit mm"), "VTK: space")
+    expect(path.read_text(encoding="utf-8").splitlines()[1].startswith(f"voxtet mesh, space {space.upper()}, unit mm"), "VTK: space")
     mesh = meshio.read(path)
     expect_points(mesh.points, cube.points, "VTK by meshio")
     expect((mesh.cells_dict["tetra"] == cube.tets).all(), "VTK by meshio: tetrahedra")
@@ -57,7 +57,7 @@ def check_nastran(cube, folder, space):
     expect((mesh.cell_data["nastran:ref"][0] == cube.labels).all(), "Nastran by meshio: labels")
     # Loads on the elements behind the faces, on the side opposite to a corner.
     loads = np.array([[int(line[a:b]) for a, b in ((8, 16), (16, 24), (56, 64), (64, 72))]
-                      for line in path.read_text().splitlines() if line.startswith("PLOAD4")])
+                      for line in path.read_text(encoding="utf-8").splitlines() if line.startswith("PLOAD4")])
     expect((loads[:, 0] == cube.pair_rank).all(), "Nastran: load sets")
     tets = cube.tets[loads[:, 1] - 1]
     expect((cube.labels[loads[:, 1] - 1] == cube.sides[:, 0]).all(), "Nastran: elements of loads")
@@ -70,7 +70,7 @@ def check_tetgen(cube, folder, space):
     expect_points(mesh.points, cube.points, "TetGen by meshio")
     expect((mesh.cells_dict["tetra"] == cube.tets).all(), "TetGen by meshio: tetrahedra")
     expect((mesh.cell_data["tetgen:ref"][0] == cube.labels).all(), "TetGen by meshio: labels")
-    lines = [line for line in (folder / f"{space}.face").read_text().splitlines() if line[0] != "#"]
+    lines = [line for line in (folder / f"{space}.face").read_text(encoding="utf-8").splitlines() if line[0] != "#"]
     faces = np.array([line.split() for line in lines[1:]], int)
     expect((faces[:, 1:4] - 1 == cube.faces).all() and (faces[:, 4] == cube.pair_rank).all(), "TetGen: faces")
 

@@ -6,9 +6,9 @@
 
 namespace voxtet::test {
 
-inline SurfaceMesh label_surface(const LabelVolume& volume) {
+inline SurfaceMesh label_surface(const LabelVolume& volume, const SmoothParams& params = {}) {
   RunContext ctx;
-  return smooth_surface(extract_surface(volume, {}, ctx).value(), volume, {}, ctx).value();
+  return smooth_surface(extract_surface(volume, {}, ctx).value(), volume, params, ctx).value();
 }
 
 }  // namespace voxtet::test

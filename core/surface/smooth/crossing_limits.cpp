@@ -10,7 +10,8 @@
 namespace voxtet {
 namespace {
 
-constexpr double kCrossing = 0.5;  ///< of an edge, from its middle to an end
+constexpr double kHalf = 0.5;       ///< of an edge, from its middle to an end
+constexpr double kCrossing = 0.45;  ///< so that a voxel's centre is passed nowhere along it
 
 }  // namespace
 
@@ -18,7 +19,7 @@ std::vector<CrossingLimit> crossing_limits(const std::vector<Triangle>& triangle
                                            const std::vector<Eigen::Vector3d>& start,
                                            const std::vector<Eigen::Vector3d>& points,
                                            const Eigen::Vector3d& reach) {
-  const Eigen::Vector3d further = (reach.array() - kCrossing).max(0);
+  const Eigen::Vector3d further = (reach.array() - kHalf).max(0);
   std::vector<CrossingLimit> limits(start.size());
   for (const auto& [a, b, c] : triangles) {
     const Eigen::Vector3d cross = triangle_cross(points[a], points[b], points[c]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include "types/surface_mesh.h"
@@ -12,6 +13,12 @@ namespace voxtet {
 struct CrossingLimit {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double reach = 0;
+
+  /// The nearest move that the limit allows.
+  Eigen::Vector3d clamped(const Eigen::Vector3d& move) const {
+    const double along = normal.dot(move);
+    return move - (along - std::clamp(along, -reach, reach)) * normal;
+  }
 };
 
 /// A vertex began in the middle of a lattice edge e between two voxels' centres. While it moves by at most

@@ -28,7 +28,6 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr int kCorrectionPasses = 2;
 constexpr int kStepsBetweenGuards = 34;
 constexpr double kThickVoxels = 4;
-constexpr double kSliceShare = 0.4;      ///< of a slice's planes, that count as one voxel
 constexpr double kSmoothingShare = 0.8;  ///< of the progress
 
 /// How many steps are taken.
@@ -57,6 +56,9 @@ Status check_input(const SurfaceMesh& surface, const LabelVolume& volume, const 
   if (!(params.max_move_voxels > 0 && params.max_move_voxels <= 1))
     return failure(ErrorCode::kUsage, "max_move_voxels is " + std::to_string(params.max_move_voxels) +
                                           ", expected more than 0 and at most 1");
+  if (!(params.slice_share >= 0 && params.slice_share <= 1))
+    return failure(ErrorCode::kUsage,
+                   "slice_share is " + std::to_string(params.slice_share) + ", expected 0 to 1");
   if (surface.triangles.empty() || surface.sides.size() != surface.triangles.size())
     return failure(ErrorCode::kBadInput, "the surface has " + std::to_string(surface.triangles.size()) +
                                              " triangles and " + std::to_string(surface.sides.size()) +
@@ -180,9 +182,11 @@ bool correct_guarded(const CorrectionProblem& problem, const VoxelRegions& regio
                      const RunContext& ctx, Points& x) {
   Flags movable(x.size());
   for (std::size_t v = 0; v < x.size(); ++v) movable[v] = graph.kinds[v] == VertexKind::kSurface;
+  const std::vector<CrossingLimit> crossings =
+      crossing_limits(problem.surface.triangles, problem.start, x, problem.limits.reach());
   for (int pass = 0; pass < kCorrectionPasses; ++pass) {
     const Points safe = x;
-    if (!correct_volumes(problem, ctx, movable, x)) return false;
+    if (!correct_volumes(problem, crossings, ctx, movable, x)) return false;
     const Flags back = guard_shape(problem.surface.triangles, regions, problem.start, safe, x, ctx);
     for (std::size_t v = 0; v < x.size(); ++v) movable[v] = movable[v] && !back[v];
   }
@@ -193,7 +197,8 @@ bool correct_guarded(const CorrectionProblem& problem, const VoxelRegions& regio
 Eigen::Vector3d reach_of(const SmoothParams& params, const std::array<int, 3>& planes) {
   Eigen::Vector3d reach;
   for (std::size_t d = 0; d < 3; ++d)
-    reach[static_cast<Eigen::Index>(d)] = params.max_move_voxels * std::max(1.0, kSliceShare * planes[d]);
+    reach[static_cast<Eigen::Index>(d)] =
+        params.max_move_voxels * std::max(1.0, params.slice_share * planes[d]);
   return reach;
 }
 

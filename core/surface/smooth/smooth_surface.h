@@ -13,7 +13,10 @@ struct SmoothParams {
   int iterations = 50;           ///< bi-Laplacian steps; 0 returns the surface as it is
   double step = 0.4;             ///< mu of x - mu*L(L(x)), in (0, 0.5): stable below 0.5
   double max_move_voxels = 0.5;  ///< clamp of each vertex around its start, per index axis, in (0, 1]
-  bool keep_volume = true;       ///< shift along normals to restore each region's voxel volume
+  /// Across slices that were interpolated, so much of a slice counts as a voxel there, if it is more than
+  /// one.
+  double slice_share = 0;
+  bool keep_volume = true;  ///< shift along normals to restore each region's voxel volume
 };
 
 /// Clamped bi-Laplacian smoothing in index space, with momentum: x <- clamp(y - mu*L(L(y))), y a little ahead
@@ -34,8 +37,8 @@ struct SmoothParams {
 ///   than one voxel: those deeper than half a voxel, and those of sheets, wires, gaps and small components
 ///   one voxel thick, are kept (shape_guard.h).
 /// - No vertex moves further than `max_move_voxels` along an index axis. Across slices that were
-/// interpolated,
-///   of which each became `planes` voxels, 0.4 of a slice counts as one voxel.
+/// interpolated, of
+///   which each became `planes` voxels, `slice_share` of a slice counts as one voxel.
 /// - Triangles and sides are those of the input.
 /// Volumes are met to about 1e-4 of a region unless the first three guarantees prevent it.
 ///

@@ -126,8 +126,8 @@ class RegionSystem {
 
 }  // namespace
 
-bool correct_volumes(const CorrectionProblem& problem, const RunContext& ctx, Flags& movable,
-                     Points& points) {
+bool correct_volumes(const CorrectionProblem& problem, const std::vector<CrossingLimit>& crossings,
+                     const RunContext& ctx, Flags& movable, Points& points) {
   const Interfaces interfaces = find_interfaces(problem, movable);
   const std::size_t regions = problem.target.size();
   std::vector<double> volumes(regions), missing(regions), areas(interfaces.pairs.size());
@@ -153,7 +153,8 @@ bool correct_volumes(const CorrectionProblem& problem, const RunContext& ctx, Fl
       const Eigen::Vector3d shift = (length / area) * gradients[v];
       const MoveLimits::Box& box = problem.limits.box(v);
       const Eigen::Vector3d before = points[v];
-      points[v] = (before + shift).cwiseMax(problem.start[v] + box.low).cwiseMin(problem.start[v] + box.high);
+      const Eigen::Vector3d wanted = crossings[v].clamped(before + shift - problem.start[v]);
+      points[v] = problem.start[v] + wanted.cwiseMax(box.low).cwiseMin(box.high);
       if (shift.dot(points[v] - before) < kStopped * shift.squaredNorm()) movable[v] = 0;
     }
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/repair/retreat.h"
+#include "surface/smooth/crossing_limits.h"
 #include "surface/smooth/move_limits.h"
 #include "surface/smooth/surface_graph.h"
 #include "types/run_context.h"
@@ -30,10 +31,10 @@ struct CorrectionProblem {
 /// The interface of regions a and b moves by delta_ab = lambda_a - lambda_b (lambda of the outside is 0). Of
 /// all solutions of: sum over neighbours b of area_ab * delta_ab = missing volume of a, this is the one with
 /// the least area-weighted sum of squares. Only points with `movable` not 0 move, along their normal and
-/// within their limits around their start. A point that the limits stop takes no further part: its flag
-/// becomes 0. At most eight rounds, fewer once every region has its volume to a ten-thousandth and a
-/// hundredth of a voxel. `points` are in index space. False when cancelled.
-bool correct_volumes(const CorrectionProblem& problem, const RunContext& ctx, Flags& movable,
-                     std::vector<Eigen::Vector3d>& points);
+/// within their limits around their start and their crossings. A point that the limits stop takes no further
+/// part: its flag becomes 0. At most eight rounds, fewer once every region has its volume to a ten-thousandth
+/// and a hundredth of a voxel. `points` are in index space. False when cancelled.
+bool correct_volumes(const CorrectionProblem& problem, const std::vector<CrossingLimit>& crossings,
+                     const RunContext& ctx, Flags& movable, std::vector<Eigen::Vector3d>& points);
 
 }  // namespace voxtet

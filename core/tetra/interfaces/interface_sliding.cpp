@@ -150,8 +150,8 @@ void InterfaceSlider::approach(std::span<const std::uint32_t> vertices) {
     if (std::optional<Seat> seat = seat_of(v)) {
       const Point& at = complex_.point(v);
       places.push_back({at, std::move(seat->kind)});
-      reach = std::max({reach, (kReach + kFarthest) * seat->longest_edge,
-                        kReach * seat->longest_edge + envelope_ * sizing_.at(at)});
+      reach = std::max({reach, (freedom_ * kReach + kFarthest) * seat->longest_edge,
+                        freedom_ * (kReach * seat->longest_edge + envelope_ * sizing_.at(at))});
     }
   nearby_.emplace(reference_, places, reach);
 }
@@ -161,9 +161,9 @@ bool InterfaceSlider::slide(std::uint32_t vertex, double enough, double most_mis
   const ClosestPointTree* surface = seat ? nearby_->of(seat->kind) : nullptr;
   if (surface == nullptr) return false;
   const Point at = complex_.point(vertex);
-  const double distance = surface->closest(at).distance_mm, allowed = envelope_ * sizing_.at(at);
+  const double distance = surface->closest(at).distance_mm, allowed = freedom_ * envelope_ * sizing_.at(at);
   if (distance > std::max(kFarthest * seat->shortest_edge, allowed)) return false;
-  const double reach = kReach * seat->shortest_edge;
+  const double reach = freedom_ * kReach * seat->shortest_edge;
   const Envelope envelope(*surface, at, start_[vertex], std::max(distance, allowed), reach);
   const Offset offset(*surface, at, start_[vertex], reach);
   const Track& track = keeps_offset(seat->kind) ? static_cast<const Track&>(offset) : envelope;

@@ -29,6 +29,9 @@ class InterfaceSlider {
                   const SizingField& sizing, double envelope, const WallLayers& layers, const CutPlanes& cuts,
                   const VolumeKeeper& volumes);
 
+  /// From now on vertices may go this much farther than the envelope, and their own reach, would let them.
+  void loosen(double factor) { freedom_ *= factor; }
+
   /// Finds the label surface near these vertices. Needed before they, or others among them, slide.
   void approach(std::span<const std::uint32_t> vertices);
 
@@ -56,6 +59,7 @@ class InterfaceSlider {
   const SurfaceMesh& reference_;
   const SizingField& sizing_;
   double envelope_;
+  double freedom_ = 1;
   const WallLayers& layers_;
   const CutPlanes& cuts_;
   const VolumeKeeper& volumes_;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/elements/surface_measures.h"
 #include "tetra/mesh/tet_complex.h"
+#include "types/surface_mesh.h"
 #include "walls/wall_layers.h"
 
 namespace voxtet::tetra {
@@ -24,6 +26,14 @@ class VolumeKeeper {
       target_mm3_.push_back(label == kBackground || layers.is_layer(label) ? kNone
                                                                            : complex.volume_mm3(label));
     }
+  }
+
+  /// The same with the volumes that the label surface encloses, for the labels that are on it.
+  VolumeKeeper(const TetComplex& complex, const WallLayers& layers, const SurfaceMesh& reference)
+      : VolumeKeeper(complex, layers) {
+    const std::vector<double> enclosed = enclosed_volumes_mm3(reference);
+    for (std::size_t l = 0; l < std::min(target_mm3_.size(), enclosed.size()); ++l)
+      if (target_mm3_[l] != kNone && enclosed[l] > 0) target_mm3_[l] = enclosed[l];
   }
 
   /// By how much a label's volume would be off after `gain_mm3`, mm³; 0 if it has none to keep.

@@ -37,6 +37,8 @@ constexpr std::size_t kTetsPerQuestion = 256;
 /// trials fail.
 constexpr std::size_t kTetsForStep = 20;
 constexpr std::size_t kStepsAlways = 5000;
+/// Around tets that nothing else helps vertices may slide so much farther.
+constexpr double kLastFreedom = 2;
 /// Each holds the vertices where interfaces met in the one before.
 constexpr int kSlidingTrials = 4;
 
@@ -50,7 +52,7 @@ class Optimiser {
         smoother_(complex_, guard_),
         size_smoother_(complex_, guard_),
         inserter_(complex_, guard_),
-        volumes_(complex_, layers),
+        volumes_(complex_, layers, reference),
         slider_(complex_, smoother_, reference, sizing, params.slide, layers, cuts, volumes_),
         flipper_(complex_, reference, sizing, guard_, params.slide, volumes_),
         compound_(complex_, guard_, smoother_, inserter_, slider_, counts_),
@@ -79,7 +81,7 @@ class Optimiser {
       if (!insert(quality_of_angle(kLayerInsertionDeg), true)) return false;
       slide(last_goal);
     }
-    if (!combine(last_goal) || !fit_sizes(goal)) return false;
+    if (!combine(last_goal) || !combine_loosely(last_goal) || !fit_sizes(goal)) return false;
     tell(bad_before, bad_tets(goal).size());
     return true;
   }
@@ -223,6 +225,13 @@ class Optimiser {
         }
     });
     return going;
+  }
+
+  /// For the handful of tets that are left. False when cancelled.
+  bool combine_loosely(double goal) {
+    if (!(params_.slide > 0) || bad_tets(goal).empty()) return true;
+    slider_.loosen(kLastFreedom);
+    return combine(goal);
   }
 
   /// False when cancelled.

@@ -18,7 +18,8 @@ struct OptimiseParams {
   double insertion_deg = 33;     ///< at tets that stay below this, vertices are inserted and slide
   int rounds = 4;                ///< 0 leaves the mesh as it is
   /// How far from the label surface a sliding vertex, or the middle of a flipped edge, may be, as a part of
-  /// the target edge length, unless it already is farther; 0: the boundary stays as it is.
+  /// the target edge length, unless it already is farther; 0: the boundary stays as it is. Twice that around
+  /// the few tets that nothing else brings to `insertion_deg`.
   double slide = 0.1;
 };
 
@@ -29,8 +30,8 @@ struct OptimiseParams {
 ///
 /// The faces between labels keep their triangles and points, with two exceptions: points slide inside a face
 /// between two labels or along a curve where faces meet, and edges flip inside a face. By these no label
-/// without layers gains or loses more than 0.2 % of its volume. Points keep their order; some inside of a
-/// label are removed, new ones come last.
+/// without layers comes to be off by more than 0.2 % of the volume that it has on the label surface, or by
+/// more than it was. Points keep their order; some inside of a label are removed, new ones come last.
 ///
 /// New edges are between 0.4 and 1.9 times the target of `sizing`, or nearer to that range than the farthest
 /// of those that they replace or that moved with them. Edges of an inserted vertex, and those around tets

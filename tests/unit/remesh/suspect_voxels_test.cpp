@@ -32,13 +32,16 @@ LabelVolume with_tunnel(int content) {
   return block([&](int i, int j, int) { return i == kMiddle && j == kMiddle ? content : 1; });
 }
 
-/// Suspects of the surface of one volume, with the other as the labels.
+/// Suspects of the surface of one volume, with the other as the labels. Little smoothed: a block keeps the
+/// voxels at its corners.
 std::vector<bool> suspects(const LabelVolume& found, const LabelVolume& wanted,
                            const std::vector<Label>& labels,
                            const std::vector<Eigen::Vector3d>& touching = {}) {
-  const SurfaceMesh reference = test::label_surface(wanted);
+  SmoothParams params;
+  params.iterations = 10;
+  const SurfaceMesh reference = test::label_surface(wanted, params);
   const LabelField field(wanted, reference);
-  return SuspectVoxels(reference, field).of(test::label_surface(found), labels, touching);
+  return SuspectVoxels(reference, field).of(test::label_surface(found, params), labels, touching);
 }
 
 int count_of(const std::vector<bool>& marked) {

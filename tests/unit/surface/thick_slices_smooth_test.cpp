@@ -37,7 +37,8 @@ struct ThickBall {
   SurfaceMesh smoothed(const std::array<int, 3>& of_slice) const {
     RunContext ctx;
     SmoothParams params;
-    params.iterations = 400;
+    params.iterations = 100;
+    params.slice_share = 0.4;
     return smooth_surface(raw, fine, params, ctx, {}, of_slice).value();
   }
 

@@ -92,6 +92,8 @@ export interface RecipeFields {
     step: number;
     /** How far a vertex may move along each image axis; voxel. */
     max_move_voxels: number;
+    /** Across thick slices vertices may move as if so much of a slice were a voxel; 0: they may not. */
+    slice_share: number;
     /** Restore each label's volume after smoothing. */
     keep_volume: boolean;
   };
@@ -405,6 +407,7 @@ export const recipeDefaults = {
     "slice_ratio": 2,
     "speck_voxels": 0,
     "hole_voxels": 0,
+    "handle_voxels": 0,
     "flat_border": true,
     "align_slices": false,
     "largest_shift_mm": 10,
@@ -417,6 +420,7 @@ export const recipeDefaults = {
     "iterations": 50,
     "step": 0.4,
     "max_move_voxels": 0.5,
+    "slice_share": 0,
     "keep_volume": true
   },
   "sizing": {
