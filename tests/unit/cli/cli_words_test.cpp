@@ -122,8 +122,8 @@ TEST_F(CliTest, SaysWhatFormWasExpected) {
            {{"--edge-mm", "2 apples"}, "--edge-mm: found '2 apples', expected a length as 2, 2mm"},
            {{"--set", "sizing.edge_mm:2"}, "--set sizing.edge_mm:2: expected sizing.edge_mm=2"},
            {{"--report", "-"}, "--report -: found standard output, expected the name of a file"},
-           {{"-o", "-"}, "-o -: expected --output-format with vtu, msh, mesh"},
-           {{"-o", "-", "--output-format", "carp"}, "--output-format: found 'carp', expected vtu, msh, mesh"},
+           {{"-o", "-"}, "-o -: expected --output-format with vtu, vtk, msh, mesh"},
+           {{"-o", "-", "--output-format", "carp"}, "--output-format: found 'carp', expected vtu, vtk, msh"},
            {{"-o", "-", "--output-format", "vtu", "--json"}, "--json: found -o -"},
            {{"-o", at("a.vtu"), "--output-format", "vtu"}, "whose ending says the format; expected -o -"},
            {{"--input-format", "vtu"}, "which has a name; expected - for standard input"}}) {

@@ -203,7 +203,7 @@ TEST_F(CliTest, NumbersRegionsForOpenCarpByTissue) {
   // The label 1 is meshed; where the label 2 fills a tetrahedron, it is another tissue, and 3 is none.
   write("boxes.json",
         R"({"source": {"phantom": {"kind": "nested_boxes", "radius_mm": 8, "spacing_mm": [1, 1, 1]}},
-    "sizing": {"edge_mm": 3},
+    "sizing": {"edge_mm": 2},
     "merge": [[1, 2, 3]], "transfer": {"labels": [2, 3]},
     "physics": {"tissue": {"by": "centroid", "kinds": [{"labels": [1]}, {"labels": [2], "along_mm_per_ms": 0.25}]},
       "stimuli": [{"centre_mm": [0, 0, 0], "radius_mm": 1000}]}})");

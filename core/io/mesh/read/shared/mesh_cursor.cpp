@@ -95,7 +95,8 @@ std::string_view MeshCursor::rest_of_line() {
 
 bool MeshCursor::next_line_begins(std::string_view text) const {
   const char* stop = std::find(at_, end_, '\n');
-  return stop != end_ && std::string_view(stop + 1, end_).starts_with(text);
+  return stop != end_ &&
+         std::string_view(stop + 1, static_cast<std::size_t>(end_ - stop - 1)).starts_with(text);
 }
 
 std::int64_t MeshCursor::integer(const char* what, std::int64_t lo, std::int64_t hi) {

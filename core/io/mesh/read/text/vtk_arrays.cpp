@@ -1,8 +1,8 @@
 #include "io/mesh/read/text/vtk_arrays.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -83,8 +83,8 @@ double as_number(std::uint64_t bits, VtkType type) {
     case VtkType::kInt16: return static_cast<std::int16_t>(bits);
     case VtkType::kInt32: return static_cast<std::int32_t>(bits);
     case VtkType::kInt64: return static_cast<double>(static_cast<std::int64_t>(bits));
-    case VtkType::kFloat: return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-    case VtkType::kDouble: return std::bit_cast<double>(bits);
+    case VtkType::kFloat: return Eigen::numext::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    case VtkType::kDouble: return Eigen::numext::bit_cast<double>(bits);
     default: return static_cast<double>(bits);
   }
 }

@@ -2,7 +2,7 @@
 
 #include <zlib.h>
 
-#include <bit>
+#include <Eigen/Core>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -328,8 +328,8 @@ class Hdf5Reader {
 
   static double value_of(std::uint64_t bits, const ObjectHeader& header) {
     if (header.number_class == 1)
-      return header.number_bytes == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits))
-                                      : std::bit_cast<double>(bits);
+      return header.number_bytes == 4 ? Eigen::numext::bit_cast<float>(static_cast<std::uint32_t>(bits))
+                                      : Eigen::numext::bit_cast<double>(bits);
     if (!header.is_signed) return static_cast<double>(bits);
     const auto shift = static_cast<int>(64 - 8 * header.number_bytes);
     return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
