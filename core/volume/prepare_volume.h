@@ -36,7 +36,7 @@ struct PreparedVolume {
   CutPlanes cuts;
   SliceAlignment alignment;
   std::array<int, 3> planes{1, 1, 1};  ///< of `prepared` to each slice, along its axes
-  Flaws flaws;                         ///< of the labels as they are to be meshed: what usual cleaning would mend
+  Flaws flaws;  ///< of the labels as they are to be meshed: what usual cleaning would mend
 };
 
 /// Applies align_slices, select_labels and reordered, interpolate_slices to all labels, then clean_volume and
