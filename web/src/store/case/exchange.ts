@@ -12,7 +12,7 @@ import { activity } from '../run/stages';
 import { paintedName } from './painting';
 import { heldSides } from './side_files';
 import { command, layout, sceneMounted, type Layout } from '../view';
-import { packZip } from './zip';
+import { packZip } from './zip/zip';
 
 /** Runs what writes files, and says so. */
 async function writing(

@@ -12,7 +12,7 @@ import { areValues, openValues } from '../run/values';
 import { recipe } from './recipe';
 import { awaitedSides, type SideFile } from './side_files';
 import { openSideFile } from './size_files';
-import { unpackZip } from './zip';
+import { unpackZip } from './zip/zip';
 
 const headerSuffix =
   /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|mgh|mgz|hdr|elem|ele|vtu|vtk|msh|mesh|inp|bdf|nas|feb|xdmf)$/i;
