@@ -17,11 +17,11 @@ namespace voxtet {
 
 /// y <- x + s (x - last x), x <- clamp(y - step * L(L(y))), where L(x) is the mean of a vertex's neighbours
 /// minus itself (0 at fixed vertices, which stay), and the clamp is that of `limits` around `start`, and of
-/// the crossings where they are limited. The share s of the last step grows as k / (k + 3) with the steps k
-/// (Nesterov, "A method of solving a convex programming problem with convergence rate O(1/k^2)", 1983), from
-/// 0 again every hundred steps: so k steps reach as far as some k^2 / 12 steps without it. Along junctions,
-/// where L has eigenvalues down to -2, steps are shorter, as momentum needs. Displacements are held in single
-/// precision. Identical for any number of threads. References must stay valid.
+/// the crossings where they are limited. The share s of the last step is k / (k + 3) after k steps
+/// (Nesterov, "A method of solving a convex programming problem with convergence rate O(1/k^2)", 1983), which
+/// are counted anew every hundred steps: so k steps reach as far as some k^2 / 12 steps without it. Along
+/// junctions, where L has eigenvalues down to -2, steps are shorter, as momentum needs. Displacements are
+/// held in single precision. Identical for any number of threads. References must stay valid.
 class BilaplacianSmoother {
  public:
   BilaplacianSmoother(const SurfaceGraph& graph, const std::vector<Eigen::Vector3d>& start,

@@ -6,10 +6,10 @@
 namespace voxtet {
 namespace {
 
-/// Puts tags into their places while a stack of open names checks the nesting.
+/// Puts tags into their places.
 class VtuBuilder {
  public:
-  explicit VtuBuilder(std::string_view file) : file_(file), reader_(file) {}
+  explicit VtuBuilder(std::string_view file) : file_(file), reader_(file, "VTKFile") {}
 
   bool build() {
     XmlTag tag;
@@ -18,11 +18,11 @@ class VtuBuilder {
       if (!reader_.next(tag, text)) return false;
       if (array_ != nullptr && array_->text.empty()) array_->text = trimmed(text);
       if (tag.closing) {
-        if (!close(tag)) return false;
+        if (tag.name == "DataArray" || tag.name == "Array") array_ = nullptr;
       } else if (!open(tag)) {
         return false;
       }
-    } while (!open_.empty() && document.appended_encoding.empty());
+    } while (!reader_.at_end() && document.appended_encoding.empty());
     return true;
   }
   const std::string& error() const { return reader_.error(); }
@@ -30,18 +30,8 @@ class VtuBuilder {
   VtuDocument document;
 
  private:
-  bool close(const XmlTag& tag) {
-    if (open_.empty() || open_.back() != tag.name)
-      return reader_.fail("</" + std::string(tag.name) + "> closes nothing");
-    open_.pop_back();
-    if (tag.name == "DataArray" || tag.name == "Array") array_ = nullptr;
-    return true;
-  }
-
   bool open(const XmlTag& tag) {
-    const std::string_view parent = open_.empty() ? std::string_view{} : open_.back();
-    if (open_.empty() && tag.name != "VTKFile")
-      return reader_.fail("the first tag is " + in_quotes(tag.name) + ", expected VTKFile");
+    const std::string_view parent = reader_.parent();
     if (tag.name == "VTKFile") {
       document.grid_type = tag["type"];
       document.byte_order = tag["byte_order"];
@@ -65,7 +55,6 @@ class VtuBuilder {
     } else if (tag.name == "AppendedData") {
       return open_appended(tag);
     }
-    if (!tag.empty) open_.push_back(tag.name);
     return true;
   }
 
@@ -84,7 +73,6 @@ class VtuBuilder {
 
   std::string_view file_;
   XmlTags reader_;
-  std::vector<std::string_view> open_;
   VtuArray* array_ = nullptr;
 };
 

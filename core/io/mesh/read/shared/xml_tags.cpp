@@ -43,7 +43,20 @@ bool XmlTags::next(XmlTag& tag, std::string_view& text) {
     }
   }
   text = file_.substr(begin, at_ - begin);
-  return read_tag(tag);
+  return read_tag(tag) && nest(tag);
+}
+
+bool XmlTags::nest(const XmlTag& tag) {
+  if (tag.closing) {
+    if (open_.empty() || open_.back() != tag.name)
+      return fail("</" + std::string(tag.name) + "> closes nothing");
+    open_.pop_back();
+  } else if (open_.empty() && tag.name != root_) {
+    return fail("the first tag is " + in_quotes(tag.name) + ", expected " + std::string(root_));
+  }
+  parent_ = open_.empty() ? std::string_view{} : open_.back();
+  if (!tag.closing && !tag.empty) open_.push_back(tag.name);
+  return true;
 }
 
 bool XmlTags::skip_behind(std::string_view marker) {

@@ -18,10 +18,12 @@ struct XmlTag {
   std::string_view operator[](std::string_view attribute) const;
 };
 
-/// Strict for what it reads (attributes in quotes); knows no entities, CDATA or DTD.
+/// Strict for what it reads (attributes in quotes, tags closed where they were opened); knows no entities,
+/// CDATA or DTD.
 class XmlTags {
  public:
-  explicit XmlTags(std::string_view file) : file_(file) {}
+  /// `root`: name of the tag that the file must begin with.
+  XmlTags(std::string_view file, std::string_view root) : file_(file), root_(root) {}
 
   const std::string& error() const { return error_; }
   std::size_t position() const { return at_; }
@@ -29,6 +31,10 @@ class XmlTags {
   bool fail(const std::string& message);
   /// The next tag and the text before it; comments and declarations are passed over. False at a failure.
   bool next(XmlTag& tag, std::string_view& text);
+  /// Name of the tag around the last one; empty where that is the root.
+  std::string_view parent() const { return parent_; }
+  /// Whether the root is closed.
+  bool at_end() const { return open_.empty(); }
 
  private:
   bool begins(std::string_view text) const { return file_.substr(at_, text.size()) == text; }
@@ -36,8 +42,10 @@ class XmlTags {
   void skip_space();
   std::string_view read_name();
   bool read_tag(XmlTag& tag);
+  bool nest(const XmlTag& tag);
 
-  std::string_view file_;
+  std::string_view file_, root_, parent_;
+  std::vector<std::string_view> open_;
   std::size_t at_ = 0;
   std::string error_;
 };

@@ -29,7 +29,7 @@ std::vector<std::string_view> listed(std::string_view text) {
 
 class FebioReader {
  public:
-  explicit FebioReader(std::string_view text) : tags_(text) {}
+  explicit FebioReader(std::string_view text) : tags_(text, "febio_spec") {}
 
   /// False at a failure, which error() tells.
   bool read() {
@@ -38,19 +38,13 @@ class FebioReader {
     do {
       if (!tags_.next(tag, text)) return false;
       if (tag.closing) {
-        if (open_.empty() || open_.back() != tag.name)
-          return tags_.fail("</" + std::string(tag.name) + "> closes nothing");
-        open_.pop_back();
         if (!close(tag.name, text)) return false;
         continue;
       }
-      if (open_.empty() && tag.name != "febio_spec")
-        return tags_.fail("the first tag is " + in_quotes(tag.name) + ", expected febio_spec");
       if (tag.empty) continue;
-      open_.push_back(tag.name);
       if (tag.name == "Elements") begin_elements(tag);
       if (tag.name == "node" || tag.name == "elem") id_ = tag["id"];
-    } while (!open_.empty());
+    } while (!tags_.at_end());
     return true;
   }
   const std::string& error() const { return tags_.error(); }
@@ -72,7 +66,7 @@ class FebioReader {
   }
 
   bool close(std::string_view name, std::string_view text) {
-    const std::string_view parent = open_.empty() ? std::string_view{} : open_.back();
+    const std::string_view parent = tags_.parent();
     if (name == "node" && parent == "Nodes") return add_node(text);
     if (name == "elem" && parent == "Elements" && nodes_ > 0) return add_element(text);
     return true;
@@ -116,7 +110,6 @@ class FebioReader {
   }
 
   XmlTags tags_;
-  std::vector<std::string_view> open_;
   std::string_view id_;
   std::size_t nodes_ = 0;  ///< nodes of an element; 0: no tetrahedra
   std::int64_t part_ = 0;

@@ -58,10 +58,10 @@ bool has_tetrahedra(const FoundGrid& grid) {
   return grid.topology == "tetrahedron" || grid.topology == "tetrahedron_10" || grid.topology == "tet_10";
 }
 
-/// The grids of a file, with the XML checked for its nesting.
+/// The grids of a file.
 class XdmfReader {
  public:
-  explicit XdmfReader(std::string_view text) : tags_(text) {}
+  explicit XdmfReader(std::string_view text) : tags_(text, "Xdmf") {}
 
   bool read() {
     XmlTag tag;
@@ -69,18 +69,12 @@ class XdmfReader {
     do {
       if (!tags_.next(tag, text)) return false;
       if (tag.closing) {
-        if (open_.empty() || open_.back() != tag.name)
-          return tags_.fail("</" + std::string(tag.name) + "> closes nothing");
-        open_.pop_back();
         if (tag.name == "DataItem" && item_) item_->text = trimmed(text);
         item_ = nullptr;
-      } else if (open_.empty() && tag.name != "Xdmf") {
-        return tags_.fail("the first tag is " + in_quotes(tag.name) + ", expected Xdmf");
       } else {
         open(tag);
-        if (!tag.empty) open_.push_back(tag.name);
       }
-    } while (!open_.empty());
+    } while (!tags_.at_end());
     return true;
   }
   const std::string& error() const { return tags_.error(); }
@@ -93,7 +87,7 @@ class XdmfReader {
   }
 
   void open(const XmlTag& tag) {
-    const std::string_view parent = open_.empty() ? std::string_view{} : open_.back();
+    const std::string_view parent = tags_.parent();
     if (tag.name == "Grid") grids.emplace_back();
     if (grids.empty()) return;
     FoundGrid& grid = grids.back();
@@ -109,7 +103,6 @@ class XdmfReader {
   }
 
   XmlTags tags_;
-  std::vector<std::string_view> open_;
   FoundItem* item_ = nullptr;
 };
 

@@ -7,6 +7,7 @@
 #include "io/bytes/byte_writer.h"
 #include "io/mesh/shared/facet_tags.h"
 #include "io/mesh/shared/mesh_groups.h"
+#include "io/mesh/write/text/numbered_points.h"
 
 namespace voxtet {
 namespace {
@@ -27,15 +28,7 @@ void write_msh22_names(ByteWriter& out, const TetMesh& mesh, const FacetTags& fa
 
 void write_msh22_nodes(ByteWriter& out, const TetMesh& mesh, PatientSpace space) {
   out.text("$Nodes\n" + std::to_string(mesh.points.size()) + "\n");
-  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-    out.integer(static_cast<std::int64_t>(p + 1));
-    const Eigen::Vector3d point = in_space(mesh.points[p], space);
-    for (int d = 0; d < 3; ++d) {
-      out.text(" ");
-      out.real(point[d]);
-    }
-    out.text("\n");
-  }
+  write_numbered_points(out, mesh.points, space);
   out.text("$EndNodes\n");
 }
 

@@ -5,6 +5,7 @@
 #include "io/bytes/byte_writer.h"
 #include "io/mesh/shared/facet_tags.h"
 #include "io/mesh/shared/mesh_groups.h"
+#include "io/mesh/write/text/numbered_points.h"
 
 namespace voxtet {
 namespace {
@@ -24,15 +25,7 @@ Bytes write_node(const TetMesh& mesh, PatientSpace space) {
   ByteWriter out(72 * mesh.points.size() + 256);
   out.text("# voxtet mesh, " + coordinates_note(space) + "\n" + std::to_string(mesh.points.size()) +
            " 3 0 0\n");
-  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
-    out.integer(static_cast<std::int64_t>(p + 1));
-    const Eigen::Vector3d point = in_space(mesh.points[p], space);
-    for (int d = 0; d < 3; ++d) {
-      out.text(" ");
-      out.real(point[d]);
-    }
-    out.text("\n");
-  }
+  write_numbered_points(out, mesh.points, space);
   return out.take();
 }
 
