@@ -108,9 +108,10 @@ const SimulationSection = fetched(() =>
 const StackSection = fetched(() => import('./stack_section').then((part) => part.StackSection));
 
 /** Whether the slices are so thick that they are interpolated, or would be. */
-function isStack(): boolean {
+/** Whether the engine would interpolate: its tolerance is a thousandth. */
+function isStack(sliceRatio: number): boolean {
   const spacing = volume.value?.spacing_mm;
-  return spacing !== undefined && Math.max(...spacing) > 2.002 * Math.min(...spacing);
+  return spacing !== undefined && Math.max(...spacing) > 1.001 * (sliceRatio || 2) * Math.min(...spacing);
 }
 
 export function CasePanel() {
@@ -127,7 +128,7 @@ export function CasePanel() {
         <>
           <LabelSection current={current} />
           {!meshIsGiven.value && <SizingSection current={current} />}
-          {!meshIsGiven.value && isStack() && <StackSection current={current} />}
+          {!meshIsGiven.value && isStack(current.volume.slice_ratio) && <StackSection current={current} />}
           {!meshIsGiven.value && <StageSection current={current} />}
           {physics?.monodomain ? <PhysicsSection current={current} physics={physics} /> : <AddSimulation />}
           {developer && <SimulationSection current={current} />}

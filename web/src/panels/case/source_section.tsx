@@ -1,11 +1,12 @@
-import type { Flaw, PhantomKind, PhantomParams, Recipe, Vec3, VolumeSummary } from '../../engine/contract';
+import type { PhantomKind, PhantomParams, Recipe, Vec3, VolumeSummary } from '../../engine/contract';
 import { obliqueness, orientationLetters } from '../../geometry/orientation';
 import { editPhantom, openPhantom } from '../../store/case/open_case';
-import { cleanLabels, otherWarnings } from '../../store/case/clean';
+import { otherWarnings } from '../../store/case/clean';
 import { openFiles } from '../../store/case/open_files';
 import { previewSoon } from '../../store/run/run_stages';
 import { volume } from '../../store/case/input';
 import { dialogShown } from '../controls/dialog_shown';
+import { fetched } from '../controls/fetched';
 import { CheckField, NumberField, SelectField, VectorField } from '../controls/fields';
 import { FileInput } from '../controls/file_input';
 import { short, whole } from '../controls/format';
@@ -72,23 +73,7 @@ function ReadFacts({ known }: { known: VolumeSummary }) {
   );
 }
 
-/** Noise of the segmentation, and the click that takes it away. */
-function Flaws({ flaws }: { flaws: Flaw[] }) {
-  const remedy = () => {
-    cleanLabels();
-    previewSoon();
-  };
-  return (
-    <div class="stale" data-testid="flaws">
-      {flaws.map(({ text }) => (
-        <p key={text}>{text}</p>
-      ))}
-      <button type="button" class="button small" onClick={remedy}>
-        Clean the labels
-      </button>
-    </div>
-  );
-}
+const Flaws = fetched(() => import('./flaws').then((part) => part.Flaws));
 
 export function SourceSection({ current }: { current: Recipe }) {
   const { phantom, file } = current.source;

@@ -11,7 +11,7 @@ test('cleaning fills in the limits that a recipe leaves at 0, and keeps the othe
 test('a flaw is shown once: with its remedy, not among the warnings', () => {
   const text = '12 loose pieces of label 1: 12 voxels, the largest of 1';
   const known = {
-    warnings: [`${text}; noise? --clean takes it away`, 'another'],
+    warnings: [`volume: ${text}; noise? --clean takes it away`, 'another'],
     flaws: [{ kind: 'pieces', count: 12, voxels: 12, largest: 1, labels: [[1, 12]], text }],
   } as unknown as VolumeSummary;
   expect(otherWarnings(known)).toEqual(['another']);

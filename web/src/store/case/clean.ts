@@ -17,5 +17,5 @@ export function cleanLabels(): void {
 
 /** Warnings without those that say a flaw, which is shown with its remedy. */
 export function otherWarnings({ warnings, flaws = [] }: VolumeSummary): string[] {
-  return warnings.filter((warning) => !flaws.some(({ text }) => warning.startsWith(text)));
+  return warnings.filter((warning) => !flaws.some(({ text }) => warning.includes(text)));
 }

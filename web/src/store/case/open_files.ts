@@ -1,18 +1,16 @@
 /** Files that the user opens or drops: volumes, cases, zips, what sizes come from, and values on the mesh. */
 import { signal } from '@preact/signals';
-import type { FileSource, SideKind, VolumeFile } from '../../engine/contract';
+import type { SideKind, VolumeFile } from '../../engine/contract';
 import { parseCase } from '../../link/codec';
-import { offerCase, offered, takeVolume } from './open_case';
+import { offerCase, takeVolume } from './open_case';
 import { engine, takeTurn, tellError } from '../run/engine';
 import { awaitedFile, volume } from './input';
 import { announcement, tell } from '../notices';
 import { activity, endStages } from '../run/stages';
 import { previewSoon } from '../run/run_stages';
-import { areValues, openValues } from '../run/values';
 import { recipe } from './recipe';
-import { awaitedSides, type SideFile } from './side_files';
+import { awaitedSides } from './side_files';
 import { openSideFile } from './size_files';
-import { unpackZip } from './zip/zip';
 
 const headerSuffix =
   /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|mgh|mgz|hdr|elem|ele|vtu|vtk|msh|mesh|inp|bdf|nas|feb|xdmf)$/i;
@@ -20,6 +18,15 @@ const headerSuffix =
 /** DICOM files say so after 128 bytes of anything. */
 async function isDicom(file: File): Promise<boolean> {
   return (await file.slice(128, 132).text()) === 'DICM';
+}
+
+/** Of openCARP, at the points of a mesh. */
+const areValues = (files: readonly File[]) =>
+  files.length > 0 && files.every(({ name }) => /\.(dat|igb)$/i.test(name));
+
+async function openValues(files: readonly File[]): Promise<void> {
+  const values = await import('../run/values');
+  await values.openValues(files);
 }
 
 /** Files that were dropped on an open case: what they are for is for the user to say. */
@@ -100,43 +107,6 @@ async function openSide(kind: SideKind, files: readonly File[]): Promise<void> {
   previewSoon();
 }
 
-/** What the header of a file in a zip may name. */
-function siblingsIn(entries: VolumeFile['siblings'], name: string): VolumeFile['siblings'] {
-  if (!/\.(nhdr|mhd|hdr)$/i.test(name)) return {};
-  return Object.fromEntries(
-    Object.entries(entries).filter(([other]) => /\.(z?raw|img|bin|dat)(\.gz)?$/i.test(other)),
-  );
-}
-
-/** A zip that was exported here: its case, with the masks and images in it. */
-async function openZip(file: File): Promise<void> {
-  try {
-    const entries = await unpackZip(new Uint8Array(await file.arrayBuffer()));
-    const name = Object.keys(entries).find((one) => one.endsWith('.case.json'));
-    if (!name) throw new Error(`${file.name} holds no case: no file in it ends in .case.json.`);
-    const value = parseCase(new TextDecoder().decode(entries[name]));
-    await offerCase(value);
-    const { masks, images } = offered.value?.recipe.sizing ?? { masks: [], images: [] };
-    const sidesOf = (kind: SideKind, files: FileSource[]) =>
-      files.flatMap(({ name, sha256 }): SideFile[] =>
-        entries[name]
-          ? [
-              {
-                kind,
-                file: { name, bytes: entries[name], siblings: siblingsIn(entries, name) },
-                digest: sha256,
-              },
-            ]
-          : [],
-      );
-    // The engine holds their content against the digests of the case.
-    const sides = [...sidesOf('mask', masks), ...sidesOf('image', images)];
-    if (offered.value) offered.value = { ...offered.value, sides };
-  } catch (error) {
-    tellError(error);
-  }
-}
-
 /** A file to be meshed, with the raw file that its header may name. A case file opens like a link. */
 export async function openFiles(files: File[]): Promise<void> {
   if (areValues(files)) return openValues(files);
@@ -148,7 +118,7 @@ export async function openFiles(files: File[]): Promise<void> {
       whole.name,
       files.filter((file) => file !== whole),
     );
-    await (whole === caseFile ? openCase(whole) : openZip(whole));
+    await (whole === caseFile ? openCase(whole) : (await import('./zip/open_zip')).openZip(whole));
   } else if (files.length > 0) await openVolume(mainFirst(files));
 }
 

@@ -8,9 +8,6 @@ import { play } from './player';
 import { meshedRecipe } from './report';
 import { activity } from './stages';
 
-export const areValues = (files: readonly File[]): boolean =>
-  files.length > 0 && files.every(({ name }) => /\.(dat|igb)$/i.test(name));
-
 /** The values of a .dat become a colour of the mesh, the frames of an .igb are played. */
 export async function openValues(files: readonly File[]): Promise<void> {
   for (const file of files) await openOne(file);
