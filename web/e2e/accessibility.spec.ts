@@ -23,7 +23,7 @@ for (const colorScheme of ['light', 'dark'] as const) {
     await page.getByText('Stage parameters').click();
     await page.getByText('Limits', { exact: true }).click();
     await page.getByLabel('Limits: Most tetrahedra').fill('10');
-    await expect(page.locator('.panel.left .stale')).toContainText('limits.tets');
+    await expect(page.locator('.panel.left .stale', { hasText: 'limits.tets' })).toBeVisible();
     await page.getByText('Shape of the tetrahedra').click();
     await page.getByRole('button', { name: 'Cut', exact: true }).click();
     await page.getByLabel('Colour by').selectOption('size_log2');

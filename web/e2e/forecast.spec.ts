@@ -121,7 +121,7 @@ test('a limit is named before the run that it refuses, and fits the sizes', asyn
   await page.getByLabel('Limits: Most tetrahedra').fill(String(limit));
   await expect(note(page)).toHaveClass(/caution/);
   await expect(note(page)).toContainText(`limits.tets: the forecast is about ${count.toLocaleString('en')}`);
-  await expect(page.locator('.panel.left .stale')).toContainText('limits.tets');
+  await expect(page.locator('.panel.left .stale', { hasText: 'limits.tets' })).toBeVisible();
   await page.getByTestId('run').click();
   await expect(page.getByRole('alert')).toContainText('limits.tets');
   await idle(page);
