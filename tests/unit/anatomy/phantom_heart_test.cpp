@@ -151,7 +151,7 @@ TEST(PhantomSurfaces, AreFoundInSpiteOfFaultyLabels) {
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const double depth = depth_mm(test::centre_of(mesh, f));
     if (found.faces[f] == HeartSurface::kBase) {
-      EXPECT_LT(depth, 4);
+      EXPECT_LT(depth, 6);  // the faults begin at 8 mm; facets of the base have edges of 5 mm
     }
   }
 }
