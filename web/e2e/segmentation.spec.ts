@@ -38,7 +38,7 @@ test('a stack of shifted slices is put back by its preset, and the moves are tol
   await expect(stage(page, 'quality')).toHaveAttribute('data-state', 'done', { timeout: 120_000 });
   await idle(page);
   const moved = page.getByTestId('alignment');
-  expect(await moved.locator('tbody tr').count()).toBeGreaterThan(5);
+  await expect(moved.locator('tbody tr').nth(5)).toBeVisible();
   if (shots) await moved.scrollIntoViewIfNeeded();
   if (shots) await page.screenshot({ path: `${shots}/stack.png` });
 });
