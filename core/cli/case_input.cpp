@@ -148,12 +148,9 @@ Status put_labels(const CaseOptions& options, const LabelWords& words, nlohmann:
 
 /// Usual cleaning, where the recipe asks for none of a kind.
 void put_cleaning(nlohmann::json& volume) {
-  const auto put = [&](const char* field, std::uint32_t voxels) {
+  const nlohmann::json preset = cleaning_preset();
+  for (const auto& [field, voxels] : preset["volume"].items())
     if (volume[field] == 0) volume[field] = voxels;
-  };
-  put("speck_voxels", kUsualCleaning.speck_voxels);
-  put("hole_voxels", kUsualCleaning.hole_voxels);
-  put("handle_voxels", kUsualCleaning.handle_voxels);
 }
 
 /// The recipe with the options. Before its volume is known, names and ranges of labels are left out.

@@ -100,11 +100,14 @@ Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const s
 /// thick ones interpolated, and the steps between them smoothed away.
 nlohmann::json thick_stack_preset();
 
+/// Usual cleaning of noise (kUsualCleaning), for the fields of a recipe's JSON that are 0.
+nlohmann::json cleaning_preset();
+
 /// Every field with its value, or (`minimal`) only those that differ from their default.
 nlohmann::json recipe_to_json(const Recipe& recipe, bool minimal = false);
 
 /// The table of fields: {fields: [{path, type, unit, default, min, max, values, description, items}],
-/// optional_groups: [path], presets: {thick_stack}}. A recipe may leave out the optional groups.
+/// optional_groups: [path], presets: {thick_stack, cleaning}}. A recipe may leave out the optional groups.
 nlohmann::json recipe_schema();
 
 }  // namespace voxtet

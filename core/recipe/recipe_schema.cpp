@@ -1,6 +1,7 @@
 #include "recipe/field_json.h"
 #include "recipe/fields.h"
 #include "recipe/recipe.h"
+#include "volume/clean/clean_volume.h"
 
 namespace voxtet {
 namespace {
@@ -96,13 +97,20 @@ json thick_stack_preset() {
           {"smooth", {{"iterations", 100}, {"slice_share", 0.4}}}};
 }
 
+json cleaning_preset() {
+  return {{"volume",
+           {{"speck_voxels", kUsualCleaning.speck_voxels},
+            {"hole_voxels", kUsualCleaning.hole_voxels},
+            {"handle_voxels", kUsualCleaning.handle_voxels}}}};
+}
+
 json recipe_schema() {
   Recipe defaults;
   SchemaWriter writer;
   visit_fields(writer, defaults);
   return {{"fields", std::move(writer.fields)},
           {"optional_groups", std::move(writer.optional_groups)},
-          {"presets", {{"thick_stack", thick_stack_preset()}}}};
+          {"presets", {{"thick_stack", thick_stack_preset()}, {"cleaning", cleaning_preset()}}}};
 }
 
 }  // namespace voxtet

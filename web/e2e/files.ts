@@ -38,6 +38,34 @@ export function bodyFile(
   return kept(name, writeNrrd({ size: [...size], indexToMm }, voxels));
 }
 
+/** Two segments in layers of their own, as 3D Slicer writes them: all of `inner` lies in `outer`. */
+export function layeredFile(name: string): string {
+  const header = [
+    'NRRD0004',
+    'type: unsigned char',
+    'dimension: 4',
+    'space: left-posterior-superior',
+    'sizes: 2 24 24 24',
+    'space directions: none (1,0,0) (0,1,0) (0,0,1)',
+    'kinds: list domain domain domain',
+    'encoding: raw',
+    'space origin: (0,0,0)',
+    ...['inner', 'outer'].flatMap((segment, layer) => [
+      `Segment${layer}_ID:=S${layer}`,
+      `Segment${layer}_Name:=${segment}`,
+      `Segment${layer}_LabelValue:=1`,
+      `Segment${layer}_Layer:=${layer}`,
+    ]),
+  ];
+  const voxels = new Uint8Array(2 * 24 ** 3);
+  for (let voxel = 0; voxel < 24 ** 3; voxel++) {
+    const [i, j, k] = [voxel % 24, Math.floor(voxel / 24) % 24, Math.floor(voxel / 576)];
+    const radius = Math.hypot(i - 11.5, j - 11.5, k - 11.5);
+    voxels.set([Number(radius < 5), Number(radius < 9)], 2 * voxel);
+  }
+  return kept(name, Buffer.concat([Buffer.from(header.join('\n') + '\n\n'), voxels]));
+}
+
 /** A NIfTI-1 image of one edge length over 400 mm a side. */
 export function sizeImage(name: string, edgeMm: number): string {
   const size = 10;

@@ -1,5 +1,5 @@
 /** What real segmentations need: noise taken away, and slices put back, on one click. */
-import { bodyFile } from './files';
+import { bodyFile, layeredFile } from './files';
 import { dropFile, expect, idle, stage, test } from './support';
 
 const shots = process.env.VOXTET_SHOTS;
@@ -57,4 +57,23 @@ test('a file can be read another way', async ({ page }) => {
   const dialog = page.getByRole('dialog');
   await expect(dialog).toBeVisible();
   if (shots) await page.screenshot({ path: `${shots}/reading.png` });
+});
+
+test('a segment that others hide is dragged above them', async ({ page }) => {
+  await page.goto('./');
+  await dropFile(page, layeredFile('layers.seg.nrrd'));
+  await expect(stage(page, 'smooth')).toHaveAttribute('data-state', 'done');
+  await expect(page.getByText('SEGMENT LOST').first()).toBeVisible();
+  await page.getByRole('button', { name: 'How it is read' }).click();
+  const order = page.getByRole('dialog').getByRole('listitem');
+  await expect(order).toHaveText([/inner/, /outer/]);
+  await order.nth(1).dragTo(order.nth(0));
+  await expect(order).toHaveText([/outer/, /inner/]);
+  await order.nth(1).dragTo(order.nth(0));
+  await expect(order).toHaveText([/inner/, /outer/]);
+  await page.getByRole('button', { name: 'Read it so' }).click();
+  await expect(page.getByText('SEGMENT LOST')).toHaveCount(0);
+  await idle(page);
+  const table = page.locator('table.labels, [data-testid="labels"]').first();
+  await expect(table).toContainText('inner');
 });

@@ -109,7 +109,10 @@ export interface Schema {
   /** Groups that a recipe may leave out, by their paths. */
   optional_groups: string[];
   /** Values of fields that go together, by group. */
-  presets?: { thick_stack: { volume: Partial<Recipe['volume']>; smooth: Partial<Recipe['smooth']> } };
+  presets?: {
+    thick_stack: { volume: Partial<Recipe['volume']>; smooth: Partial<Recipe['smooth']> };
+    cleaning: { volume: Pick<Recipe['volume'], 'speck_voxels' | 'hole_voxels' | 'handle_voxels'> };
+  };
 }
 
 /** What meshing will take, as foretold from the sizing field. */

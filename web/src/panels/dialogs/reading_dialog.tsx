@@ -17,25 +17,37 @@ const units: readonly (readonly [Reading['unit'], string])[] = [
   ['nm', 'nm'],
 ];
 
-/** Which segment wins where several overlap: the upper one. */
+/** Which segment wins where several overlap: the upper one. They are dragged, or moved by buttons. */
 function Precedence({ names, onChange }: { names: readonly string[]; onChange(names: string[]): void }) {
-  const lift = (place: number) =>
-    onChange(
-      names.map((name, i) => (i === place - 1 ? names[place] : i === place ? names[place - 1] : name)),
-    );
+  const [dragged, setDragged] = useState<string | null>(null);
+  const move = (name: string, place: number) =>
+    onChange(names.filter((n) => n !== name).toSpliced(place, 0, name));
+  const dragOver = (event: DragEvent, place: number) => {
+    if (dragged === null) return;
+    event.preventDefault();
+    if (names[place] !== dragged) move(dragged, place);
+  };
   return (
     <div class="field field-vector">
       <span class="field-label">Where segments overlap, the upper one wins</span>
       <ol class="precedence">
         {names.map((name, place) => (
-          <li key={name}>
+          <li
+            key={name}
+            draggable
+            data-dragged={dragged === name}
+            onDragStart={() => setDragged(name)}
+            onDragOver={(event) => dragOver(event, place)}
+            onDrop={(event) => event.preventDefault()}
+            onDragEnd={() => setDragged(null)}
+          >
             <span>{name}</span>
             <button
               type="button"
               class="button"
               aria-label={`Move ${name} up`}
               disabled={place === 0}
-              onClick={() => lift(place)}
+              onClick={() => move(name, place - 1)}
             >
               ↑
             </button>
@@ -44,7 +56,7 @@ function Precedence({ names, onChange }: { names: readonly string[]; onChange(na
               class="button"
               aria-label={`Move ${name} down`}
               disabled={place === names.length - 1}
-              onClick={() => lift(place + 1)}
+              onClick={() => move(name, place + 1)}
             >
               ↓
             </button>

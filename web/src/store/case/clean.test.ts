@@ -1,11 +1,11 @@
 import { expect, test } from 'vitest';
 import type { Recipe, VolumeSummary } from '../../engine/contract';
-import { clean, otherWarnings, usualCleaning } from './clean';
+import { clean, otherWarnings } from './clean';
 
 test('cleaning fills in the limits that a recipe leaves at 0, and keeps the others', () => {
   const volume = { speck_voxels: 5, hole_voxels: 0, handle_voxels: 0 } as Recipe['volume'];
-  clean(volume);
-  expect(volume).toEqual({ speck_voxels: 5, hole_voxels: usualCleaning, handle_voxels: usualCleaning });
+  clean(volume, { speck_voxels: 7, hole_voxels: 8, handle_voxels: 9 });
+  expect(volume).toEqual({ speck_voxels: 5, hole_voxels: 8, handle_voxels: 9 });
 });
 
 test('a flaw is shown once: with its remedy, not among the warnings', () => {

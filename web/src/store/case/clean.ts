@@ -1,18 +1,19 @@
 /** The remedy for noise in a segmentation: loose pieces, holes, thin handles, tunnels and pits go. */
-import type { Recipe, VolumeSummary } from '../../engine/contract';
+import type { Recipe, Schema, VolumeSummary } from '../../engine/contract';
+import { schema } from '../run/stages';
 import { editRecipe } from './recipe';
 
-/** As --clean of the command line: what a cube of three voxels holds is the least that stays. */
-export const usualCleaning = 27;
+type CleaningLimits = NonNullable<Schema['presets']>['cleaning']['volume'];
 
-/** Cleans as usual, where the recipe does not clean yet. */
-export function clean(volume: Recipe['volume']): void {
+/** Cleans as --clean of the command line does, where the recipe does not clean yet. */
+export function clean(volume: Recipe['volume'], limits: CleaningLimits): void {
   for (const field of ['speck_voxels', 'hole_voxels', 'handle_voxels'] as const)
-    volume[field] ||= usualCleaning;
+    volume[field] ||= limits[field];
 }
 
 export function cleanLabels(): void {
-  editRecipe('Clean the labels', (draft) => clean(draft.volume));
+  const preset = schema.value?.presets?.cleaning;
+  if (preset) editRecipe('Clean the labels', (draft) => clean(draft.volume, preset.volume));
 }
 
 /** Warnings without those that say a flaw, which is shown with its remedy. */
