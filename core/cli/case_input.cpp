@@ -157,7 +157,7 @@ void put_cleaning(nlohmann::json& volume) {
 Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options, const LabelVolume* volume) {
   nlohmann::json json = recipe_to_json(recipe);
   put_read_options(options.read, json["source"]);
-  if (Status put = put_labels(options, LabelWords(volume), json); !put) return put.error();
+  if (Status put = put_labels(options, LabelWords(volume, recipe.legend), json); !put) return put.error();
   if (options.clean) put_cleaning(json["volume"]);
   if (options.edge_mm) {
     const Result<double> edge = to_mm("--edge-mm", *options.edge_mm);

@@ -25,7 +25,7 @@ struct Dump {
     if (!written) made = written.error();
     if (made) files.emplace_back(name, std::move(written->front().bytes));
   }
-  WriteMeshOptions options() const { return {.infos = session.volume()->infos}; }
+  WriteMeshOptions options() const { return {.infos = session.label_infos()}; }
   void add_surface(const std::string& name, const SurfaceMesh* surface) {
     if (made && surface) add(name, write_surface(*surface, MeshFormat::kPly, options()));
   }

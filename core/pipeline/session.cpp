@@ -115,6 +115,10 @@ const LabelVolume* Session::volume() const {
   return found ? found->prepared.prepared.get() : nullptr;
 }
 
+std::vector<LabelInfo> Session::label_infos() const {
+  return with_legend(volume()->infos, recipe_.legend);
+}
+
 const Walls& Session::walls() const {
   static const Walls none;
   const auto* found = result<WallsResult>(Stage::kWalls);

@@ -93,6 +93,7 @@ class Session {
   /// The labels to be meshed, thick slices interpolated and small components removed: what the later stages
   /// see. Its axes are in the order of mesh_order(), not in that of the source.
   const LabelVolume* volume() const;
+  std::vector<LabelInfo> label_infos() const;  ///< names and colours of volume(), with the recipe's legend
   const SurfaceMesh* surface() const { return surface_of(Stage::kSurface); }
   const SurfaceMesh* smooth() const { return surface_of(Stage::kSmooth); }
   const SizingField* sizing() const { return result<SizingField>(Stage::kSizing); }

@@ -335,8 +335,16 @@ void visit_fields(V& v, Limits& p) {
 }
 
 template <class V>
+void visit_fields(V& v, LegendEntry& p) {
+  v.field({"label", "", 1, 65535, "The label."}, p.label);
+  v.field({"name", "", 0, 0, "What it is called, in exports too; empty: as in the file."}, p.name);
+  v.field({"colour", "", 0, 0, "Its colour as #rrggbb; empty: as in the file."}, p.colour);
+}
+
+template <class V>
 void visit_fields(V& v, Recipe& r) {
   v.group({"source", "", 0, 0, "Where the labels come from."}, r.source);
+  v.list({"legend", "", 0, 0, "Names and colours of labels, before those of the file."}, r.legend);
   v.field({"labels", "", 1, 65535, "Labels to mesh; none: all."}, r.labels);
   v.field({"merge", "", 1, 65535, "Groups of labels; each is meshed as one region."}, r.merge);
   v.group({"volume", "", 0, 0, "Preparation of the labels."}, r.volume);

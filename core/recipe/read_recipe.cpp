@@ -201,6 +201,8 @@ struct FormerGroups {
   template <class... Rest>
   void field(const FieldInfo&, Rest&...) {}
   template <class... Rest>
+  void list(const FieldInfo&, Rest&...) {}
+  template <class... Rest>
   void optional_group(const FieldInfo&, Rest&...) {}
 };
 
@@ -231,6 +233,7 @@ Result<Recipe> parse_recipe(const json& value) {
     Reader::read_object(value, "", recipe);
     if (recipe.source.phantom && recipe.source.file)
       throw FieldError("source: found phantom and file, expected one of them");
+    if (const std::string fault = fault_of(recipe.legend); !fault.empty()) throw FieldError(fault);
   } catch (const FieldError& error) {
     return usage_error("recipe", error.what());
   }

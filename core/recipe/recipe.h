@@ -15,6 +15,7 @@
 #include "physics/tissue/make_tissue.h"
 #include "physics/ventricles/fibre_params.h"
 #include "quality/measure_quality.h"
+#include "recipe/legend.h"
 #include "remesh/remesh_params.h"
 #include "sizing/build_sizing_field.h"
 #include "surface/extract/extract_surface.h"
@@ -71,6 +72,7 @@ struct Expected {
 /// The whole case. Field names, units, ranges and sentences are declared once, in recipe/fields.h.
 struct Recipe {
   Source source;
+  std::vector<LegendEntry> legend;
   std::vector<Label> labels;      ///< labels to mesh; empty: all
   std::vector<LabelGroup> merge;  ///< each group becomes one region that carries its smallest label
   VolumeParams volume;

@@ -39,8 +39,10 @@ Error no_label(const std::string& option, const std::string& word) {
 
 }  // namespace
 
-LabelWords::LabelWords(const LabelVolume* volume) : volume_(volume) {
+LabelWords::LabelWords(const LabelVolume* volume, const std::vector<LegendEntry>& legend)
+    : known_(volume != nullptr) {
   if (!volume) return;
+  infos_ = with_legend(volume->infos, legend);
   for (const auto& [label, count] : count_labels(*volume)) present_.push_back(label);
 }
 
@@ -52,7 +54,7 @@ std::vector<Label> LabelWords::between(Label first, Label last) const {
 }
 
 std::string LabelWords::name_of(Label label) const {
-  for (const LabelInfo& info : volume_->infos)
+  for (const LabelInfo& info : infos_)
     if (info.label == label) return info.name;
   return "";
 }
@@ -76,9 +78,9 @@ Result<std::vector<Label>> LabelWords::labels_of_word(const std::string& option,
     if (!label) return no_label(option, word);
     return std::vector<Label>{*label};
   }
-  if (!volume_) return std::vector<Label>{};
+  if (!known_) return std::vector<Label>{};
   std::vector<Label> same, alike;
-  for (const LabelInfo& info : volume_->infos) {
+  for (const LabelInfo& info : infos_) {
     if (info.name == word) same.push_back(info.label);
     if (in_lower_case(info.name) == in_lower_case(word)) alike.push_back(info.label);
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "recipe/legend.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 
@@ -12,11 +13,11 @@ namespace voxtet {
 /// What a user may write for labels.
 inline constexpr const char* kLabelForms = "numbers as 1,2,5, ranges as 1-3, names, or all";
 
-/// Looks labels up in a volume. Before it has been read (null) only numbers are known: names, ranges and
+/// Looks labels up in a volume, by the names of its file or of a legend. Before it has been read (null) only numbers are known: names, ranges and
 /// `all` then give no labels, and no error.
 class LabelWords {
  public:
-  explicit LabelWords(const LabelVolume* volume);
+  explicit LabelWords(const LabelVolume* volume, const std::vector<LegendEntry>& legend = {});
 
   /// The labels of "Wall,1-3", each once, in this order. Numbers need not be in the volume; a range gives
   /// the labels that are. `option` begins the messages. Errors: kUsage for an empty text or word, a number
@@ -29,7 +30,8 @@ class LabelWords {
   Error not_found(const std::string& option, const std::string& word) const;
   std::string name_of(Label label) const;
 
-  const LabelVolume* volume_;
+  bool known_;
+  std::vector<LabelInfo> infos_;
   std::vector<Label> present_;  ///< ascending
 };
 

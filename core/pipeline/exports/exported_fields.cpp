@@ -58,7 +58,7 @@ std::vector<std::string> leave_out(std::vector<Field>& fields, MeshFormat format
 
 Exported exported_fields(const Session& session, MeshFormat format, bool measures) {
   Exported out;
-  out.options.infos = session.volume()->infos;
+  out.options.infos = session.label_infos();
   out.options.cell_data = tet_fields(session, measures);
   out.options.point_data = point_fields(session);
   for (auto* fields : {&out.options.cell_data, &out.options.point_data})

@@ -209,5 +209,15 @@ TEST_F(CliTest, TakesWhatAStackOfThickSlicesNeeds) {
       EXPECT_EQ(recipe("--stack")[group][name], value) << group << "." << name;
 }
 
+TEST_F(CliTest, NamesOfTheRecipeAreUnderstoodAndWritten) {
+  json recipe = json::parse(kSphere);
+  recipe["legend"] = {{{"label", 1}, {"name", "Kugel"}}};
+  write("case.json", recipe.dump());
+  ASSERT_EQ(run({"mesh", at("case.json"), "--labels", "kugel", "-o", at("ball.msh")}), 0);
+  const Result<Bytes> mesh = read_file(at("ball.msh"));
+  ASSERT_TRUE(mesh.ok());
+  EXPECT_NE(std::string(mesh->begin(), mesh->end()).find("\"Kugel\""), std::string::npos);
+}
+
 }  // namespace
 }  // namespace voxtet

@@ -72,6 +72,27 @@ TEST(ParseRecipe, RefusesWhatIsTooDeepOrTooLong) {
   EXPECT_NE(error_of(many + "]}}").find("sizing.regions: 1001 items"), std::string::npos);
 }
 
+TEST(Legend, IsOverWhatTheFileSays) {
+  const Result<Recipe> recipe =
+      parse_recipe(json::parse(R"({"legend":[{"label":5,"name":"scar"},{"label":2,"colour":"#00ff80"}]})"));
+  ASSERT_TRUE(recipe.ok()) << recipe.error().message;
+  const auto infos = with_legend({{2, "two", {1, 1, 1}}, {3, "three"}}, recipe->legend);
+  ASSERT_EQ(infos.size(), 3u);
+  EXPECT_EQ(infos[0].name, "two");
+  EXPECT_EQ(infos[0].colour, (std::array<float, 3>{0, 1, 128 / 255.F}));
+  EXPECT_EQ(infos[1].name, "three");
+  EXPECT_EQ(infos[2].label, 5);
+  EXPECT_EQ(infos[2].name, "scar");
+  EXPECT_LT(infos[2].colour[0], 0);
+
+  EXPECT_EQ(error_of(R"({"legend":[{"label":2},{"label":2}]})"),
+            "legend[1].label: found 2 again, expected one entry a label");
+  for (const char* colour : {"red", "#12345", "#12345g"})
+    EXPECT_NE(error_of(std::string(R"({"legend":[{"label":2,"colour":")") + colour + "\"}]}")
+                  .find("legend[0].colour: found \"" + std::string(colour) + "\", expected #rrggbb"),
+              std::string::npos);
+}
+
 TEST(RecipeJson, RoundTripsFullAndMinimal) {
   Recipe recipe;
   recipe.source.phantom.emplace().scar = true;

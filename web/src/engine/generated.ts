@@ -52,6 +52,15 @@ export interface RecipeFields {
     /** Frame of a file with several, counted from 0; -1: none is chosen. */
     frame: number;
   };
+  /** Names and colours of labels, before those of the file. */
+  legend: {
+    /** The label. */
+    label: number;
+    /** What it is called, in exports too; empty: as in the file. */
+    name: string;
+    /** Its colour as #rrggbb; empty: as in the file. */
+    colour: string;
+  }[];
   /** Labels to mesh; none: all. */
   labels: number[];
   /** Groups of labels; each is meshed as one region. */
@@ -401,6 +410,7 @@ export const recipeDefaults = {
     "background": 0,
     "frame": -1
   },
+  "legend": [],
   "labels": [],
   "merge": [],
   "volume": {
