@@ -1,11 +1,12 @@
 /** The numbers of one element, in words: no three.js. */
 import { noValue, type StageArrays, type StageName, type TetArrays } from '../engine/contract';
 import { coordinate } from '../geometry/orientation';
-import { nameOf, voxelMm } from '../store/case/input';
+import { voxelMm } from '../store/case/input';
 import { hasValue } from '../store/run/frames';
 import { simulatedFields, simulatedValues } from '../store/run/simulated_fields';
 import { shownResult } from '../store/run/results';
 import { fractionLabel, type Picked } from '../store/view';
+import { nameOf } from '../store/case/legend/legend';
 
 /** What was transferred from the image to one tet. */
 function lookedUpLines({ values: arrays }: StageArrays['quality'], tet: number): [string, string][] {

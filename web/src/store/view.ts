@@ -1,7 +1,6 @@
 import { computed, signal } from '@preact/signals';
 import { stageNames, type ErrorPlace, type StageName, type Vec3 } from '../engine/contract';
-import { labelColour, type ColourMapName } from '../geometry/colours';
-import { volume } from './case/input';
+import type { ColourMapName } from '../geometry/colours';
 
 /** 'label', the name of a field of the mesh, or what the label surface can be coloured by. */
 export type ColourBy = string;
@@ -105,7 +104,6 @@ export const sliceOverlay = signal<SliceOverlay>('labels');
 /** How far the labels are pulled apart: 1 doubles the distances of their middles. */
 export const explode = signal(0);
 export const hiddenLabels = signal<ReadonlySet<number>>(new Set());
-export const ownColours = signal<Readonly<Record<number, string>>>({});
 /** A click on the mesh excites it there, where a simulation is under way. */
 export const stimulating = signal(false);
 /** The time cursor of what is played, ms. */
@@ -125,12 +123,6 @@ export function showPlace(place: ErrorPlace): void {
   marked.value = place;
   command.value = { kind: 'marked' };
 }
-
-export const colourOf = computed(() => {
-  const own = ownColours.value;
-  const known = new Map(volume.value?.labels.map((entry) => [entry.label, entry.colour]));
-  return (label: number): string => own[label] ?? known.get(label) ?? labelColour(label);
-});
 
 export function resetView(): void {
   brush.value = null;

@@ -2,6 +2,7 @@ import type { Recipe } from '../../engine/contract';
 import { tellError } from '../../store/run/engine';
 import { forecast } from '../../store/run/forecast';
 import { awaitedFile, meshIsGiven, volume } from '../../store/case/input';
+import { unnamed } from '../../store/case/legend/legend';
 import { developer } from '../../store/developer';
 import { editRecipe, recipe } from '../../store/case/recipe';
 import { activity } from '../../store/run/stages';
@@ -20,6 +21,8 @@ import { SourceSection } from './source_section';
 import { StageSection } from './stage_section';
 import { WallList } from './wall_list';
 
+const Naming = fetched(() => import('./naming').then((part) => part.Naming));
+
 function LabelSection({ current }: { current: Recipe }) {
   const known = volume.value;
   if (!known) return null;
@@ -27,6 +30,7 @@ function LabelSection({ current }: { current: Recipe }) {
   return (
     <section class="section">
       <h2>Labels</h2>
+      {unnamed.value && <Naming />}
       <LabelTable current={current} />
       {chosen.length > 1 && <MergeAllField current={current} chosen={chosen} />}
       <TransferFields current={current} />

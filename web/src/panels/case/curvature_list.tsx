@@ -1,10 +1,11 @@
 import type { CurvatureSize, Recipe } from '../../engine/contract';
-import { nameOf, volume } from '../../store/case/input';
+import { volume } from '../../store/case/input';
 import { carriersOf } from '../../store/case/labels';
 import { editRecipe } from '../../store/case/recipe';
 import { NumberField } from '../controls/fields';
 import { LabelChips } from '../controls/label_chips';
 import { SizeList } from '../controls/size_list';
+import { nameOf } from '../../store/case/legend/legend';
 
 function newCurvature(current: Recipe): CurvatureSize {
   return {

@@ -1,17 +1,17 @@
 import { useState } from 'preact/hooks';
 import type { LabelSummary, Recipe, VolumeSummary } from '../../engine/contract';
-import { editColour } from '../../store/case/open_case';
 import { meshIsGiven, volume } from '../../store/case/input';
 import { carrierOf, dropIdleSizes, groupedWith, groupsOf } from '../../store/case/labels';
 import { editRecipe } from '../../store/case/recipe';
 import { previewSoon } from '../../store/run/run_stages';
-import { colourOf, hiddenLabels } from '../../store/view';
+import { hiddenLabels } from '../../store/view';
 import { NumberInput } from '../controls/fields';
 import { short, whole } from '../controls/format';
 import { Icon } from '../controls/icons';
+import { colourOf, editLegend, nameOf } from '../../store/case/legend/legend';
 
 const manyLabels = 12;
-const textOf = ({ label, name }: LabelSummary): string => name || `Label ${label}`;
+const textOf = ({ label }: LabelSummary): string => nameOf(label);
 
 function toggleMesh(known: VolumeSummary, chosen: ReadonlySet<number>, label: number): void {
   editRecipe(chosen.has(label) ? 'Leave label out' : 'Mesh label', (draft) => {
@@ -41,6 +41,11 @@ function toggleSeen(label: number): void {
   const next = new Set(hiddenLabels.value);
   if (!next.delete(label)) next.add(label);
   hiddenLabels.value = next;
+}
+
+/** Without a name it has that of the file again. */
+function rename(label: number, name: string): void {
+  editLegend('Name of label', [{ label, name }]);
 }
 
 /** Which region of the mesh a label goes into: its own, or that of another label. */
@@ -133,14 +138,25 @@ export function LabelTable({ current }: { current: Recipe }) {
                     class="swatch"
                     aria-label={`Colour of ${text}`}
                     value={colourOf.value(label)}
-                    onInput={(event) => editColour(label, event.currentTarget.value)}
+                    onInput={(event) =>
+                      editLegend(
+                        'Colour of label',
+                        [{ label, colour: event.currentTarget.value }],
+                        `colour ${label}`,
+                      )
+                    }
                   />
                 </td>
                 <td
                   class="label-name"
                   title={`${text}, label ${label}: ${whole(voxels)} voxels, ${short(voxels * voxelMl)} ml`}
                 >
-                  {text}
+                  <input
+                    class="name-input"
+                    aria-label={`Name of label ${label}`}
+                    value={text}
+                    onChange={(event) => rename(label, event.currentTarget.value.trim())}
+                  />
                   <span class="label-counts">
                     {whole(voxels)} · {short(voxels * voxelMl)} ml
                   </span>

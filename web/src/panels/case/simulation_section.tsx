@@ -1,5 +1,5 @@
 import type { DiffusionParams, Physics, Recipe } from '../../engine/contract';
-import { nameOf, volume } from '../../store/case/input';
+import { volume } from '../../store/case/input';
 import { editRecipe } from '../../store/case/recipe';
 import { upToDate } from '../../store/run/report';
 import { simulate } from '../../store/run/simulate';
@@ -7,6 +7,7 @@ import { groupDefaults } from '../../store/run/schema_defaults';
 import { activity } from '../../store/run/stages';
 import { CheckField, NumberField, SelectField } from '../controls/fields';
 import { Icon } from '../controls/icons';
+import { nameOf } from '../../store/case/legend/legend';
 
 type NumberKey = 'diffusivity_mm2_per_ms' | 'end_ms' | 'step_ms' | 'frame_ms';
 

@@ -1,7 +1,8 @@
 import type { Recipe } from '../../engine/contract';
-import { nameOf, volume } from '../../store/case/input';
+import { volume } from '../../store/case/input';
 import { editRecipe } from '../../store/case/recipe';
 import { CheckField, NumberField } from '../controls/fields';
+import { nameOf } from '../../store/case/legend/legend';
 
 /** Labels that become values of the tetrahedra instead of regions of the mesh. */
 export function TransferFields({ current }: { current: Recipe }) {

@@ -1,12 +1,13 @@
 import type { Recipe, ThicknessSize } from '../../engine/contract';
 import { robustRange } from '../../geometry/faces';
-import { nameOf, volume } from '../../store/case/input';
+import { volume } from '../../store/case/input';
 import { editRecipe } from '../../store/case/recipe';
 import { sizingFields } from '../../store/run/sizing_fields';
 import { CheckField, NumberField, Segments } from '../controls/fields';
 import { short } from '../controls/format';
 import { LabelChips } from '../controls/label_chips';
 import { SizeList } from '../controls/size_list';
+import { nameOf } from '../../store/case/legend/legend';
 
 function newWall(current: Recipe): ThicknessSize {
   const labels = volume.value?.labels.map(({ label }) => label) ?? [];

@@ -1,4 +1,5 @@
-import { nameOf, volume } from '../../store/case/input';
+import { volume } from '../../store/case/input';
+import { nameOf } from '../../store/case/legend/legend';
 
 /** Labels to choose from, as small switches. */
 export function LabelChips(props: {

@@ -1,8 +1,7 @@
 import type { LabelFidelity, LayerCount, TransferredLabel, Report } from '../../engine/contract';
-import { nameOf } from '../../store/case/input';
-import { colourOf } from '../../store/view';
 import { distanceText, percent, topologyRow, type TopologyCell } from './fidelity_text';
 import { short } from '../controls/format';
+import { colourOf, nameOf } from '../../store/case/legend/legend';
 
 type Fidelity = NonNullable<Report['fidelity']>;
 

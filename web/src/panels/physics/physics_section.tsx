@@ -8,7 +8,7 @@ import type {
   TissueKind,
 } from '../../engine/contract';
 import { movedRegion } from '../../geometry/regions';
-import { fibresAreGiven, nameOf } from '../../store/case/input';
+import { fibresAreGiven } from '../../store/case/input';
 import { meshedLabels, newStimulus, newTissue, slowAcross } from '../../store/case/physics';
 import { editRecipe } from '../../store/case/recipe';
 import { upToDate } from '../../store/run/report';
@@ -24,6 +24,7 @@ import { BodyFields, BodyHandles, BodyShape } from '../controls/body_fields';
 import { Findings } from './findings';
 import { editPhysics, numbersOf } from './physics_fields';
 import { TissueFields } from './tissue_fields';
+import { nameOf } from '../../store/case/legend/legend';
 
 const presets: Record<string, [string, number, number, number, number]> = {
   cemrg: ['60 to −60° (CEMRG)', 60, -60, -65, 25],

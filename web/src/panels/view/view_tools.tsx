@@ -1,7 +1,7 @@
 import type { Vec3 } from '../../engine/contract';
 import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
-import { fibresAreGiven, nameOf } from '../../store/case/input';
+import { fibresAreGiven } from '../../store/case/input';
 import { recipe } from '../../store/case/recipe';
 import { beatShown, showBeat, simulatedFields } from '../../store/run/simulated_fields';
 import { shownResult } from '../../store/run/results';
@@ -28,6 +28,7 @@ import { Segments, Slider } from '../controls/fields';
 import { Icon } from '../controls/icons';
 import { fetched } from '../controls/fetched';
 import { ScaleStrip } from './view_cards';
+import { nameOf } from '../../store/case/legend/legend';
 
 /** Every field that the evidence has, and those that are played, in the engine's words. */
 function fieldOptions(): [ColourBy, string][] {

@@ -11,12 +11,12 @@ import {
   type Painter,
 } from '../../geometry/faces';
 import { valuesAt } from '../../geometry/grid_values';
-import { nameOf } from '../../store/case/input';
 import { playedFields } from '../../store/run/frames';
 import { shownKeys } from '../../store/run/results';
 import { simulatedFields, simulatedValues } from '../../store/run/simulated_fields';
 import { sizingFields } from '../../store/run/sizing_fields';
-import { bandSteps, colourBy, colourOf, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
+import { bandSteps, colourBy, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
+import { colourOf, nameOf } from '../../store/case/legend/legend';
 
 export type TetPaint =
   | { kind: 'label' }

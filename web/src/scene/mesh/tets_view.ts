@@ -2,21 +2,13 @@ import { effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
 import type { StageArrays, TetArrays } from '../../engine/contract';
 import { tetMask } from '../../geometry/tet_faces';
-import {
-  brush,
-  colourBy,
-  colourOf,
-  explode,
-  focusTet,
-  hiddenLabels,
-  legend,
-  type Brush,
-} from '../../store/view';
+import { brush, colourBy, explode, focusTet, hiddenLabels, legend, type Brush } from '../../store/view';
 import { pinnedValues, simulatedValues } from '../../store/run/simulated_fields';
 import type { BodyView } from './body_view';
 import type { Canvas } from '../frame/canvas';
 import { simulatedPaint, tetPaint } from './colouring';
 import type { Plane, TetModel } from './tet_model';
+import { colourOf } from '../../store/case/legend/legend';
 
 export interface TetSource {
   mesh: TetArrays;

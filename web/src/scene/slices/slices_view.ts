@@ -11,7 +11,6 @@ import { recipe } from '../../store/case/recipe';
 import { shownResult } from '../../store/run/results';
 import { sizingFields } from '../../store/run/sizing_fields';
 import {
-  colourOf,
   hiddenLabels,
   layout,
   showEdges,
@@ -26,6 +25,7 @@ import { setPositions } from '../frame/positions';
 import { SliceImage } from './slice_material';
 import { SlicePane, type Section } from './slice_pane';
 import type { Viewer } from '../frame/viewer';
+import { colourOf } from '../../store/case/legend/legend';
 
 /** Along right, front and head: the colours of the cross that turns the view. */
 const axisColours = [0xb5433b, 0x2c7a4b, 0x2b62ab];

@@ -18,7 +18,6 @@ import { caseId, changedAt, editRecipe, recipe } from './recipe';
 import { expectation, report } from '../run/report';
 import { activity } from '../run/stages';
 import { cancelRun, runAll } from '../run/run_stages';
-import { ownColours } from '../view';
 
 /** What the tab before has saved. */
 const kept = vi.hoisted(() => ({ saved: null as unknown, interrupted: false }));
@@ -219,12 +218,11 @@ describe('a page that is loaded again', () => {
     recipe: recipe.value as Recipe,
     changedAt: changedAt.value,
     promise: null,
-    colours: { 1: '#112233' },
     sides: [],
     file: null,
   });
 
-  it('goes on with its own case, colours and all, without a question', async () => {
+  it('goes on with its own case without a question', async () => {
     await openLink(torus);
     edge(3);
     await shows('torus', 3);
@@ -232,12 +230,11 @@ describe('a page that is loaded again', () => {
     await load();
     expect(offered.value).toBeNull();
     expect(recipe.value?.sizing.edge_mm).toBe(3);
-    expect(ownColours.value).toEqual({ 1: '#112233' });
     await shows('torus', 3);
     expect(entries.list).toHaveLength(1);
   });
 
-  it('goes on with the later of the link and what is saved, with the colours that are saved', async () => {
+  it('goes on with the later of the link and what is saved', async () => {
     await openLink(torus);
     edge(3);
     await shows('torus', 3);
@@ -246,7 +243,6 @@ describe('a page that is loaded again', () => {
     await shows('torus', 4);
     await load();
     expect(recipe.value?.sizing.edge_mm).toBe(4);
-    expect(ownColours.value).toEqual({ 1: '#112233' });
     expect(offered.value).toBeNull();
     edge(5);
     kept.saved = saved();
@@ -291,6 +287,5 @@ describe('a page that is loaded again', () => {
     entries.list = [{ hash: entries.now.hash, state: null }];
     await load();
     expect(offered.value).toBeNull();
-    expect(ownColours.value).toEqual({ 1: '#112233' });
   });
 });

@@ -5,7 +5,6 @@ import { caseId, changedAt, hasSource, recipe } from './recipe';
 import { expectation, type Expectation } from '../run/report';
 import { activity } from '../run/stages';
 import { heldSides, type SideFile } from './side_files';
-import { ownColours } from '../view';
 import { keepText, keptText } from './web_storage';
 
 export interface SavedCase {
@@ -14,8 +13,6 @@ export interface SavedCase {
   recipe: Recipe;
   changedAt: number;
   promise: Expectation | null;
-  /** Of labels, where they are the user's own. */
-  colours: Readonly<Record<number, string>>;
   /** Masks and images of sizes. */
   sides: SideFile[];
   /** Bytes of the volume, where the recipe's source is a file and it was at hand. */
@@ -64,9 +61,9 @@ export async function savedCase(): Promise<{ saved: SavedCase; interrupted: bool
   if (!kept) return null;
   const digest = kept.recipe.source.file?.sha256;
   // What an earlier version kept has none of these.
-  const { id = '', changedAt = 0, colours = {}, promise = null } = kept as Partial<typeof kept>;
+  const { id = '', changedAt = 0, promise = null } = kept as Partial<typeof kept>;
   const own = digest && file?.digest === digest ? file.file : null;
-  return { saved: { ...kept, id, changedAt, colours, promise, file: own, sides: sides ?? [] }, interrupted };
+  return { saved: { ...kept, id, changedAt, promise, file: own, sides: sides ?? [] }, interrupted };
 }
 
 /** Saves every change from now on. Where the browser allows no storage, the tab works all the same. */
@@ -102,11 +99,10 @@ export function autosave(fileOf: (digest: string) => VolumeFile | undefined): vo
     const id = caseId.value;
     const changed = changedAt.value;
     const promise = expectation.value;
-    const colours = ownColours.value;
     clearTimeout(timer);
     if (!current || !hasSource(current)) return;
     timer = setTimeout(
-      () => void save({ id, recipe: current, changedAt: changed, promise, colours }).catch(() => undefined),
+      () => void save({ id, recipe: current, changedAt: changed, promise }).catch(() => undefined),
       delayMs,
     );
   });

@@ -4,7 +4,6 @@ import { encodeFragment } from '../../link/codec';
 import type { ReportPicture } from '../../report/report_page';
 import { engine, takeTurn, tellError } from '../run/engine';
 import { forecastUnderWay } from '../run/forecast';
-import { nameOf } from './input';
 import { caseName, recipe } from './recipe';
 import { announcement } from '../notices';
 import { meshedMinimal, meshedRecipe, report, upToDate } from '../run/report';
@@ -13,6 +12,7 @@ import { paintedName } from './painting';
 import { heldSides } from './side_files';
 import { command, layout, sceneMounted, type Layout } from '../view';
 import { packZip } from './zip/zip';
+import { nameOf } from './legend/legend';
 
 /** Runs what writes files, and says so. */
 async function writing(

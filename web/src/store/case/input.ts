@@ -10,11 +10,6 @@ export const meshIsGiven = computed(() => volume.value?.mesh !== undefined);
 /** The file of the mesh gave fibres with it. */
 export const fibresAreGiven = computed(() => volume.value?.mesh?.fibres ?? false);
 
-export function nameOf(label: number): string {
-  if (label === 0) return 'background';
-  return volume.value?.labels.find((entry) => entry.label === label)?.name || `label ${label}`;
-}
-
 /** A file that the recipe needs and that has not been dropped in yet. */
 export const awaitedFile = signal<{ name: string; sha256: string } | null>(null);
 

@@ -24,7 +24,7 @@ import { cancelRun, preview, previewSoon, runAll } from '../run/run_stages';
 import { forgetSides, holdSide, type SideFile } from './side_files';
 import { sameRecipe } from '../run/stage_inputs';
 import { forgetPainting, restorePainting, strokesDone } from './painting';
-import { ownColours, resetView } from '../view';
+import { resetView } from '../view';
 
 /** A case that a link or a file offers, checked and waiting for the user's word. */
 export interface OfferedCase {
@@ -33,7 +33,6 @@ export interface OfferedCase {
   recipe: Recipe;
   promise: Expectation | null;
   origin: 'link' | 'file' | 'interrupted';
-  colours: SavedCase['colours'];
   /** Masks and images of sizes that are at hand. */
   sides: SideFile[];
 }
@@ -134,7 +133,6 @@ function showVolume(summary: VolumeSummary): void {
 function leaveCase(): void {
   forgetSides();
   forgetPainting();
-  ownColours.value = {};
 }
 
 /** Twice the geometric mean of the spacing: fine enough for the shape, coarse enough for a first look. */
@@ -206,9 +204,9 @@ async function resumeCase(
     if (digest && saved.file) engine.files.keepVolume(digest, saved.file);
     const { recipe: known, left } = await acceptSaved(last);
     const accepted = withoutPromise(known);
-    const { id, colours, sides } = saved;
+    const { id, sides } = saved;
     const promise = left.length === 0 ? saved.promise : null;
-    offered.value = { id, recipe: accepted, promise, origin: 'interrupted', colours, sides };
+    offered.value = { id, recipe: accepted, promise, origin: 'interrupted', sides };
     if (left.length > 0)
       tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
     if (!interrupted) acceptOffer(false);
@@ -237,7 +235,6 @@ export async function offerCase(
     recipe: accepted,
     promise: expected?.digest ? { expected, recipe: accepted } : null,
     origin,
-    colours: {},
     sides: [],
   };
 }
@@ -251,7 +248,6 @@ export function acceptOffer(thenRun: boolean): void {
   leaveCase();
   startRecipe(offer.recipe, offer.id);
   if (offer.origin !== 'file') nameEntry();
-  ownColours.value = offer.colours;
   offer.sides.forEach(holdSide);
   restorePainting();
   expectation.value = offer.promise;
@@ -284,18 +280,6 @@ export async function redoEdit(): Promise<void> {
   await strokesDone();
   redo();
   afterHistory();
-}
-
-/** The user's own colour of a label, as a step of the history. */
-export function editColour(label: number, colour: string): void {
-  const before = ownColours.value;
-  const after = { ...before, [label]: colour };
-  ownColours.value = after;
-  const beside = {
-    undo: () => void (ownColours.value = before),
-    redo: () => void (ownColours.value = after),
-  };
-  editRecipe('Colour of label', () => undefined, `colour ${label}`, undefined, beside);
 }
 
 function afterHistory(): void {

@@ -8,9 +8,13 @@ import { awaitedFile, volume } from './input';
 import { announcement, tell } from '../notices';
 import { activity, endStages } from '../run/stages';
 import { previewSoon } from '../run/run_stages';
+import { editLegend } from './legend/legend';
 import { recipe } from './recipe';
 import { awaitedSides } from './side_files';
 import { openSideFile } from './size_files';
+
+/** Label descriptions of ITK-SNAP, colour tables of 3D Slicer and FreeSurfer. */
+const legendSuffix = /\.(txt|label|ctbl|lut)$/i;
 
 const headerSuffix =
   /\.(nii|nii\.gz|nrrd|nhdr|mha|mhd|mgh|mgz|hdr|elem|ele|vtu|vtk|msh|mesh|inp|bdf|nas|feb|xdmf)$/i;
@@ -27,6 +31,23 @@ const areValues = (files: readonly File[]) =>
 async function openValues(files: readonly File[]): Promise<void> {
   const values = await import('../run/values');
   await values.openValues(files);
+}
+
+/** Names and colours of labels from a table; others than the case's are left out. */
+async function openLegend(file: File): Promise<void> {
+  try {
+    const { readLegend } = await import('./legend/legend_file');
+    const known = volume.value?.labels.map(({ label }) => label) ?? [];
+    const entries = readLegend(file.name, await file.text()).filter(({ label }) => known.includes(label));
+    if (entries.length === 0)
+      throw new Error(
+        `${file.name} names none of the labels ${known.slice(0, 12).join(', ')}; they stay as they are`,
+      );
+    editLegend('Names of labels', entries);
+    tell('news', 'Labels are named', `${file.name} names ${entries.length} of ${known.length} labels.`);
+  } catch (error) {
+    tellError(error);
+  }
 }
 
 /** Files that were dropped on an open case: what they are for is for the user to say. */
@@ -72,6 +93,7 @@ export async function dropFiles(files: File[]): Promise<void> {
   if (files.length === 0) return;
   if (await openAwaited(files)) return;
   if (areValues(files)) return openValues(files);
+  if (volume.value && files.length === 1 && legendSuffix.test(files[0].name)) return openLegend(files[0]);
   const opens = volume.value === null || files.some((file) => /\.(json|zip)$/i.test(file.name));
   if (opens) return openFiles(files);
   droppedFiles.value = files;

@@ -5,9 +5,10 @@ import { engine, tellError } from '../run/engine';
 import { simulatedPhysics } from '../run/frames';
 import { shownResult } from '../run/results';
 import { groupDefaults, itemDefaults } from '../run/schema_defaults';
-import { fibresAreGiven, nameOf, volume } from './input';
+import { fibresAreGiven, volume } from './input';
 import { caseId, editRecipe, recipe } from './recipe';
 import { acrossShare, tissuePresets } from './tissue_presets';
+import { nameOf } from './legend/legend';
 
 /** Names of labels that do not conduct, and of those that conduct slowly. */
 const noTissue = /pool|blood|scar|core|cavity|lumen|fat|fibrosis|valve/i;

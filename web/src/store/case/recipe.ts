@@ -4,7 +4,7 @@ import type { Recipe } from '../../engine/contract';
 
 enablePatches();
 
-/** The part of a step that stands outside the recipe: colours, painted voxels. Done already when it is handed over. */
+/** The part of a step that stands outside the recipe: painted voxels. Done already when it is handed over. */
 export interface Beside {
   undo(): void;
   redo(): void;

@@ -1,0 +1,48 @@
+import type { Recipe } from '../../engine/contract';
+import { volume } from '../../store/case/input';
+import { changedLegend, unnamed } from '../../store/case/legend/legend';
+import { schemesFor, type Scheme } from '../../store/case/legend/schemes';
+import { editRecipe } from '../../store/case/recipe';
+import { previewSoon } from '../../store/run/run_stages';
+
+const most = 3;
+
+/** Names all labels, and leaves cavities out of the mesh where the user has not chosen labels yet. */
+export function nameBy({ names, cavities }: Scheme, labels: readonly number[], draft: Recipe): void {
+  draft.legend = changedLegend(
+    draft.legend,
+    labels.map((label) => ({ label, name: names.get(label) ?? '' })),
+  );
+  const solid = labels.filter((label) => !cavities.has(label));
+  if (draft.labels.length === 0 && solid.length > 0 && solid.length < labels.length) draft.labels = solid;
+}
+
+/** Proposes names where a file gives its labels none, by the numberings that have all of them. */
+export function Naming() {
+  const labels = volume.value?.labels.map(({ label }) => label) ?? [];
+  const fitting = unnamed.value ? schemesFor(labels).slice(0, most) : [];
+  if (fitting.length === 0) return null;
+  const choose = (scheme: Scheme) => {
+    editRecipe('Names of labels', (draft) => nameBy(scheme, labels, draft));
+    previewSoon();
+  };
+  return (
+    <div class="stale naming" data-testid="naming">
+      <p>The file does not name its labels. By their numbers they may be:</p>
+      {fitting.map((scheme) => (
+        <button
+          type="button"
+          key={scheme.title}
+          class="button small"
+          title={
+            scheme.cavities.size > 0 ? 'Takes the names, and leaves blood out of the mesh' : 'Takes the names'
+          }
+          onClick={() => choose(scheme)}
+        >
+          {scheme.title}
+        </button>
+      ))}
+      <p>Or click a name to change it, or drop a label table (.txt, .ctbl).</p>
+    </div>
+  );
+}
