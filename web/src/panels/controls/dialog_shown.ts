@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
 
-export const dialogShown = signal<'export' | 'share' | 'examples' | 'keys' | 'sizes' | 'reading' | null>(
-  null,
-);
+export const dialogShown = signal<
+  'export' | 'share' | 'examples' | 'keys' | 'sizes' | 'reading' | 'about' | 'memory' | null
+>(null);

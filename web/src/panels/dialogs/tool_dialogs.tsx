@@ -25,6 +25,8 @@ import { Gallery } from '../case/gallery';
 import { Icon } from '../controls/icons';
 import { KeyList } from '../view/key_list';
 import { SizesDialog } from '../run/sizes_dialog';
+import { AboutDialog } from './about_dialog';
+import { MemoryDialog } from './memory_dialog';
 import { ReadingDialog } from './reading_dialog';
 
 const formatNotes: Record<ExportFormat, [string, string]> = {
@@ -217,6 +219,10 @@ export function ToolDialogs() {
       return <ShareDialog close={close} />;
     case 'sizes':
       return <SizesDialog close={close} />;
+    case 'memory':
+      return <MemoryDialog close={close} />;
+    case 'about':
+      return <AboutDialog close={close} />;
     case 'examples':
       return (
         <Dialog title="Examples" onClose={close}>

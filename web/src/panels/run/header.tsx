@@ -9,7 +9,6 @@ import { activity } from '../../store/run/stages';
 import { dark, theme } from '../../store/view';
 import { dialogShown } from '../controls/dialog_shown';
 import { ForecastNote, tightMemoryMb } from './forecast_note';
-import { forecastParts } from './forecast_text';
 import { seconds } from '../controls/format';
 import { Icon } from '../controls/icons';
 
@@ -22,12 +21,9 @@ function RunButton() {
   // Of other sizes there is nothing to ask.
   const numbers = forecast.value?.fresh ? forecast.value.numbers : null;
   const run = () => {
-    if (numbers && numbers.peak_mb > tightMemoryMb && exceeded.value.length === 0) {
-      const parts = forecastParts(numbers, []).join(', ');
-      const question = `The forecast is ${parts}. That may not fit into this tab. Run all the same?`;
-      if (!window.confirm(question)) return;
-    }
-    void runAll();
+    const tight = numbers && numbers.peak_mb > tightMemoryMb && exceeded.value.length === 0;
+    if (tight) dialogShown.value = 'memory';
+    else void runAll();
   };
   if (now === 'run' || now === 'export') {
     return (
@@ -86,13 +82,19 @@ export function Header() {
   const hasCase = recipe.value !== null && volume.value !== null;
   return (
     <header class="header">
-      <span class="brand">
+      <button
+        type="button"
+        class="brand"
+        aria-label="About voxtet"
+        title="About voxtet"
+        onClick={() => (dialogShown.value = 'about')}
+      >
         <svg viewBox="0 0 32 32" width="26" height="26" aria-hidden="true">
           <path class="brand-face" d="M16 4 28 25 4 25Z" />
           <path class="brand-line" d="M16 4 18.5 18.5 28 25M18.5 18.5 4 25" />
         </svg>
         <span class="brand-name">voxtet</span>
-      </span>
+      </button>
       {hasCase && (
         <span class="case-name" title={caseName()}>
           {caseName()}
