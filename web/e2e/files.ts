@@ -20,22 +20,32 @@ export function maskFile(name: string): string {
   return kept(name, writeNrrd(grid, new Uint8Array(512).fill(7)));
 }
 
-/** A label 1 of one's own making, in the middle of the patient's space. */
-export function bodyFile(
+/** Labels of one's own making, in the middle of the patient's space. */
+export function labelledFile(
   name: string,
   size: readonly [number, number, number],
   spacing: readonly [number, number, number],
-  inside: (i: number, j: number, k: number) => boolean,
+  labelAt: (i: number, j: number, k: number) => number,
 ): string {
   const [x, y, z] = spacing;
   const [ox, oy, oz] = size.map((n, axis) => (-n * spacing[axis]) / 2);
   const voxels = new Uint8Array(size[0] * size[1] * size[2]);
   voxels.forEach((_, v) => {
     const row = Math.floor(v / size[0]);
-    voxels[v] = Number(inside(v % size[0], row % size[1], Math.floor(row / size[1])));
+    voxels[v] = labelAt(v % size[0], row % size[1], Math.floor(row / size[1]));
   });
   const indexToMm = [x, 0, 0, ox, 0, y, 0, oy, 0, 0, z, oz, 0, 0, 0, 1];
   return kept(name, writeNrrd({ size: [...size], indexToMm }, voxels));
+}
+
+/** The same with label 1 alone. */
+export function bodyFile(
+  name: string,
+  size: readonly [number, number, number],
+  spacing: readonly [number, number, number],
+  inside: (i: number, j: number, k: number) => boolean,
+): string {
+  return labelledFile(name, size, spacing, (i, j, k) => Number(inside(i, j, k)));
 }
 
 /** Two segments in layers of their own, as 3D Slicer writes them: all of `inner` lies in `outer`. */

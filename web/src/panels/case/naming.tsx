@@ -27,7 +27,7 @@ export function Naming() {
     previewSoon();
   };
   return (
-    <div class="stale naming" data-testid="naming">
+    <div class="naming" data-testid="naming">
       <p>The file does not name its labels. By their numbers they may be:</p>
       {fitting.map((scheme) => (
         <button
