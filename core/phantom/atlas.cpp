@@ -12,8 +12,8 @@ namespace {
 using Eigen::Vector3d;
 
 const Vector3d kSemiAxes{70, 85, 60};
-constexpr double kShift = 4, kShiftWave = 14;   ///< mm at scale 1: of the boundaries, and over which length
-constexpr double kLeastDistance = 0.6;          ///< of sites, in edges of a cube as large as a region
+constexpr double kShift = 4, kShiftWave = 14;  ///< mm at scale 1: of the boundaries, and over which length
+constexpr double kLeastDistance = 0.6;         ///< of sites, in edges of a cube as large as a region
 
 /// Three numbers in [-1, 1].
 Vector3d noise_vector(const Vector3d& at, std::uint32_t seed) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "geometry/elements/rotation.h"
@@ -138,10 +139,25 @@ LabelVolume cropped(const LabelVolume& volume) {
   return result;
 }
 
-/// Names and colours that stay apart for colour-blind readers, of the labels that the volume holds; none for
-/// the atlas.
+std::vector<LabelInfo> describe_regions(const LabelVolume& volume) {
+  std::set<Label> held(volume.labels.begin(), volume.labels.end());
+  held.erase(kBackground);
+  std::vector<LabelInfo> infos;
+  const auto spread = [](Label label, float step) {  // irrational steps: neighbours in number differ
+    const float at = step * static_cast<float>(label);
+    return at - std::floor(at);
+  };
+  for (const Label label : held)
+    infos.push_back({label,
+                     "region " + std::to_string(label),
+                     {spread(label, 0.8192F), spread(label, 0.6711F), spread(label, 0.5497F)}});
+  return infos;
+}
+
+/// Names and colours that stay apart for colour-blind readers, of the labels that the volume holds; the
+/// atlas has more than can be told apart.
 std::vector<LabelInfo> describe(const LabelVolume& volume, PhantomKind kind) {
-  if (kind == PhantomKind::kAtlas) return {};
+  if (kind == PhantomKind::kAtlas) return describe_regions(volume);
   static const std::vector<LabelInfo> kHeart{
       {1, "LV myocardium", {0.70F, 0.25F, 0.20F}}, {2, "RV myocardium", {0.93F, 0.62F, 0.20F}},
       {3, "LV blood pool", {0.00F, 0.45F, 0.70F}}, {4, "RV blood pool", {0.35F, 0.70F, 0.90F}},
@@ -168,7 +184,8 @@ Result<LabelVolume> make_phantom(const PhantomParams& params) {
   const Result<Grid> grid = grid_around(body, params);
   if (!grid) return grid.error();
   LabelVolume sampled = sample(body, *grid);
-  if (!reads_radius(params.kind)) keep_large_components(sampled, params.kind == PhantomKind::kAtlas ? 1 : kSpeckShare);
+  if (!reads_radius(params.kind))
+    keep_large_components(sampled, params.kind == PhantomKind::kAtlas ? 1 : kSpeckShare);
   LabelVolume volume = cropped(sampled);
   if (volume.labels.empty())
     return usage_error(kStage,

@@ -25,7 +25,6 @@ bool contains(const Cells& sorted, std::uint32_t value) {
   return std::binary_search(sorted.begin(), sorted.end(), value);
 }
 
-
 class ContactMender {
  public:
   ContactMender(LabelledCells& cells, const std::vector<Contact>& wanted, double reach_mm)
@@ -115,7 +114,7 @@ class ContactMender {
       out.insert(out.end(), around.begin(), around.end());
     }
     std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
     return out;
   }
 
@@ -152,9 +151,8 @@ class ContactMender {
       const Label label = cells_.labels[near[i]];
       if (label == from || label == to || steps[i] < 0) continue;
       const auto& around = cells_.neighbours[near[i]];
-      if (std::any_of(around.begin(), around.end(), [&](std::uint32_t n) {
-            return n != LabelledCells::kNone && cells_.labels[n] == from;
-          }))
+      if (std::any_of(around.begin(), around.end(),
+                      [&](std::uint32_t n) { return n != LabelledCells::kNone && cells_.labels[n] == from; }))
         candidates.push_back({steps[i], near[i]});
     }
     std::sort(candidates.begin(), candidates.end());

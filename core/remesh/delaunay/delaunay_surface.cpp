@@ -58,7 +58,8 @@ constexpr std::array<Repair, 9> kRepairs{{{false, 0.5, 0.3, 0},
                                           {true, 0.06, 0.03, 0.7, 0.1, true, true},
                                           {true, 0.06, 0.03, 0.7, 0.1, true, true},
                                           {true, 0.06, 0.03, 0.7, 0.1, true, true}}};
-constexpr double kContactReach = 0.5;  ///< of cells that change labels around a lost contact, in the same units
+constexpr double kContactReach =
+    0.5;  ///< of cells that change labels around a lost contact, in the same units
 constexpr double kDenseSpacing = 0.03;  ///< of points on lost contacts, in the same units
 
 double facet_area2(const LabelledCells& cells, const InterfaceFacet& facet) {
@@ -177,8 +178,8 @@ std::vector<LostContact> lost_contacts(const std::vector<Sides>& lost, const Sur
 }
 
 /// Cells in which the labels of the volume touch as they are to, as far as that succeeds.
-LabelledCells with_contacts(const LabelledCells& cells, const LabelField& field,
-                            const TopologyLedger& wanted, const std::vector<LostContact>& lost) {
+LabelledCells with_contacts(const LabelledCells& cells, const LabelField& field, const TopologyLedger& wanted,
+                            const std::vector<LostContact>& lost) {
   const WallLayers& layers = field.layers();
   LabelledCells merged = cells, out = cells;
   for (Label& label : merged.labels) label = layers.parent(label);
