@@ -205,7 +205,8 @@ int run_cli(int argc, const char* const* argv) {
   check->callback([&] { code = run_check(in, label_array, output); });
 
   CLI::App* phantom = app.add_subcommand("phantom", "generate a body as a label volume");
-  phantom->add_option("NAME", in, "sphere, shell, torus, slab, nested_boxes, branching_tube, biventricle")
+  phantom
+      ->add_option("NAME", in, "sphere, shell, torus, slab, nested_boxes, branching_tube, biventricle, atlas")
       ->required();
   phantom->add_option("--set", set, "a field of the phantom, as spacing_mm=[1,1,1]");
   phantom->add_option("-o,--output", out, ".nii or .nii.gz")->required();

@@ -22,6 +22,8 @@ struct Body {
 Body simple_body(const PhantomParams& params);
 /// The heart: see biventricle.cpp for its anatomy.
 Body biventricle_body(const PhantomParams& params);
+/// The atlas: an ellipsoid of many regions.
+Body atlas_body(const PhantomParams& params);
 
 /// Minimum of two distances, rounded with a fillet where they differ by less than `width` (mm): at most
 /// width/4 below the minimum, polynomial. https://iquilezles.org/articles/smin

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "geometry/elements/rotation.h"
@@ -18,10 +19,11 @@ constexpr double kMaxVoxels = 512.0 * 512.0 * 512.0;
 constexpr int kPadding = 2;
 constexpr double kMaxRoughnessMm = 1.2;  // at scale 1: beyond it bumps would close the cavities' thin ends
 constexpr double kSpeckShare = 0.05;     // of the largest component of the same label
+constexpr int kMostRegions = 2000;
 constexpr const char* kStage = "phantom";
 
 bool reads_radius(PhantomKind kind) {
-  return kind != PhantomKind::kBiventricle;
+  return kind != PhantomKind::kBiventricle && kind != PhantomKind::kAtlas;
 }
 bool reads_inner_radius(PhantomKind kind) {
   return kind == PhantomKind::kShell || kind == PhantomKind::kTorus;
@@ -48,8 +50,10 @@ std::optional<Error> find_parameter_error(const PhantomParams& p) {
     return refuse("inner_radius_mm", p.inner_radius_mm, length + " and less than radius_mm");
   if (p.kind == PhantomKind::kSlab && !positive(p.thickness_mm))
     return refuse("thickness_mm", p.thickness_mm, length);
+  if (!reads_radius(p.kind) && !positive(p.scale)) return refuse("scale", p.scale, "a finite factor > 0");
+  if (p.kind == PhantomKind::kAtlas && !(p.regions >= 1 && p.regions <= kMostRegions))
+    return refuse("regions", p.regions, "a number from 1 to 2000");
   if (p.kind == PhantomKind::kBiventricle) {
-    if (!positive(p.scale)) return refuse("scale", p.scale, "a finite factor > 0");
     if (!(p.roughness_mm >= 0 && p.roughness_mm <= kMaxRoughnessMm * p.scale))
       return refuse("roughness_mm", p.roughness_mm, "a length from 0 to 1.2 * scale");
     if (!(p.scar_depth > 0 && p.scar_depth <= 1))
@@ -63,7 +67,11 @@ std::optional<Error> find_parameter_error(const PhantomParams& p) {
 }
 
 Body body_of(const PhantomParams& params) {
-  return params.kind == PhantomKind::kBiventricle ? biventricle_body(params) : simple_body(params);
+  switch (params.kind) {
+    case PhantomKind::kBiventricle: return biventricle_body(params);
+    case PhantomKind::kAtlas: return atlas_body(params);
+    default: return simple_body(params);
+  }
 }
 
 /// A grid whose axes are the columns of the body's rotation, wide enough for the body.
@@ -131,8 +139,25 @@ LabelVolume cropped(const LabelVolume& volume) {
   return result;
 }
 
-/// Names and colours that stay apart for colour-blind readers, of the labels that the volume holds.
+std::vector<LabelInfo> describe_regions(const LabelVolume& volume) {
+  std::set<Label> held(volume.labels.begin(), volume.labels.end());
+  held.erase(kBackground);
+  std::vector<LabelInfo> infos;
+  const auto spread = [](Label label, float step) {  // irrational steps: neighbours in number differ
+    const float at = step * static_cast<float>(label);
+    return at - std::floor(at);
+  };
+  for (const Label label : held)
+    infos.push_back({label,
+                     "region " + std::to_string(label),
+                     {spread(label, 0.8192F), spread(label, 0.6711F), spread(label, 0.5497F)}});
+  return infos;
+}
+
+/// Names and colours that stay apart for colour-blind readers, of the labels that the volume holds; the
+/// atlas has more than can be told apart.
 std::vector<LabelInfo> describe(const LabelVolume& volume, PhantomKind kind) {
+  if (kind == PhantomKind::kAtlas) return describe_regions(volume);
   static const std::vector<LabelInfo> kHeart{
       {1, "LV myocardium", {0.70F, 0.25F, 0.20F}}, {2, "RV myocardium", {0.93F, 0.62F, 0.20F}},
       {3, "LV blood pool", {0.00F, 0.45F, 0.70F}}, {4, "RV blood pool", {0.35F, 0.70F, 0.90F}},
@@ -159,7 +184,8 @@ Result<LabelVolume> make_phantom(const PhantomParams& params) {
   const Result<Grid> grid = grid_around(body, params);
   if (!grid) return grid.error();
   LabelVolume sampled = sample(body, *grid);
-  if (params.kind == PhantomKind::kBiventricle) keep_large_components(sampled, kSpeckShare);
+  if (!reads_radius(params.kind))
+    keep_large_components(sampled, params.kind == PhantomKind::kAtlas ? 1 : kSpeckShare);
   LabelVolume volume = cropped(sampled);
   if (volume.labels.empty())
     return usage_error(kStage,

@@ -13,7 +13,7 @@
 
 namespace voxtet {
 
-enum class PhantomKind { kSphere, kShell, kTorus, kSlab, kNestedBoxes, kBranchingTube, kBiventricle };
+enum class PhantomKind { kSphere, kShell, kTorus, kSlab, kNestedBoxes, kBranchingTube, kBiventricle, kAtlas };
 
 /// One struct for all kinds; each kind reads the fields it needs.
 struct PhantomParams {
@@ -25,14 +25,15 @@ struct PhantomParams {
                           ///< (a quarter of its length; twice the trunk's radius)
   double inner_radius_mm = 12;  ///< shell (inner), torus (minor)
   double thickness_mm = 8;      ///< slab
-  double scale = 1;             ///< biventricle: 1 = adult end-diastolic heart
+  double scale = 1;             ///< biventricle: 1 = adult end-diastolic heart; atlas: 1 = 140 x 170 x 120 mm
   double roughness_mm = 0.8;    ///< biventricle: amplitude of the seeded surface roughness
   bool blood_pools = true;      ///< biventricle: label cavities 3 and 4
   bool scar = false;            ///< biventricle: scar core 5 with an isthmus, border zone 6
   double scar_depth = 0.7;      ///< biventricle: share of the wall that the core fills, from inside; 1: all
   double border_mm = 3;         ///< biventricle: width of the border zone around the core at scale 1; 0: none
   double isthmus_mm = 8;        ///< biventricle: width of the isthmus at scale 1; 0: closed
-  std::uint32_t seed = 1;       ///< biventricle: roughness
+  int regions = 300;            ///< atlas: number of labels
+  std::uint32_t seed = 1;       ///< biventricle: roughness; atlas: regions
 };
 
 /// A label volume sampled at voxel centres, cropped to the body with two background voxels around it. The
@@ -43,7 +44,9 @@ struct PhantomParams {
 /// 2 RV myocardium, 3 LV blood pool, 4 RV blood pool, 5 scar core, 6 border zone. Each label of the heart is
 /// one 6-connected component, except the scar core, which an open isthmus cuts in two: voxels that sampling
 /// cuts off from their label go to a neighbouring label. With scar_depth 1 the isthmus is the only way
-/// through the scar that is not core.
+/// through the scar that is not core. The atlas stands in for a parcellated brain: an ellipsoid cut into
+/// regions of about one size, labels 1 to `regions`, which touch each other as chance will have it, over as
+/// little as a voxel's edge; each label is one 6-connected component.
 ///
 /// Errors: kUsage naming the parameter that is out of range, a volume that would exceed 512^3 voxels, or a
 /// spacing so coarse that no voxel centre lies inside.

@@ -17,7 +17,8 @@ void visit_fields(V& v, PhantomParams& p) {
                                 {"slab", PhantomKind::kSlab},
                                 {"nested_boxes", PhantomKind::kNestedBoxes},
                                 {"branching_tube", PhantomKind::kBranchingTube},
-                                {"biventricle", PhantomKind::kBiventricle}});
+                                {"biventricle", PhantomKind::kBiventricle},
+                                {"atlas", PhantomKind::kAtlas}});
   v.field({"spacing_mm", "mm", 0.05, 50, "Distance between voxel centres along the image axes."},
           p.spacing_mm);
   v.field({"rotation_deg", "deg", -360, 360, "Rotation of the image axes about x, then y, then z."},
@@ -29,7 +30,7 @@ void visit_fields(V& v, PhantomParams& p) {
   v.field({"inner_radius_mm", "mm", 0.1, 1000, "Inner radius of the shell, minor radius of the torus."},
           p.inner_radius_mm);
   v.field({"thickness_mm", "mm", 0.1, 1000, "Thickness of the slab."}, p.thickness_mm);
-  v.field({"scale", "", 0.1, 10, "Biventricle: size, 1 is an adult heart."}, p.scale);
+  v.field({"scale", "", 0.1, 10, "Biventricle and atlas: size, 1 is an adult's."}, p.scale);
   v.field({"roughness_mm", "mm", 0, 12, "Biventricle: amplitude of the seeded roughness of the walls."},
           p.roughness_mm);
   v.field({"blood_pools", "", 0, 0, "Biventricle: label the cavities as 3 and 4."}, p.blood_pools);
@@ -42,7 +43,9 @@ void visit_fields(V& v, PhantomParams& p) {
           p.border_mm);
   v.field({"isthmus_mm", "mm", 0, 40, "Biventricle: width of the isthmus at scale 1; 0 closes it."},
           p.isthmus_mm);
-  v.field({"seed", "", 0, 4294967295.0, "Biventricle: seed of the roughness."}, p.seed);
+  v.field({"regions", "", 1, 2000, "Atlas: number of labels."}, p.regions);
+  v.field({"seed", "", 0, 4294967295.0, "Biventricle: seed of the roughness. Atlas: seed of the regions."},
+          p.seed);
 }
 
 template <class V>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "remesh/cells/labelled_cells.h"
@@ -14,6 +15,11 @@ class CellStars {
   using Cells = std::vector<std::uint32_t>;
 
   explicit CellStars(const LabelledCells& cells);
+
+  /// The cells around a point, ascending.
+  std::span<const std::uint32_t> around(std::uint32_t point) const {
+    return std::span(around_).subspan(start_[point], start_[point + 1] - start_[point]);
+  }
 
   /// The labels of the cells around a point, ascending.
   std::vector<Label> labels_at(std::uint32_t point) const;

@@ -13,6 +13,7 @@
 #include "remesh/cells/extract_interface.h"
 #include "remesh/cells/interface_edges.h"
 #include "remesh/cells/make_two_manifold.h"
+#include "remesh/cells/mend_contacts.h"
 #include "remesh/cells/remove_islands.h"
 #include "remesh/cells/remove_wedges.h"
 #include "remesh/delaunay/delaunay_refiner.h"
@@ -43,6 +44,7 @@ struct Repair {
   double least_facet_radius;  ///< of a facet that is refined to open a pinch or a channel
   double turned_cosine;       ///< of the largest angle between reference and surface
   double narrow_share = 1;    ///< of what counts as missed, in narrow places of those labels
+  bool relabels = false;      ///< if cells that change labels do not mend the contacts
   bool dense = false;         ///< with many points on contacts of labels that are lost
 };
 /// One after the other, until there is nothing to repair. The last ones come more than once: what one adds
@@ -51,11 +53,13 @@ constexpr std::array<Repair, 9> kRepairs{{{false, 0.5, 0.3, 0},
                                           {true, 0.3, 0.2, 0.3},
                                           {true, 0.15, 0.1, 0.5, 0.4},
                                           {true, 0.09, 0.05, 0.7, 0.2},
-                                          {true, 0.09, 0.05, 0.7, 0.2, true},
-                                          {true, 0.09, 0.05, 0.7, 0.2, true},
-                                          {true, 0.06, 0.03, 0.7, 0.1, true},
-                                          {true, 0.06, 0.03, 0.7, 0.1, true},
-                                          {true, 0.06, 0.03, 0.7, 0.1, true}}};
+                                          {true, 0.09, 0.05, 0.7, 0.2, true, true},
+                                          {true, 0.09, 0.05, 0.7, 0.2, true, true},
+                                          {true, 0.06, 0.03, 0.7, 0.1, true, true},
+                                          {true, 0.06, 0.03, 0.7, 0.1, true, true},
+                                          {true, 0.06, 0.03, 0.7, 0.1, true, true}}};
+constexpr double kContactReach =
+    0.5;  ///< of cells that change labels around a lost contact, in the same units
 constexpr double kDenseSpacing = 0.03;  ///< of points on lost contacts, in the same units
 
 double facet_area2(const LabelledCells& cells, const InterfaceFacet& facet) {
@@ -159,6 +163,34 @@ std::vector<Sides> not_taken(const std::vector<Sides>& pairs, const SurfaceMesh&
   return out;
 }
 
+/// Contacts that are lost, with the middles of the reference's triangles there.
+std::vector<LostContact> lost_contacts(const std::vector<Sides>& lost, const SurfaceMesh& reference) {
+  std::vector<LostContact> out;
+  for (const auto& [high, low] : lost) out.push_back({{low, high}, {}});
+  for (std::size_t t = 0; t < reference.triangles.size(); ++t) {
+    const auto found = std::lower_bound(lost.begin(), lost.end(), reference.sides[t]);
+    if (found == lost.end() || *found != reference.sides[t]) continue;
+    const auto& [a, b, c] = reference.triangles[t];
+    out[static_cast<std::size_t>(found - lost.begin())].places.push_back(
+        (reference.points[a] + reference.points[b] + reference.points[c]) / 3);
+  }
+  return out;
+}
+
+/// Cells in which the labels of the volume touch as they are to, as far as that succeeds.
+LabelledCells with_contacts(const LabelledCells& cells, const LabelField& field, const TopologyLedger& wanted,
+                            const std::vector<LostContact>& lost) {
+  const WallLayers& layers = field.layers();
+  LabelledCells merged = cells, out = cells;
+  for (Label& label : merged.labels) label = layers.parent(label);
+  mend_contacts(merged, wanted.contacts, lost, kContactReach * field.grid().smallest_spacing_mm());
+  for (std::uint32_t c = 0; c < cells.labels.size(); ++c)
+    if (merged.labels[c] != layers.parent(cells.labels[c]))
+      out.labels[c] = layers.at(merged.labels[c], cells.centroid(c));
+  if (!layers.empty()) make_two_manifold(out, field, find_pinches(out));
+  return out;
+}
+
 /// The surface that came nearest to a topology.
 struct Nearest {
   SurfaceMesh surface;
@@ -221,7 +253,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     mend_parents(cells, field);
     SurfaceMesh surface = extract_interface(cells);
     if (ctx.cancelled()) return cancelled_error(kRemeshStage);
-    const SurfaceMesh merged = merge_layers(surface, field.layers());
+    SurfaceMesh merged = merge_layers(surface, field.layers());
     if (seed_spacing > kLeastSeedSpacing)
       if (const std::vector<Sides> lacking = not_taken(pairs, reference, sizing, merged); !lacking.empty()) {
         seed_spacing /= 2;
@@ -232,7 +264,19 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     std::vector<bool> suspects;  // empty: none, or all
     const auto compare = [&] {
       if (broken) return;
-      const std::vector<TopologyDifference> differences = compare_topology(wanted, label_topology(merged));
+      std::vector<TopologyDifference> differences = compare_topology(wanted, label_topology(merged));
+      if (!differences.empty() && (repair == kRepairs.end() || repair->relabels)) {
+        LabelledCells mended =
+            with_contacts(cells, field, wanted, lost_contacts(lost_pairs(pairs, merged), reference));
+        SurfaceMesh other = extract_interface(mended), other_merged = merge_layers(other, field.layers());
+        std::vector<TopologyDifference> left = compare_topology(wanted, label_topology(other_merged));
+        if (size_of(left) < size_of(differences)) {
+          cells = std::move(mended);
+          surface = std::move(other);
+          merged = std::move(other_merged);
+          differences = std::move(left);
+        }
+      }
       broken = labels_of(differences);
       const std::int64_t size = size_of(differences);
       if (!nearest || size <= nearest->differences) nearest = {surface, size};

@@ -17,11 +17,12 @@ struct DelaunayParams {
 };
 
 /// Seeds every interface, refines, then repairs what a triangulation of finite size gets wrong at junctions
-/// (islands, needle wedges, pinches), and fits the points to the field. For a few rounds it adds points where
-/// `reference`, the label surface that the field was made of, was missed. As long as the topology of the
-/// surface is not `wanted`, that of the reference, these get closer and closer, regardless of the sizing
-/// field. Facets are a subset of one Delaunay triangulation until the fit, which is taken back where it would
-/// make them intersect. Errors: kCancelled.
+/// (islands, needle wedges, pinches), and fits the points to the field. For a few rounds it adds points
+/// where `reference`, the label surface that the field was made of, was missed. As long as the topology of
+/// the surface is not `wanted`, that of the reference, these get closer and closer, regardless of the sizing
+/// field, and contacts of labels that are still lost are made by cells that change labels. Facets are a
+/// subset of one Delaunay triangulation until the fit, which is taken back where it would make them
+/// intersect. Errors: kCancelled.
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
                                      const TopologyLedger& wanted, const SizingField& sizing,
                                      const DelaunayParams& params, RunContext& ctx);

@@ -7,13 +7,14 @@
 #include <map>
 
 #include "base/digest.h"
+#include "geometry/topology/label_components.h"
 
 namespace voxtet {
 namespace {
 
 constexpr std::array kAllKinds{
-    PhantomKind::kSphere,      PhantomKind::kShell,         PhantomKind::kTorus,      PhantomKind::kSlab,
-    PhantomKind::kNestedBoxes, PhantomKind::kBranchingTube, PhantomKind::kBiventricle};
+    PhantomKind::kSphere,      PhantomKind::kShell,         PhantomKind::kTorus,       PhantomKind::kSlab,
+    PhantomKind::kNestedBoxes, PhantomKind::kBranchingTube, PhantomKind::kBiventricle, PhantomKind::kAtlas};
 constexpr std::array kClosedFormKinds{PhantomKind::kSphere, PhantomKind::kShell, PhantomKind::kTorus,
                                       PhantomKind::kSlab, PhantomKind::kNestedBoxes};
 
@@ -93,8 +94,8 @@ TEST(MakePhantom, SamplesTheBodyAtVoxelCentres) {
       for (int j = 0; j < volume.size[1]; ++j)
         for (int i = 0; i < volume.size[0]; ++i)
           different += volume.at(i, j, k) != body(volume.to_mm({1.0 * i, 1.0 * j, 1.0 * k}));
-    // Only the heart is cleaned of specks after sampling.
-    const std::size_t allowed = kind == PhantomKind::kBiventricle ? 5 : 0;
+    // Only heart and atlas are cleaned of specks after sampling.
+    const std::size_t allowed = kind == PhantomKind::kBiventricle ? 5 : kind == PhantomKind::kAtlas ? 100 : 0;
     EXPECT_LE(different, allowed) << "kind " << static_cast<int>(kind);
   }
 }
@@ -169,7 +170,8 @@ TEST(MakePhantom, NamesTheParameterThatIsOutOfRange) {
     expect_error(kind, "spacing_mm[1]", [](P& p) { p.spacing_mm[1] = 0; });
     expect_error(kind, "spacing_mm[2]", [&](P& p) { p.spacing_mm[2] = nan; });
     expect_error(kind, "rotation_deg[0]", [](P& p) { p.rotation_deg[0] = INFINITY; });
-    if (kind != PhantomKind::kBiventricle) expect_error(kind, "radius_mm", [](P& p) { p.radius_mm = -3; });
+    if (kind != PhantomKind::kBiventricle && kind != PhantomKind::kAtlas)
+      expect_error(kind, "radius_mm", [](P& p) { p.radius_mm = -3; });
   }
   expect_error(PhantomKind::kShell, "inner_radius_mm", [](P& p) { p.inner_radius_mm = p.radius_mm; });
   expect_error(PhantomKind::kTorus, "inner_radius_mm", [](P& p) { p.inner_radius_mm = 0; });
@@ -182,6 +184,9 @@ TEST(MakePhantom, NamesTheParameterThatIsOutOfRange) {
   expect_error(PhantomKind::kBiventricle, "border_mm", [](P& p) { p.border_mm = -1; });
   expect_error(PhantomKind::kBiventricle, "isthmus_mm", [](P& p) { p.isthmus_mm = -1; });
   expect_error(PhantomKind::kBiventricle, "isthmus_mm", [](P& p) { p.isthmus_mm = INFINITY; });
+  expect_error(PhantomKind::kAtlas, "scale", [](P& p) { p.scale = 0; });
+  expect_error(PhantomKind::kAtlas, "regions", [](P& p) { p.regions = 0; });
+  expect_error(PhantomKind::kAtlas, "regions", [](P& p) { p.regions = 2001; });
 }
 
 TEST(MakePhantom, RefusesMoreThan512CubedVoxelsAndSpacingsThatMissTheBody) {
@@ -226,6 +231,26 @@ TEST(MakePhantom, GivesTheSameBytesOnEveryPlatform) {
             "92753774b96c91678793f9697db17ef7f6ebd19c5c6a19259a529d2f802babca");
   EXPECT_EQ(digests["oblique torus"], "ee3073071c7b25e32bc6e9d79e612a589bb05ee40e9b8a9072f99cce091358aa");
   EXPECT_EQ(digests["oblique tube"], "5c4e5553e6175275e73d2ba4050804e99c334b035469a23b5c06112c193c622f");
+}
+
+TEST(MakePhantom, AnAtlasHasEveryRegionInOnePieceAndInTheSamePlaceForTheSameSeed) {
+  PhantomParams params;
+  params.kind = PhantomKind::kAtlas;
+  params.spacing_mm.setConstant(2);
+  params.scale = 0.4;
+  params.regions = 60;
+  const LabelVolume atlas = make(params);
+  std::map<Label, int> pieces;
+  std::vector<std::uint32_t> sizes;
+  const std::vector<std::uint32_t> ids = label_components(atlas.size, atlas.labels, sizes);
+  std::map<std::uint32_t, Label> label_of;
+  for (std::size_t v = 0; v < ids.size(); ++v) label_of[ids[v]] = atlas.labels[v];
+  for (const auto& [id, label] : label_of) ++pieces[label];
+  for (Label label = 1; label <= 60; ++label) EXPECT_EQ(pieces[label], 1) << label;
+  EXPECT_EQ(pieces.size(), 61U);
+  EXPECT_EQ(make(params).labels, atlas.labels);
+  params.seed = 2;
+  EXPECT_NE(make(params).labels, atlas.labels);
 }
 
 }  // namespace

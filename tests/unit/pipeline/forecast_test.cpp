@@ -74,6 +74,26 @@ TEST(Forecast, GrowsAsElementsShrinkAndFeelsTheSurface) {
   EXPECT_GT(forecast_tets(recipe), 1.1 * coarse);
 }
 
+TEST(Forecast, KnowsThatCoarseEdgesPassOverContactsOfManyLabels) {
+  const auto seconds = [](int regions, double edge_mm) {
+    Recipe recipe;
+    PhantomParams& atlas = recipe.source.phantom.emplace();
+    atlas.kind = PhantomKind::kAtlas;
+    atlas.spacing_mm.setConstant(2);
+    atlas.scale = 0.3;
+    atlas.regions = regions;
+    recipe.sizing.edge_mm = edge_mm;
+    Session session;
+    run_to(Stage::kSizing, recipe, session);
+    RunContext ctx;
+    const Result<Forecast> forecast = forecast_case(session, ctx);
+    EXPECT_TRUE(forecast.ok());
+    return forecast.ok() ? forecast->seconds : 0.0;
+  };
+  EXPECT_GT(seconds(60, 8), 1.2 * seconds(60, 4));
+  EXPECT_LE(seconds(1, 8), seconds(1, 4));
+}
+
 TEST(Forecast, OfOtherSizesLeavesTheMeshThatIsAtHand) {
   Recipe recipe = small_heart();
   recipe.sizing.thickness.push_back({{1, 2}, {}, 2});

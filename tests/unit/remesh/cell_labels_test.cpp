@@ -6,10 +6,12 @@
 #include <numeric>
 
 #include "field_of.h"
+#include "geometry/topology/label_topology.h"
 #include "lattice_complex.h"
 #include "remesh/cells/cell_stars.h"
 #include "remesh/cells/extract_interface.h"
 #include "remesh/cells/make_two_manifold.h"
+#include "remesh/cells/mend_contacts.h"
 #include "remesh/cells/remove_islands.h"
 #include "remesh/cells/remove_wedges.h"
 #include "remesh/delaunay/delaunay_refiner.h"
@@ -276,6 +278,53 @@ TEST(RemoveIslands, TellsTheMouthOfAChannelThatWasClosedByALid) {
     EXPECT_EQ(static_cast<int>(lid / 6 % 20), kLid);
     EXPECT_EQ(static_cast<int>(facet.cell / 6 % 20), kLid + 1);
   }
+}
+
+/// In background, labels 3 and 4 touch in a strip one cube wide between 1 and 2.
+LabelledCells four_around_a_strip() {
+  return test::lattice_complex(7, 1, 0, [](int i, int j, int k) {
+    if (std::min({i, j, k}) < 1 || std::max({i, j, k}) > 5) return 0;
+    return i < 3 ? 1 : i > 3 ? 2 : j < 3 ? 3 : 4;
+  });
+}
+
+TEST(MendContacts, LetsLabelsTouchThatHaveAStripBetween) {
+  LabelledCells cells = four_around_a_strip();
+  TopologyLedger wanted = label_topology(extract_interface(cells));
+  wanted.contacts.push_back({1, 2});
+  std::sort(wanted.contacts.begin(), wanted.contacts.end());
+  EXPECT_GT(mend_contacts(cells, wanted.contacts, {{{1, 2}, {Vector3d(3.5, 3, 3.5)}}}, 0.1), 0U);
+  EXPECT_EQ(label_topology(extract_interface(cells)), wanted);
+  EXPECT_EQ(all_defects(cells), 0U);
+}
+
+TEST(MendContacts, PartsLabelsThatAreNotToTouch) {
+  LabelledCells cells = four_around_a_strip();
+  const TopologyLedger wanted = label_topology(extract_interface(cells));
+  TopologyLedger other = wanted;
+  other.contacts.push_back({1, 2});
+  std::sort(other.contacts.begin(), other.contacts.end());
+  mend_contacts(cells, other.contacts, {{{1, 2}, {Vector3d(3.5, 3, 3.5)}}}, 0.1);
+  ASSERT_EQ(label_topology(extract_interface(cells)), other);
+  EXPECT_GT(mend_contacts(cells, wanted.contacts, {}, 0.1), 0U);
+  EXPECT_EQ(label_topology(extract_interface(cells)), wanted);
+  EXPECT_EQ(all_defects(cells), 0U);
+}
+
+TEST(MendContacts, PiercesNoLabelThatPartsOthers) {
+  // The wall 3 between 1 and 2 has no edge within reach where a fourth label would let them meet.
+  const auto wall = [] {
+    return test::lattice_complex(9, 1, 0, [](int i, int j, int k) {
+      if (std::min({i, j, k}) < 1 || std::max({i, j, k}) > 7) return 0;
+      return i < 4 ? 1 : i > 4 ? 2 : 3;
+    });
+  };
+  LabelledCells cells = wall();
+  std::vector<Contact> wanted = label_topology(extract_interface(cells)).contacts;
+  wanted.push_back({1, 2});
+  std::sort(wanted.begin(), wanted.end());
+  EXPECT_EQ(mend_contacts(cells, wanted, {{{1, 2}, {Vector3d(4.5, 4.5, 4.5)}}}, 0.1), 0U);
+  EXPECT_EQ(cells.labels, wall().labels);
 }
 
 }  // namespace

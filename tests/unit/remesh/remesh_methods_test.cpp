@@ -7,6 +7,7 @@
 #include "base/digest.h"
 #include "geometry/intersect/self_intersections.h"
 #include "geometry/topology/label_topology.h"
+#include "phantom/make_phantom.h"
 #include "remesh/adapt/adapt_complex.h"
 #include "remesh/remesh_surface.h"
 #include "support/check_surface.h"
@@ -177,6 +178,24 @@ TEST(RemeshMethods, StopWhenCancelled) {
       remesh_surface(volume, test::label_surface(volume), test::uniform_sizing(2), params, ctx);
   ASSERT_FALSE(stopped.ok());
   EXPECT_EQ(stopped.error().code, ErrorCode::kCancelled);
+}
+
+TEST(RemeshMethods, StayWithDelaunayWhereRegionsOfAnAtlasHardlyTouch) {
+  // Labels 12 and 39, and 31 and 33, touch over less than any facet of the refined surface.
+  PhantomParams atlas;
+  atlas.kind = PhantomKind::kAtlas;
+  atlas.spacing_mm.setConstant(2);
+  atlas.scale = 0.3;
+  atlas.regions = 40;
+  atlas.seed = 9;
+  const Result<LabelVolume> volume = make_phantom(atlas);
+  ASSERT_TRUE(volume.ok());
+  const SurfaceMesh reference = test::label_surface(*volume);
+  const Outcome remeshed = remesh_with(*volume, reference, 3, {});
+  EXPECT_FALSE(remeshed.warned_of(kFellBack));
+  EXPECT_EQ(remeshed.notes, kDelaunayNote);
+  EXPECT_EQ(label_topology(remeshed.surface), label_topology(reference));
+  EXPECT_TRUE(find_self_intersections(remeshed.surface).empty());
 }
 
 }  // namespace

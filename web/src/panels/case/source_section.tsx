@@ -20,6 +20,7 @@ const bodies: readonly (readonly [PhantomKind, string])[] = [
   ['slab', 'Slab'],
   ['nested_boxes', 'Nested boxes'],
   ['branching_tube', 'Branching tube'],
+  ['atlas', 'Atlas of many regions'],
 ];
 
 export function FileButton({ label, primary }: { label: string; primary?: boolean }) {
@@ -130,7 +131,8 @@ function PhantomFields({ phantom }: { phantom: PhantomParams }) {
     />
   );
   const heart = phantom.kind === 'biventricle';
-  const round = phantom.kind !== 'slab' && !heart;
+  const atlas = phantom.kind === 'atlas';
+  const round = phantom.kind !== 'slab' && !heart && !atlas;
   return (
     <>
       <SelectField
@@ -148,9 +150,10 @@ function PhantomFields({ phantom }: { phantom: PhantomParams }) {
       />
       <details class="more">
         <summary>Shape of the body</summary>
-        {heart && number('Scale', 'scale')}
+        {(heart || atlas) && number('Scale', 'scale')}
         {heart && number('Roughness', 'roughness_mm', 'mm')}
-        {heart && number('Seed', 'seed')}
+        {atlas && number('Regions', 'regions')}
+        {(heart || atlas) && number('Seed', 'seed')}
         {round && number('Radius', 'radius_mm', 'mm')}
         {(phantom.kind === 'shell' || phantom.kind === 'torus') &&
           number('Inner radius', 'inner_radius_mm', 'mm')}
