@@ -205,7 +205,7 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   QualityReport report =
       report_of_mesh(mesh, faces, &reference.sizing, bins, ctx.threads,
                      {[&] { distances.measure(0); }, [&] { distances.measure(1); },
-                      [&] { labels = measure_labels(mesh, reference.labels, reference.sizing); },
+                      [&] { labels = measure_labels(mesh, reference.labels, reference.sizing, reference.more_mm3); },
                       [&] { layers = count_layers(mesh, reference.walls); },
                       [&] { distances_of_faces = distance_fields(mesh, surface, voxel); },
                       [&] { before = label_topology(surface); },

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "geometry/cut/cut_faces.h"
 #include "geometry/elements/surface_measures.h"
 #include "geometry/repair/undo_intersections.h"
 #include "geometry/topology/compare_topology.h"
@@ -186,7 +187,7 @@ std::vector<double> with_layers_mm3(std::vector<double> volumes, const SurfaceMe
 
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
                                      const TopologyLedger& wanted, const SizingField& sizing,
-                                     const DelaunayParams& params, RunContext& ctx) {
+                                     const DelaunayParams& params, RunContext& ctx, const CutPlanes& cuts) {
   const double voxel = field.grid().smallest_spacing_mm();
   const VoxelPieces pieces = find_pieces(field);
   const std::vector<double> volumes = enclosed_volumes_mm3(reference);
@@ -232,7 +233,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     std::vector<bool> suspects;  // empty: none, or all
     const auto compare = [&] {
       if (broken) return;
-      const std::vector<TopologyDifference> differences = compare_topology(wanted, label_topology(merged));
+      const std::vector<TopologyDifference> differences = compare_topology(wanted, topology_before(cuts, label_topology(merged)));
       broken = labels_of(differences);
       const std::int64_t size = size_of(differences);
       if (!nearest || size <= nearest->differences) nearest = {surface, size};
