@@ -168,6 +168,7 @@ Result<CutPlanes> planes_given(const std::vector<CutParams>& params, const Label
         return usage_error(kVolumeStage, field_of(c) + ".labels: found " + std::to_string(label) +
                                              ", expected labels that are meshed: " + those);
       }
+    plane.reach_mm = kBeyondCut * step_mm(labels, plane);
     plane.name = cut.name;
     for (int next = 1; plane.name.empty(); ++next) {
       const std::string name = next == 1 ? "cut" : "cut_" + std::to_string(next);
@@ -188,18 +189,11 @@ LabelVolume with_beyond(const LabelVolume& labels, const CutPlanes& planes) {
   LabelVolume out = labels;
   std::vector<float> depth(labels.labels.size(), 0);
   visit_cut(labels, planes, [&](std::size_t at, std::size_t c, double distance) {
-    out.labels[at] = planes[c].beyond;
-    depth[at] = static_cast<float>(distance);
+    const bool far = distance > kBeyondCut;
+    out.labels[at] = far ? kBackground : planes[c].beyond;
+    depth[at] = far ? 0 : static_cast<float>(distance);
   });
   drop_shallow(out, planes, depth);
-  return out;
-}
-
-LabelVolume cut_farther_off(const LabelVolume& labels, const CutPlanes& planes) {
-  LabelVolume out = labels;
-  visit_cut(labels, planes, [&](std::size_t at, std::size_t, double distance) {
-    if (distance > kBeyondCut) out.labels[at] = kBackground;
-  });
   return out;
 }
 

@@ -33,11 +33,9 @@ Result<CutPlanes> planes_given(const std::vector<CutParams>& params, const Label
 
 /// The voxels whose middles lie beyond planes become background: one plane after the other.
 LabelVolume without_cut(const LabelVolume& labels, const CutPlanes& planes);
-/// They get the labels `beyond`.
+/// They get the labels `beyond`, and become background where they are more than kBeyondCut voxels off
+/// (extend_cuts.h). Pieces that nowhere reach a voxel beyond a plane become what is around them.
 LabelVolume with_beyond(const LabelVolume& labels, const CutPlanes& planes);
-/// They stay where they are nearer to the plane than kBeyondCut voxels (extend_cuts.h), and become background
-/// elsewhere.
-LabelVolume cut_farther_off(const LabelVolume& labels, const CutPlanes& planes);
 
 /// Counts what goes. Errors: kUsage where a plane cuts nothing of a label that it names, or a label goes as a
 /// whole and none is left; warnings in `ctx` where a plane cuts nothing at all, or a label goes.

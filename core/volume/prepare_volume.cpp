@@ -49,7 +49,6 @@ Status cut_body(PreparedVolume& out, const VolumeParams& params, RunContext& ctx
   CutPlanes cutting;
   for (std::size_t c = 0; c < planes->size(); ++c)
     if (!out.cut_away[c].voxels.empty()) cutting.push_back((*planes)[c]);
-  if (!cutting.empty()) out.prepared = share(cut_farther_off(*out.prepared, cutting));
   out.meshed = out.prepared;
   if (params.flat_border) extend_body(out, ctx);
   out.extracted = out.meshed;

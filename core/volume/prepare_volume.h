@@ -34,7 +34,7 @@ struct VolumeParams {
 /// holds all labels on the grid of `prepared`. Where the image cuts a body off, both go on beyond its border,
 /// and `meshed` is `prepared` with the labels `beyond` of `cuts` there; else the two are the same. What planes
 /// of volume.cut take away is in neither `selected` nor `prepared`; in `meshed` it has labels `beyond` near
-/// the plane, and in `extracted` its own ones, so that the surface passes through the plane: `extracted` is
+/// the plane, and in `extracted` its own ones everywhere, so that the surface passes through the plane: `extracted` is
 /// `meshed` where there are no such planes. All are stored in the order of mesh_order(), and are the source
 /// itself if nothing changes it.
 struct PreparedVolume {

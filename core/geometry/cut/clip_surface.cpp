@@ -47,7 +47,7 @@ class Clipper {
     for (std::size_t p = 0; p < before.size(); ++p) {
       if (!concerned[p]) continue;
       const double distance = cut_.distance_mm(before[p]), near = kSnapShare * shortest[p];
-      const bool is_stray = distance > near && !is_near_beyond(before[p]);
+      const bool is_stray = cut_.beyond != kBackground && distance > near && !is_near_beyond(before[p]);
       if (std::abs(distance) > near && !is_stray) continue;
       const Eigen::Vector3d place = in_planes(before[p], others[p] | static_cast<CutBits>(1U << cut), cuts);
       if (is_stray || (place - before[p]).norm() < 2 * near) surface_.points[p] = place;
@@ -117,8 +117,14 @@ class Clipper {
     }
     for (std::size_t t = 0; t < section->triangles.size(); ++t) {
       const auto [a, b, c] = section->triangles[t];
-      surface_.triangles.push_back({point_of[a], point_of[c], point_of[b]});
-      surface_.sides.push_back({cut_.beyond, section->labels[t]});
+      const Label label = section->labels[t];
+      if (cut_.beyond > label) {
+        surface_.triangles.push_back({point_of[a], point_of[c], point_of[b]});
+        surface_.sides.push_back({cut_.beyond, label});
+      } else {
+        surface_.triangles.push_back({point_of[a], point_of[b], point_of[c]});
+        surface_.sides.push_back({label, cut_.beyond});
+      }
     }
     return true;
   }
@@ -238,15 +244,25 @@ class Clipper {
   std::unordered_map<std::uint64_t, std::uint32_t> between_;
 };
 
-}  // namespace
-
-std::optional<SurfaceMesh> clip_surface(SurfaceMesh surface, const LabelVolume& volume, const CutPlanes& cuts,
-                                        std::size_t cut, const RunContext& ctx) {
+std::optional<SurfaceMesh> clip_once(SurfaceMesh surface, const LabelVolume& volume, const CutPlanes& cuts,
+                                     std::size_t cut, const RunContext& ctx) {
   Clipper clipper(std::move(surface), volume, cuts[cut]);
   if (!clipper.snap(cuts, cut, ctx)) return std::nullopt;
   clipper.divide();
   if (!clipper.close()) return std::nullopt;
   return clipper.take();
+}
+
+}  // namespace
+
+std::optional<SurfaceMesh> clip_surface(SurfaceMesh surface, const LabelVolume& volume, const CutPlanes& cuts,
+                                        std::size_t cut, const RunContext& ctx) {
+  CutPlanes far = cuts;
+  far[cut].offset_mm += cuts[cut].reach_mm;
+  far[cut].beyond = kBackground;
+  std::optional<SurfaceMesh> near = clip_once(std::move(surface), volume, far, cut, ctx);
+  if (!near) return std::nullopt;
+  return clip_once(std::move(*near), volume, cuts, cut, ctx);
 }
 
 }  // namespace voxtet

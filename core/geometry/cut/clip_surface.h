@@ -9,7 +9,8 @@
 
 namespace voxtet {
 
-/// What of the labels of cuts[cut] lies beyond its plane gets the label `beyond`: triangles that the plane
+/// What of the labels of cuts[cut] lies beyond its plane gets the label `beyond`, or becomes background where
+/// it is farther off than `reach_mm`: triangles that the plane
 /// passes through are divided there, and triangles in the plane part the labels from what is beyond, about as
 /// large as the voxels of `volume`. Other labels keep their surface. Before, points are put into the plane, as
 /// far as the surface does not come to intersect itself: those nearer to it than a quarter of their shortest

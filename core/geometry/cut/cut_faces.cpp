@@ -100,15 +100,19 @@ Eigen::Vector3d in_planes(Eigen::Vector3d point, CutBits of_point, const CutPlan
   return point;
 }
 
+CutBits cuts_of_sides(const Sides& sides, const CutPlanes& cuts) {
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+    if (sides[0] == cuts[c].beyond && !goes(sides, cuts) && (!cuts[c].is_given() || cuts[c].cuts(sides[1])))
+      return static_cast<CutBits>(1U << c);
+  return 0;
+}
+
 std::vector<CutBits> cuts_of_points(std::size_t point_count, const std::vector<Triangle>& triangles,
                                          const std::vector<Sides>& sides, const CutPlanes& cuts) {
   std::vector<CutBits> of_points(point_count, 0);
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t c = 0; c < cuts.size(); ++c) {
-      if (sides[t][0] != cuts[c].beyond || goes(sides[t], cuts)) continue;
-      if (cuts[c].is_given() && !cuts[c].cuts(sides[t][1])) continue;
-      for (const std::uint32_t p : triangles[t]) of_points[p] |= static_cast<CutBits>(1U << c);
-    }
+    if (const CutBits of_face = cuts_of_sides(sides[t], cuts); of_face != 0)
+      for (const std::uint32_t p : triangles[t]) of_points[p] |= of_face;
   return of_points;
 }
 

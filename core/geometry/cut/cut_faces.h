@@ -11,8 +11,10 @@
 
 namespace voxtet {
 
-/// For each point the cuts (bit i: cuts[i]) in whose plane it lies, as a corner of a triangle between a label
-/// of the body and what is beyond.
+/// The cuts (bit i: cuts[i]) of which a triangle with these sides is a face: between a label of the body and
+/// what is beyond.
+CutBits cuts_of_sides(const Sides& sides, const CutPlanes& cuts);
+/// For each point the cuts (bit i: cuts[i]) in whose plane it lies, as a corner of a face of them.
 std::vector<CutBits> cuts_of_points(std::size_t point_count, const std::vector<Triangle>& triangles,
                                          const std::vector<Sides>& sides, const CutPlanes& cuts);
 

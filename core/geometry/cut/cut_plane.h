@@ -22,6 +22,7 @@ struct CutPlane {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, outwards; RAS
   double offset_mm = 0;                              ///< normal . p on the plane
   std::vector<Label> labels{};                       ///< that are cut, by a plane that was asked for
+  double reach_mm = 0;  ///< of such a plane: what is farther beyond it is left out from the start
 
   /// Whether it was asked for, and is not the image's border.
   bool is_given() const { return !labels.empty(); }
