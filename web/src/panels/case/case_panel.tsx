@@ -105,6 +105,7 @@ const SimulationSection = fetched(() =>
   import('./simulation_section').then((part) => part.SimulationSection),
 );
 
+const CutList = fetched(() => import('./cut_list').then((part) => part.CutList));
 const StackSection = fetched(() => import('./stack_section').then((part) => part.StackSection));
 
 /** Whether the slices are so thick that they are interpolated, or would be. */
@@ -129,6 +130,7 @@ export function CasePanel() {
           <LabelSection current={current} />
           {!meshIsGiven.value && <SizingSection current={current} />}
           {!meshIsGiven.value && isStack(current.volume.slice_ratio) && <StackSection current={current} />}
+          {!meshIsGiven.value && <CutList current={current} />}
           {!meshIsGiven.value && <StageSection current={current} />}
           {physics?.monodomain ? <PhysicsSection current={current} physics={physics} /> : <AddSimulation />}
           {developer && <SimulationSection current={current} />}
