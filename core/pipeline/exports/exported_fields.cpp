@@ -32,8 +32,8 @@ std::vector<Field> point_fields(const Session& session) {
   return fields;
 }
 
-/// Cuts that were asked for have all of their faces, with those of a surface of the same name. Those of the
-/// image's border have what no other surface has.
+/// Cuts that were asked for have all of their faces, and take the place of a surface of the same name. Those of
+/// the image's border have what no other surface has.
 void add_cuts(const TetMesh& mesh, const CutPlanes& cuts, std::vector<NamedSet>& surfaces) {
   const auto faces_in = [&](const auto& sets) {
     std::vector<bool> named(mesh.faces.size(), false);
@@ -48,14 +48,9 @@ void add_cuts(const TetMesh& mesh, const CutPlanes& cuts, std::vector<NamedSet>&
   std::erase_if(given, [](const CutPlane& cut) { return !cut.is_given(); });
   for (NamedSet& set : cut_sets(mesh, given)) {
     const std::vector<bool> own = faces_in(std::vector<NamedSet>{set});
-    for (NamedSet& other : surfaces) {
-      leave_out_of(other, own);
-      if (other.name == set.name)
-        set.members.insert(set.members.end(), other.members.begin(), other.members.end());
-    }
+    for (NamedSet& other : surfaces) leave_out_of(other, own);
     std::erase_if(surfaces,
                   [&](const NamedSet& other) { return other.name == set.name || other.members.empty(); });
-    std::sort(set.members.begin(), set.members.end());
     surfaces.push_back(std::move(set));
   }
   const std::vector<bool> named = faces_in(surfaces);

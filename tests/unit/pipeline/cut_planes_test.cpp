@@ -209,7 +209,7 @@ TEST(CutPlanes, GiveAHeartAFlatBase) {
   EXPECT_GT(session.quality()->metrics.front().min, 28);
   for (const LabelFidelity& label : session.quality()->labels)
     EXPECT_LT(std::abs(label.volume_error_percent), 1) << label.label;
-  // The anatomy's base and the plane of that name are one surface, and no face has two names.
+  // The plane takes the place of the anatomy's base, and no face has two names.
   const Exported exported = exported_fields(session, MeshFormat::kMsh, false);
   std::map<std::uint32_t, int> names;
   std::size_t bases = 0;
