@@ -15,6 +15,7 @@ namespace voxtet {
 namespace {
 
 constexpr double kSnapShare = 0.25;     ///< of the shortest edge at a point
+constexpr double kLeastArea = 0.2;  ///< of what a triangle has before its points are put into the plane
 constexpr double kAtPlane = 1e-9;  ///< of the spacing
 constexpr std::uint32_t kNotDivided = 0xffffffffU;
 
@@ -52,7 +53,26 @@ class Clipper {
       const Eigen::Vector3d place = in_planes(before[p], others[p] | static_cast<CutBits>(1U << cut), cuts);
       if (is_stray || (place - before[p]).norm() < 2 * near) surface_.points[p] = place;
     }
+    keep_areas(before);
     return !undo_intersections(surface_, before, ctx).cancelled;
+  }
+
+  /// Takes points back that would leave a triangle too little of its area, the farthest moved of each first.
+  void keep_areas(const std::vector<Eigen::Vector3d>& before) {
+    const auto area = [](const std::vector<Eigen::Vector3d>& points, const Triangle& t) {
+      return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
+    };
+    for (bool good = false; !good;) {
+      good = true;
+      for (const Triangle& t : surface_.triangles) {
+        const auto moved = [&](std::uint32_t p) { return (surface_.points[p] - before[p]).squaredNorm(); };
+        const std::uint32_t farthest =
+            *std::max_element(t.begin(), t.end(), [&](auto a, auto b) { return moved(a) < moved(b); });
+        if (moved(farthest) == 0 || area(surface_.points, t) >= kLeastArea * area(before, t)) continue;
+        surface_.points[farthest] = before[farthest];
+        good = false;
+      }
+    }
   }
 
   /// Divides the triangles that the plane passes through.
