@@ -80,6 +80,24 @@ function SizingSection({ current }: { current: Recipe }) {
   );
 }
 
+const CutList = fetched(() => import('./cut_list').then((part) => part.CutList));
+
+/** Until there is a plane, its fields are not fetched. */
+function CutSection({ current }: { current: Recipe }) {
+  if (current.volume.cut.length > 0) return <CutList current={current} />;
+  const add = () => import('./cut_list').then(({ addCut }) => addCut(), tellError);
+  return (
+    <section class="section">
+      <div class="section-head">
+        <h2>Flat cuts</h2>
+        <button type="button" class="button small" onClick={() => void add()}>
+          <Icon name="plus" size={13} /> Plane
+        </button>
+      </div>
+    </section>
+  );
+}
+
 /** Until a simulation is asked for, its panel is not fetched. */
 function AddSimulation() {
   const add = () =>
@@ -105,7 +123,6 @@ const SimulationSection = fetched(() =>
   import('./simulation_section').then((part) => part.SimulationSection),
 );
 
-const CutList = fetched(() => import('./cut_list').then((part) => part.CutList));
 const StackSection = fetched(() => import('./stack_section').then((part) => part.StackSection));
 
 /** Whether the slices are so thick that they are interpolated, or would be. */
@@ -130,7 +147,7 @@ export function CasePanel() {
           <LabelSection current={current} />
           {!meshIsGiven.value && <SizingSection current={current} />}
           {!meshIsGiven.value && isStack(current.volume.slice_ratio) && <StackSection current={current} />}
-          {!meshIsGiven.value && <CutList current={current} />}
+          {!meshIsGiven.value && <CutSection current={current} />}
           {!meshIsGiven.value && <StageSection current={current} />}
           {physics?.monodomain ? <PhysicsSection current={current} physics={physics} /> : <AddSimulation />}
           {developer && <SimulationSection current={current} />}

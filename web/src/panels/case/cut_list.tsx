@@ -68,7 +68,7 @@ function CutFields({ current, cut, index }: { current: Recipe; cut: CutPlane; in
         value={cut.normal}
         onChange={(normal) => set('Direction of cut', { normal })}
       />
-      <p class="cut-places">
+      <div class="compare-actions">
         <button
           type="button"
           class="button small"
@@ -94,17 +94,22 @@ function CutFields({ current, cut, index }: { current: Recipe; cut: CutPlane; in
             As the {slice} slice
           </button>
         ))}
-      </p>
+      </div>
     </>
   );
 }
 
+/** Adds a plane at the crosshair. */
+export function addCut(): void {
+  edit('Add cut', ({ volume: { cut } }) => void cut.push(newCut(cut, crosshairMm())));
+}
+
 /** Planes that cut labels off. */
 export function CutList({ current }: { current: Recipe }) {
-  const [open, setOpen] = useState<number | null>(null);
   const { cut: cuts } = current.volume;
+  const [open, setOpen] = useState<number | null>(cuts.length - 1);
   const add = () => {
-    edit('Add cut', (draft) => void draft.volume.cut.push(newCut(cuts)));
+    addCut();
     setOpen(cuts.length);
   };
   const remove = (index: number) => {
@@ -119,9 +124,6 @@ export function CutList({ current }: { current: Recipe }) {
           <Icon name="plus" size={13} /> Plane
         </button>
       </div>
-      {cuts.length === 0 && (
-        <p class="hint">A plane through the crosshair, beyond which labels are cut off, as the base of a heart.</p>
-      )}
       {cuts.map((cut, index) => (
         <FoldedItem
           key={index}

@@ -11,8 +11,8 @@ describe('planes that cut', () => {
   });
 
   it('are called base once', () => {
-    expect(newCut([]).name).toBe('base');
-    expect(newCut([plane('base')]).name).toBe('');
+    expect(newCut([], [0, 0, 0]).name).toBe('base');
+    expect(newCut([plane('base')], [0, 0, 0]).name).toBe('');
   });
 
   it('lie across the slices of an oblique image, away from the feet', () => {

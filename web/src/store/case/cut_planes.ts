@@ -1,17 +1,16 @@
 /** Planes that cut labels off: the fields `volume.cut` of a recipe. */
 import type { Recipe, Vec3 } from '../../engine/contract';
 import { sliceFrames, type SliceName } from '../../geometry/orientation';
-import { crosshairMm } from '../view_place';
 import { volume } from './input';
 
 export type CutPlane = Recipe['volume']['cut'][number];
 
-/** Through the crosshair, across the axial slice, head side away: the first is the base of a heart. */
-export function newCut(existing: readonly CutPlane[]): CutPlane {
+/** Across the axial slice, head side away: the first is the base of a heart. */
+export function newCut(existing: readonly CutPlane[], point_mm: Vec3): CutPlane {
   return {
     name: existing.some(({ name }) => name === 'base') ? '' : 'base',
     labels: [],
-    point_mm: crosshairMm(),
+    point_mm,
     normal: acrossSlice('axial'),
   };
 }
