@@ -10,9 +10,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "geometry/cut/cut_faces.h"
 #include "geometry/repair/undo_intersections.h"
 #include "geometry/topology/compare_topology.h"
-#include "geometry/cut/cut_faces.h"
 #include "geometry/topology/label_topology.h"
 #include "remesh/adapt/adapt_complex.h"
 #include "remesh/adapt/improve_surface.h"

@@ -224,8 +224,9 @@ Result<std::vector<CutRecord>> count_cut(const LabelVolume& labels, const CutPla
       const std::string gone = plane + ", cuts away all of label " + label_text(labels, label);
       const bool any = std::any_of(left.begin(), left.end(), [](const auto& of) { return of.second > 0; });
       if (!any)
-        return usage_error(kVolumeStage, gone + ": " + reach_in_words(labels, planes[c]) +
-                                             "; expected some of it on the other side: turn the normal round?");
+        return usage_error(kVolumeStage,
+                           gone + ": " + reach_in_words(labels, planes[c]) +
+                               "; expected some of it on the other side: turn the normal round?");
       ctx.warn(kVolumeStage, gone + ": it is not in the mesh");
     }
     if (!taken.empty()) ctx.note(kVolumeStage, "the plane " + planes[c].name + " cuts away " + taken);

@@ -32,16 +32,16 @@ struct VolumeParams {
 /// `selected` and `prepared` hold the labels to be meshed: `selected` on the source's voxels, `prepared` on
 /// those to be meshed. They are the same object if nothing was interpolated, removed or added. `anatomy`
 /// holds all labels on the grid of `prepared`. Where the image cuts a body off, both go on beyond its border,
-/// and `meshed` is `prepared` with the labels `beyond` of `cuts` there; else the two are the same. What planes
-/// of volume.cut take away is in neither `selected` nor `prepared`; in `meshed` it has labels `beyond` near
-/// the plane, and in `extracted` its own ones everywhere, so that the surface passes through the plane: `extracted` is
-/// `meshed` where there are no such planes. All are stored in the order of mesh_order(), and are the source
-/// itself if nothing changes it.
+/// and `meshed` is `prepared` with the labels `beyond` of `cuts` there; else the two are the same. What
+/// planes of volume.cut take away is in neither `selected` nor `prepared`; in `meshed` it has labels `beyond`
+/// near the plane, and in `extracted` its own ones everywhere, so that the surface passes through the plane:
+/// `extracted` is `meshed` where there are no such planes. All are stored in the order of mesh_order(), and
+/// are the source itself if nothing changes it.
 struct PreparedVolume {
   std::shared_ptr<const LabelVolume> selected, prepared, anatomy, meshed, placed, extracted;
-  CutPlanes cuts;                          ///< those of the border come first
-  std::vector<CutRecord> cut_away;         ///< by volume.cut
-  std::map<Label, double> divided_mm3;     ///< more of a label than its voxels in `selected` (cut_labels.h)
+  CutPlanes cuts;                       ///< those of the border come first
+  std::vector<CutRecord> cut_away;      ///< by volume.cut
+  std::map<Label, double> divided_mm3;  ///< more of a label than its voxels in `selected` (cut_labels.h)
   SliceAlignment alignment;
   std::array<int, 3> planes{1, 1, 1};  ///< of `prepared` to each slice, along its axes
   Flaws flaws;  ///< of the labels as they are to be meshed: what usual cleaning would mend

@@ -14,9 +14,9 @@
 namespace voxtet {
 namespace {
 
-constexpr double kSnapShare = 0.25;     ///< of the shortest edge at a point
-constexpr double kLeastArea = 0.2;  ///< of what a triangle has before its points are put into the plane
-constexpr double kAtPlane = 1e-9;  ///< of the spacing
+constexpr double kSnapShare = 0.25;  ///< of the shortest edge at a point
+constexpr double kLeastArea = 0.2;   ///< of what a triangle has before its points are put into the plane
+constexpr double kAtPlane = 1e-9;    ///< of the spacing
 constexpr std::uint32_t kNotDivided = 0xffffffffU;
 
 class Clipper {
@@ -114,8 +114,8 @@ class Clipper {
       for (std::size_t c = 0; c < 3; ++c) {
         const std::uint32_t a = triangle[c], b = triangle[(c + 1) % 3];
         if (side_[a] != 0 || side_[b] != 0) continue;
-        // Beyond the plane what lies behind a triangle is on the left of its edges there, before it what is in
-        // front.
+        // Beyond the plane what lies behind a triangle is on the left of its edges there, before it what is
+        // in front.
         const int rest = side_[triangle[(c + 2) % 3]];
         if (rest > 0)
           edges.push_back({number_of(a), number_of(b), behind, front, SectionEdge::Of::kAbove});
@@ -127,8 +127,8 @@ class Clipper {
           edges.push_back({number_of(b), number_of(a), behind, front, SectionEdge::Of::kWithin});
       }
     }
-    const std::optional<SectionTriangles> section =
-        triangulate_section(points, edges, [&](Label label) { return cut_.cuts(label); }, spacing_mm_);
+    const std::optional<SectionTriangles> section = triangulate_section(
+        points, edges, [&](Label label) { return cut_.cuts(label); }, spacing_mm_);
     if (!section) return false;
     relabel();
     for (const Eigen::Vector2d& p : section->added) {
@@ -157,10 +157,10 @@ class Clipper {
  private:
   /// Whether one of the 27 voxels around a point lies beyond the cut.
   bool is_near_beyond(const Eigen::Vector3d& point) const {
-    const Eigen::Vector3i at =
-        (to_index_ * (point - volume_.origin())).array().round().matrix().cast<int>();
+    const Eigen::Vector3i at = (to_index_ * (point - volume_.origin())).array().round().matrix().cast<int>();
     for (int n = 0; n < 27; ++n)
-      if (volume_.at_or_background(at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1) == cut_.beyond)
+      if (volume_.at_or_background(at[0] + n % 3 - 1, at[1] + n / 3 % 3 - 1, at[2] + n / 9 - 1) ==
+          cut_.beyond)
         return true;
     return false;
   }
@@ -227,7 +227,9 @@ class Clipper {
 
   /// Which sides of a triangle lie beyond the plane.
   std::array<bool, 2> sides_beyond(const Triangle& t) const {
-    const auto is = [&](int side) { return side_[t[0]] == side || side_[t[1]] == side || side_[t[2]] == side; };
+    const auto is = [&](int side) {
+      return side_[t[0]] == side || side_[t[1]] == side || side_[t[2]] == side;
+    };
     if (is(1)) return {true, true};
     if (is(-1)) return {false, false};
     return {!faces_beyond(t), faces_beyond(t)};

@@ -41,7 +41,8 @@ double flatten(const std::vector<CutBits>& of_points, const CutPlanes& cuts, con
         points[p] = before[p] + share[p] * (in_planes(before[p], of_points[p], cuts) - before[p]);
     bool good = true;
     for (const auto& element : elements) {
-      if (std::none_of(element.begin(), element.end(), [&](auto p) { return of_points[p] != 0 && share[p] > 0; }))
+      if (std::none_of(element.begin(), element.end(),
+                       [&](auto p) { return of_points[p] != 0 && share[p] > 0; }))
         continue;
       if (measure(points, element) >= kLeastPart * measure(before, element)) continue;
       good = false;
@@ -108,7 +109,7 @@ CutBits cuts_of_sides(const Sides& sides, const CutPlanes& cuts) {
 }
 
 std::vector<CutBits> cuts_of_points(std::size_t point_count, const std::vector<Triangle>& triangles,
-                                         const std::vector<Sides>& sides, const CutPlanes& cuts) {
+                                    const std::vector<Sides>& sides, const CutPlanes& cuts) {
   std::vector<CutBits> of_points(point_count, 0);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     if (const CutBits of_face = cuts_of_sides(sides[t], cuts); of_face != 0)
@@ -219,7 +220,8 @@ std::vector<NamedSet> cut_sets(const TetMesh& mesh, const CutPlanes& cuts) {
     NamedSet set{cut.name, {}};
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
       const Triangle& face = mesh.faces[f];
-      if (mesh.face_sides[f][1] != kBackground || (cut.is_given() && !cut.cuts(mesh.face_sides[f][0]))) continue;
+      if (mesh.face_sides[f][1] != kBackground || (cut.is_given() && !cut.cuts(mesh.face_sides[f][0])))
+        continue;
       if (std::all_of(face.begin(), face.end(), [&](std::uint32_t p) {
             return std::abs(cut.distance_mm(mesh.points[p])) <= kInPlane * size;
           }))

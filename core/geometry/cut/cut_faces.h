@@ -16,7 +16,7 @@ namespace voxtet {
 CutBits cuts_of_sides(const Sides& sides, const CutPlanes& cuts);
 /// For each point the cuts (bit i: cuts[i]) in whose plane it lies, as a corner of a face of them.
 std::vector<CutBits> cuts_of_points(std::size_t point_count, const std::vector<Triangle>& triangles,
-                                         const std::vector<Sides>& sides, const CutPlanes& cuts);
+                                    const std::vector<Sides>& sides, const CutPlanes& cuts);
 
 /// Where a point is once it has been moved into the planes of some cuts.
 Eigen::Vector3d in_planes(Eigen::Vector3d point, CutBits of_point, const CutPlanes& cuts);

@@ -20,10 +20,10 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// The info of a vertex is its number, that of a face its region.
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 using FaceBase =
-    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-                                               CGAL::Exact_predicates_tag>;
+    CGAL::Constrained_triangulation_face_base_2<Kernel,
+                                                CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>, CGAL::Exact_predicates_tag>;
 using Face = Triangulation::Face_handle;
 
 using Ends = std::pair<std::uint32_t, std::uint32_t>;  ///< ascending
@@ -99,9 +99,8 @@ class Section {
     const auto is_clear = [&](const Eigen::Vector2d& p) {
       const auto found = near_cell.find({cell(p.x()), cell(p.y())});
       return found == near_cell.end() ||
-             std::none_of(found->second.begin(), found->second.end(), [&](const SectionEdge* edge) {
-               return distance(p, *edge) < kClearance * spacing;
-             });
+             std::none_of(found->second.begin(), found->second.end(),
+                          [&](const SectionEdge* edge) { return distance(p, *edge) < kClearance * spacing; });
     };
     std::vector<Eigen::Vector2d> out;
     const double step = std::sqrt(0.75) * spacing;
@@ -110,7 +109,8 @@ class Section {
     Face near;
     for (int row = 0; row <= rows; ++row)
       for (int column = 0; column <= columns; ++column) {
-        const Eigen::Vector2d p = box.min() + Eigen::Vector2d((column + 0.5 * (row % 2)) * spacing, row * step);
+        const Eigen::Vector2d p =
+            box.min() + Eigen::Vector2d((column + 0.5 * (row % 2)) * spacing, row * step);
         near = plane_.locate({p.x(), p.y()}, near);
         if (!plane_.is_infinite(near) && takes(near, is_wanted) && is_clear(p)) out.push_back(p);
       }
@@ -158,13 +158,15 @@ class Section {
   }
 
   static Ends ends_of(Face face, int i) {
-    return std::minmax({face->vertex(Triangulation::cw(i))->info(), face->vertex(Triangulation::ccw(i))->info()});
+    return std::minmax(
+        {face->vertex(Triangulation::cw(i))->info(), face->vertex(Triangulation::ccw(i))->info()});
   }
 
   /// Above and below the plane the same labels lie on both sides of an edge, unless several surfaces leave
   /// from it there: these say nothing.
   void vote(Face face, int i, Votes& votes) const {
-    const std::uint32_t first = face->vertex(Triangulation::ccw(i))->info();  // a face is on the left of its edges
+    const std::uint32_t first =
+        face->vertex(Triangulation::ccw(i))->info();  // a face is on the left of its edges
     std::array<const SectionEdge*, 2> only{};
     std::array<std::size_t, 2> count{};
     for (const SectionEdge* edge : between_.at(ends_of(face, i))) {

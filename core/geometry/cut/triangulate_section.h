@@ -30,8 +30,8 @@ struct SectionTriangles {
 };
 
 /// The triangles of all regions whose label is wanted, and that the surface does not cover: a Delaunay
-/// triangulation that keeps the edges, with points added about `spacing` from each other, and at least half of
-/// that from the edges. Nothing where edges meet beyond common ends. Chew, "Constrained Delaunay
+/// triangulation that keeps the edges, with points added about `spacing` from each other, and at least half
+/// of that from the edges. Nothing where edges meet beyond common ends. Chew, "Constrained Delaunay
 /// triangulations", 1989.
 std::optional<SectionTriangles> triangulate_section(const std::vector<Eigen::Vector2d>& points,
                                                     const std::vector<SectionEdge>& edges,

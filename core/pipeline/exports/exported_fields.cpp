@@ -32,8 +32,8 @@ std::vector<Field> point_fields(const Session& session) {
   return fields;
 }
 
-/// Cuts that were asked for have all of their faces, and take the place of a surface of the same name. Those of
-/// the image's border have what no other surface has.
+/// Cuts that were asked for have all of their faces, and take the place of a surface of the same name. Those
+/// of the image's border have what no other surface has.
 void add_cuts(const TetMesh& mesh, const CutPlanes& cuts, std::vector<NamedSet>& surfaces) {
   const auto faces_in = [&](const auto& sets) {
     std::vector<bool> named(mesh.faces.size(), false);

@@ -42,7 +42,8 @@ json cut_json(const std::vector<CutRecord>& records) {
   json out = json::array();
   for (const CutRecord& record : records) {
     json labels = json::array();
-    for (const auto& [label, voxels] : record.voxels) labels.push_back({{"label", label}, {"voxels", voxels}});
+    for (const auto& [label, voxels] : record.voxels)
+      labels.push_back({{"label", label}, {"voxels", voxels}});
     out.push_back({{"name", record.name}, {"labels", std::move(labels)}});
   }
   return out;

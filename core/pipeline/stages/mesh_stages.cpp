@@ -59,11 +59,11 @@ Result<SurfaceMesh> clipped(SurfaceMesh surface, const PreparedVolume& volume, c
                             const RunContext& ctx) {
   for (std::size_t c = 0; c < volume.cuts.size(); ++c) {
     if (!volume.cuts[c].is_given()) continue;
-    std::optional<SurfaceMesh> cut =
-        clip_surface(std::move(surface), *volume.meshed, volume.cuts, c, ctx);
+    std::optional<SurfaceMesh> cut = clip_surface(std::move(surface), *volume.meshed, volume.cuts, c, ctx);
     if (ctx.cancelled()) return cancelled_error(stage);
     if (!cut)
-      return Error{ErrorCode::kMeshing, stage,
+      return Error{ErrorCode::kMeshing,
+                   stage,
                    "volume.cut: found surfaces that meet in the plane " + volume.cuts[c].name +
                        ", expected them apart there: move it by a part of a voxel",
                    {}};
@@ -94,8 +94,7 @@ bool has_sheets(const BuiltSurface& surface, const WallLayers& layers) {
 TetMesh cut_off(TetMesh mesh, const CutPlanes& cuts, double voxel_mm, RunContext& ctx) {
   if (cuts.empty()) return mesh;
   if (const double off = flatten_cuts(mesh, cuts); off > kFlatVoxels * voxel_mm)
-    ctx.warn(kOptimiseStage,
-             "volume: faces of a cut are up to " + std::to_string(off) + " mm off its plane");
+    ctx.warn(kOptimiseStage, "volume: faces of a cut are up to " + std::to_string(off) + " mm off its plane");
   return without_beyond(std::move(mesh), cuts);
 }
 
@@ -353,12 +352,12 @@ Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out
   for (std::size_t w = 0; w < all.size(); ++w)
     if (recipe.sizing.thickness[w].layers > 0) counted.push_back(w);
   const std::vector<LayeredWall> walls = layered(all, counted, recipe);
-  Result<QualityReport> report = measure_quality(
-      in.get<TetMesh>(Stage::kOptimise),
-      {*prepared_of(in).prepared, *prepared_of(in).selected, in.get<BuiltSurface>(Stage::kSmooth).mesh,
-       in.get<BuiltSurface>(Stage::kRemesh).mesh, in.get<SizingField>(Stage::kSizing), walls,
-       prepared_of(in).divided_mm3},
-      recipe.quality, ctx);
+  Result<QualityReport> report =
+      measure_quality(in.get<TetMesh>(Stage::kOptimise),
+                      {*prepared_of(in).prepared, *prepared_of(in).selected,
+                       in.get<BuiltSurface>(Stage::kSmooth).mesh, in.get<BuiltSurface>(Stage::kRemesh).mesh,
+                       in.get<SizingField>(Stage::kSizing), walls, prepared_of(in).divided_mm3},
+                      recipe.quality, ctx);
   if (!report) {
     Error error = report.error();
     error.where.stage = name_of(Stage::kOptimise);

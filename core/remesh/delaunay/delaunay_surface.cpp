@@ -58,7 +58,7 @@ constexpr std::array<Repair, 9> kRepairs{{{false, 0.5, 0.3, 0},
                                           {true, 0.06, 0.03, 0.7, 0.1, true},
                                           {true, 0.06, 0.03, 0.7, 0.1, true}}};
 constexpr double kLeastFoldedRadius = 0.1;  ///< of a facet folded upon a cut, in the same units
-constexpr double kDenseSpacing = 0.03;  ///< of points on lost contacts, in the same units
+constexpr double kDenseSpacing = 0.03;      ///< of points on lost contacts, in the same units
 
 double facet_area2(const LabelledCells& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
@@ -260,7 +260,8 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     std::vector<bool> suspects;  // empty: none, or all
     const auto compare = [&] {
       if (broken) return;
-      const std::vector<TopologyDifference> differences = compare_topology(wanted, topology_before(cuts, label_topology(merged)));
+      const std::vector<TopologyDifference> differences =
+          compare_topology(wanted, topology_before(cuts, label_topology(merged)));
       broken = labels_of(differences);
       const std::int64_t size = size_of(differences);
       if (!nearest || size <= nearest->differences) nearest = {surface, size};

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "geometry/cut/cut_faces.h"
 #include "geometry/elements/surface_measures.h"
 #include "geometry/repair/undo_intersections.h"
-#include "geometry/cut/cut_faces.h"
 #include "surface/smooth/bilaplacian.h"
 #include "surface/smooth/crossing_limits.h"
 #include "surface/smooth/move_limits.h"

@@ -108,8 +108,9 @@ TEST_F(CliTest, TakesLabelsByNameRangeAndAll) {
 
 // A plane of the command line becomes a field of the recipe, and a surface of its name in every kind of file.
 TEST_F(CliTest, CutsAtAPlane) {
-  write("boxes.json",
-        R"({"source":{"phantom":{"kind":"nested_boxes","radius_mm":8,"inner_radius_mm":5,"spacing_mm":[1,1,1]}},
+  write(
+      "boxes.json",
+      R"({"source":{"phantom":{"kind":"nested_boxes","radius_mm":8,"inner_radius_mm":5,"spacing_mm":[1,1,1]}},
             "sizing":{"edge_mm":3}})");
   const auto has = [&](const std::string& name, const std::string& text) {
     const Result<Bytes> bytes = read_file(at(name));

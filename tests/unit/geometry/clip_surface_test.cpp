@@ -100,13 +100,15 @@ TEST(ClipSurface, TakesFacesInThePlane) {
 
 TEST(TriangulateSection, KeepsRegionsApart) {
   // A square of label 1 with a square hole, and label 2 beside it.
-  const std::vector<Eigen::Vector2d> points{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {2, 2}, {4, 2}, {4, 4}, {2, 4}, {9, 0}, {9, 6}};
+  const std::vector<Eigen::Vector2d> points{{0, 0}, {6, 0}, {6, 6}, {0, 6}, {2, 2},
+                                            {4, 2}, {4, 4}, {2, 4}, {9, 0}, {9, 6}};
   using Of = SectionEdge::Of;
   const std::vector<SectionEdge> edges{
       {0, 1, 1, 0, Of::kAbove}, {1, 2, 1, 2, Of::kAbove}, {2, 3, 1, 0, Of::kAbove}, {3, 0, 1, 0, Of::kAbove},
       {4, 5, 0, 1, Of::kAbove}, {5, 6, 0, 1, Of::kAbove}, {6, 7, 0, 1, Of::kAbove}, {7, 4, 0, 1, Of::kAbove},
       {1, 8, 2, 0, Of::kAbove}, {8, 9, 2, 0, Of::kAbove}, {9, 2, 2, 0, Of::kAbove}};
-  const auto found = triangulate_section(points, edges, [](Label label) { return label != 0; }, 0.5);
+  const auto found = triangulate_section(
+      points, edges, [](Label label) { return label != 0; }, 0.5);
   ASSERT_TRUE(found.has_value());
   std::vector<Eigen::Vector2d> all = points;
   all.insert(all.end(), found->added.begin(), found->added.end());
@@ -125,9 +127,10 @@ TEST(TriangulateSection, KeepsRegionsApart) {
 TEST(TriangulateSection, RefusesEdgesThatCross) {
   using Of = SectionEdge::Of;
   const std::vector<Eigen::Vector2d> points{{0, 0}, {2, 2}, {0, 2}, {2, 0}};
-  EXPECT_FALSE(triangulate_section(points, {{0, 1, 1, 0, Of::kAbove}, {2, 3, 1, 0, Of::kAbove}},
-                                   [](Label) { return true; }, 1)
-                   .has_value());
+  EXPECT_FALSE(
+      triangulate_section(
+          points, {{0, 1, 1, 0, Of::kAbove}, {2, 3, 1, 0, Of::kAbove}}, [](Label) { return true; }, 1)
+          .has_value());
 }
 
 }  // namespace
