@@ -29,9 +29,8 @@ LabelVolume turned(const LabelAt& label_at) {
   volume.index_to_mm.topLeftCorner<3, 3>() = 0.9 * turn.toRotationMatrix();
   volume.index_to_mm.topRightCorner<3, 1>() = Eigen::Vector3d(4, -7, 30);
   volume.labels.resize(volume.voxel_count());
-  volume.visit([&](int i, int j, int k, std::size_t at) {
-    volume.labels[at] = label_at(Eigen::Vector3d(i, j, k));
-  });
+  volume.visit(
+      [&](int i, int j, int k, std::size_t at) { volume.labels[at] = label_at(Eigen::Vector3d(i, j, k)); });
   return volume;
 }
 
@@ -87,7 +86,8 @@ Flatness flatness(const Session& session, const CutParams& cut) {
   std::set<std::uint32_t> flat(set.members.begin(), set.members.end());
   for (const std::uint32_t f : set.members) {
     found.area_mm2 += cross(f).norm() / 2;
-    for (const std::uint32_t p : mesh.faces[f]) found.farthest_mm = std::max(found.farthest_mm, std::abs(off(p)));
+    for (const std::uint32_t p : mesh.faces[f])
+      found.farthest_mm = std::max(found.farthest_mm, std::abs(off(p)));
   }
   for (std::size_t t = 0; t < mesh.tets.size(); ++t)
     if (cut.labels.empty() || std::count(cut.labels.begin(), cut.labels.end(), mesh.labels[t]) > 0)
@@ -99,8 +99,8 @@ Flatness flatness(const Session& session, const CutParams& cut) {
         at_edge[std::minmax(mesh.faces[f][i], mesh.faces[f][(i + 1) % 3])].push_back(f);
   for (const auto& [edge, faces] : at_edge)
     if (faces.size() == 2 && flat.count(faces[0]) != flat.count(faces[1]))
-      found.rim_deg.push_back(
-          std::acos(cross(faces[0]).normalized().dot(cross(faces[1]).normalized())) * 57.29578);
+      found.rim_deg.push_back(std::acos(cross(faces[0]).normalized().dot(cross(faces[1]).normalized())) *
+                              57.29578);
   return found;
 }
 
@@ -243,8 +243,9 @@ TEST(CutPlanes, SayWhatTheyTake) {
     Session session;
     ASSERT_TRUE(run({plane_at(volume, {19, 19, 43}, {0, 0, 1}, "high")}, session).ok());
     const std::string warning = session.record(Stage::kVolume).warnings.back();
-    EXPECT_NE(warning.find("volume.cut[0], the plane high, cuts nothing of the labels 1, 2, 3, 4: they lie from"),
-              std::string::npos)
+    EXPECT_NE(
+        warning.find("volume.cut[0], the plane high, cuts nothing of the labels 1, 2, 3, 4: they lie from"),
+        std::string::npos)
         << warning;
   }
   {
@@ -257,7 +258,8 @@ TEST(CutPlanes, SayWhatTheyTake) {
            {plane_at(volume, {19, 19, 0}, {0, 0, 1}, "all"), "cuts away all of label"},
            {plane_at(volume, {19, 19, 9}, {0, 0, 0}, "none"), "volume.cut[0].normal: found 0, 0, 0"},
            {plane_at(volume, {19, 19, 9}, {0, 0, 1}, "two words"), "volume.cut[0].name: found 'two words'"},
-           {plane_at(volume, {19, 19, 9}, {0, 0, 1}, "", {9}), "volume.cut[0].labels: found 9, expected labels"}}) {
+           {plane_at(volume, {19, 19, 9}, {0, 0, 1}, "", {9}),
+            "volume.cut[0].labels: found 9, expected labels"}}) {
     Session session;
     const Status refused = run({cut}, session);
     ASSERT_FALSE(refused.ok()) << said;
