@@ -1,9 +1,11 @@
 #include "cli/case_input.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -76,6 +78,31 @@ Result<std::vector<Label>> to_labels(const std::string& option, const std::vecto
   return all;
 }
 
+/// "Wall,1-3:0,0,40:0,0,1:base" -> {"labels": ..., "point_mm": ..., "normal": ..., "name": ...}. Errors:
+/// kUsage.
+Result<nlohmann::json> to_cut(const std::string& text, const LabelWords& words) {
+  const std::vector<std::string> parts = split(text, ':');
+  const auto unlike = [&](const std::string& found) {
+    return usage_error("cli", "--cut " + text + ": found " + found +
+                                  ", expected LABELS:X,Y,Z:NX,NY,NZ or LABELS:X,Y,Z:NX,NY,NZ:NAME, as "
+                                  "all:0,0,40:0,0,1:base");
+  };
+  if (parts.size() != 3 && parts.size() != 4) return unlike(std::to_string(parts.size()) + " parts");
+  nlohmann::json cut = nlohmann::json::object();
+  if (parts[0] != "all") {
+    const Result<std::vector<Label>> labels = words.labels_of("--cut " + text, parts[0]);
+    if (!labels) return labels.error();
+    cut["labels"] = *labels;
+  }
+  for (const std::size_t part : {1, 2}) {
+    const std::optional<std::array<double, 3>> numbers = three_numbers(parts[part]);
+    if (!numbers) return unlike("'" + parts[part] + "'");
+    cut[part == 1 ? "point_mm" : "normal"] = *numbers;
+  }
+  if (parts.size() == 4) cut["name"] = parts[3];
+  return cut;
+}
+
 /// The masks and images of the case, beside it, and those of the options.
 Status load_side_files(const Recipe& recipe, const CaseOptions& options, Session& session) {
   const std::filesystem::path folder = is_case_file(options.input)
@@ -101,7 +128,7 @@ bool merges_all(const CaseOptions& options) {
 
 bool names_labels(const CaseOptions& options) {
   return !options.labels.empty() || !options.merge.empty() || !options.transfer.empty() ||
-         !options.edge_labels.empty();
+         !options.edge_labels.empty() || !options.cut.empty();
 }
 
 /// The volume in which names of labels are looked up: what was loaded, else the phantom of the recipe.
@@ -157,7 +184,13 @@ void put_cleaning(nlohmann::json& volume) {
 Result<Recipe> with_options(const Recipe& recipe, const CaseOptions& options, const LabelVolume* volume) {
   nlohmann::json json = recipe_to_json(recipe);
   put_read_options(options.read, json["source"]);
-  if (Status put = put_labels(options, LabelWords(volume, recipe.legend), json); !put) return put.error();
+  const LabelWords words(volume, recipe.legend);
+  if (Status put = put_labels(options, words, json); !put) return put.error();
+  for (const std::string& text : options.cut) {
+    const Result<nlohmann::json> cut = to_cut(text, words);
+    if (!cut) return cut.error();
+    json["volume"]["cut"].push_back(*cut);
+  }
   if (options.clean) put_cleaning(json["volume"]);
   if (options.edge_mm) {
     const Result<double> edge = to_mm("--edge-mm", *options.edge_mm);

@@ -26,6 +26,7 @@ struct CaseOptions {
   std::vector<std::string> size_images;  ///< --size-image
   bool align_slices = false;             ///< --align-slices
   bool stack = false;                    ///< --stack: what thick slices need
+  std::vector<std::string> cut;          ///< --cut Wall:0,0,40:0,0,1:base
   bool clean = false;                    ///< --clean
   std::vector<std::string> set;          ///< --set path=value
   ReadOptionTexts read;

@@ -60,6 +60,11 @@ void add_case_options(CLI::App& command, CaseOptions& options, Output& output,
       "--stack", options.stack,
       "what a clinical stack of thick slices needs: --align-slices, interpolation, more smoothing");
   add_read_options(command, options.read);
+  command
+      .add_option("--cut", options.cut,
+                  "cut labels off at a plane through a point (mm), on the side to which a normal points, as "
+                  "all:0,0,40:0,0,1 or Wall,1-3:0,0,40:0,0,1:base with the surface's name; once a plane")
+      ->type_name("LABELS:X,Y,Z:NX,NY,NZ[:NAME]");
   command.add_flag("--clean", options.clean,
                    "take noise away: loose pieces, holes, thin handles, tunnels and pits below " +
                        std::to_string(kUsualCleaning.speck_voxels) + " voxels");

@@ -22,7 +22,8 @@ std::vector<float> lengths_of(const std::vector<Edge>& edges, const std::vector<
 }  // namespace
 
 std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume& volume,
-                                          const SizingField& sizing) {
+                                          const SizingField& sizing,
+                                          const std::map<Label, double>& more_mm3) {
   const std::vector<Label> raster = rasterise(mesh, mesh.labels, volume);
   std::vector<LabelFidelity> all(65536);
   std::vector<std::uint64_t> both(65536, 0), meshed(65536, 0);
@@ -45,6 +46,7 @@ std::vector<LabelFidelity> measure_labels(const TetMesh& mesh, const LabelVolume
     if (f.voxels == 0 && f.tets == 0) continue;
     f.label = static_cast<Label>(label);
     f.voxel_mm3 = static_cast<double>(f.voxels) * volume.voxel_mm3();
+    if (const auto more = more_mm3.find(f.label); more != more_mm3.end()) f.voxel_mm3 += more->second;
     f.volume_error_percent = f.voxels > 0 ? 100 * (f.mesh_mm3 - f.voxel_mm3) / f.voxel_mm3 : 0;
     f.dice = 2.0 * static_cast<double>(both[label]) / static_cast<double>(f.voxels + meshed[label]);
     const std::vector<Edge> edges = tet_edges(tets[label], mesh.points.size());

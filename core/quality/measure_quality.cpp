@@ -202,14 +202,14 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   TopologyLedger before;
   FoundLayers layers;
   std::vector<Field> distances_of_faces;
-  QualityReport report =
-      report_of_mesh(mesh, faces, &reference.sizing, bins, ctx.threads,
-                     {[&] { distances.measure(0); }, [&] { distances.measure(1); },
-                      [&] { labels = measure_labels(mesh, reference.labels, reference.sizing); },
-                      [&] { layers = count_layers(mesh, reference.walls); },
-                      [&] { distances_of_faces = distance_fields(mesh, surface, voxel); },
-                      [&] { before = label_topology(surface); },
-                      [&] { of_triangles = triangle_metrics(surface, reference.adapted, bins); }});
+  QualityReport report = report_of_mesh(
+      mesh, faces, &reference.sizing, bins, ctx.threads,
+      {[&] { distances.measure(0); }, [&] { distances.measure(1); },
+       [&] { labels = measure_labels(mesh, reference.labels, reference.sizing, reference.more_mm3); },
+       [&] { layers = count_layers(mesh, reference.walls); },
+       [&] { distances_of_faces = distance_fields(mesh, surface, voxel); },
+       [&] { before = label_topology(surface); },
+       [&] { of_triangles = triangle_metrics(surface, reference.adapted, bins); }});
   if (ctx.cancelled()) return cancelled_error(kQualityStage);
   const Result<SurfaceDistances> measured = distances.result();
   if (!measured) return measured.error();

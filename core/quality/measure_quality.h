@@ -1,6 +1,7 @@
 // A finished mesh -> its evidence.
 #pragma once
 
+#include <map>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct QualityReference {
   const SurfaceMesh& adapted;        ///< the surface that was filled with tets
   const SizingField& sizing;
   std::span<const LayeredWall> walls = {};  ///< whose layers are counted
+  std::map<Label, double> more_mm3{};       ///< by label, to be added to the volume of its voxels in `labels`
 };
 
 /// All measures of the element-quality section: dihedral angles, radius ratio, mean ratio, aspect ratio, edge

@@ -109,6 +109,15 @@ void visit_fields(V& v, AlignParams& p) {
 }
 
 template <class V>
+void visit_fields(V& v, CutParams& p) {
+  v.field({"name", "", 0, 0, "Name of the surface in the plane; empty: cut, cut_2, ..."}, p.name);
+  v.field({"labels", "", 1, 65535, "Labels that are cut; none: all."}, p.labels);
+  v.field({"point_mm", "mm", kAnyMin, kAnyMax, "A point of the plane; RAS."}, p.point_mm);
+  v.field({"normal", "", kAnyMin, kAnyMax, "Direction across the plane; what it points to is cut away; RAS."},
+          p.normal);
+}
+
+template <class V>
 void visit_fields(V& v, VolumeParams& p) {
   v.field({"slice_ratio", "", 0, 100,
            "Slices thicker than so many pixels are interpolated to voxels; 0 never does."},
@@ -126,6 +135,8 @@ void visit_fields(V& v, VolumeParams& p) {
   v.field({"flat_border", "", 0, 0,
            "Faces at which the image cuts a body off are flat, with a sharp rim and a name."},
           p.flat_border);
+  v.list({"cut", "", 0, 0, "Planes at which labels are cut off: flat faces with a sharp rim and a name."},
+         p.cut);
   visit_fields(v, p.align);
 }
 

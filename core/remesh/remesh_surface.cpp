@@ -10,9 +10,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "geometry/cut/cut_faces.h"
 #include "geometry/repair/undo_intersections.h"
 #include "geometry/topology/compare_topology.h"
-#include "geometry/topology/cut_faces.h"
 #include "geometry/topology/label_topology.h"
 #include "remesh/adapt/adapt_complex.h"
 #include "remesh/adapt/improve_surface.h"
@@ -209,7 +209,8 @@ bool flatten(SurfaceMesh& surface, const CutPlanes& cuts, RunContext& ctx) {
 /// The label field goes with the end of refinement: what comes after needs its memory.
 Result<SurfaceMesh> refine(const LabelVolume& volume, const SurfaceMesh& reference,
                            const TopologyLedger& wanted, const SizingField& sizing,
-                           const RemeshParams& params, RunContext& ctx, const WallLayers& layers) {
+                           const RemeshParams& params, RunContext& ctx, const WallLayers& layers,
+                           const CutPlanes& cuts) {
   const LabelField field(volume, reference, layers);
   if (ctx.cancelled()) return cancelled_error(kRemeshStage);
   RunContext refinement = ctx.part(kFieldShare, 1);
@@ -218,7 +219,7 @@ Result<SurfaceMesh> refine(const LabelVolume& volume, const SurfaceMesh& referen
     aims.missed_voxels = aims.max_distance_voxels;
     aims.max_distance_voxels *= kLayerDistance;
   }
-  return delaunay_surface(field, reference, wanted, sizing, aims, refinement);
+  return delaunay_surface(field, reference, wanted, sizing, aims, refinement, cuts);
 }
 
 Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& reference,
@@ -226,12 +227,12 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
                               const WallLayers& layers, const CutPlanes& cuts) {
   ctx.progress(kRemeshStage, 0);
   if (params.method == RemeshMethod::kAdapt) return adapt(volume, reference, sizing, params, ctx);
-  const TopologyLedger wanted = label_topology(reference);
+  const TopologyLedger wanted = topology_before(cuts, label_topology(reference));
   RunContext first = ctx.part(0, kRefinementShare), then = ctx.part(kRefinementShare, 1);
-  Result<SurfaceMesh> surface = refine(volume, reference, wanted, sizing, params, first, layers);
+  Result<SurfaceMesh> surface = refine(volume, reference, wanted, sizing, params, first, layers, cuts);
   if (!surface) return surface;
   if (!flatten(*surface, cuts, ctx)) return cancelled_error(kRemeshStage);
-  const TopologyLedger found = label_topology(merge_layers(*surface, layers));
+  const TopologyLedger found = topology_before(cuts, label_topology(merge_layers(*surface, layers)));
   const std::string broken = broken_topology(wanted, found, params.keep_topology);
   if (broken.empty()) {
     ctx.note(kRemeshStage, "method delaunay");

@@ -1,7 +1,7 @@
 // The adapted surface: the label boundaries triangulated to the sizing field.
 #pragma once
 
-#include "geometry/topology/cut_plane.h"
+#include "geometry/cut/cut_plane.h"
 #include "remesh/remesh_params.h"
 #include "types/label_volume.h"
 #include "types/result.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/topology/cut_plane.h"
+#include "geometry/cut/cut_plane.h"
 #include "types/label_volume.h"
 
 namespace voxtet {

@@ -1,6 +1,7 @@
 #include "volume/prepare_volume.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -13,6 +14,10 @@ namespace voxtet {
 namespace {
 
 constexpr const char* kCleanRemedy = "; noise? --clean takes it away";
+
+std::shared_ptr<const LabelVolume> share(LabelVolume volume) {
+  return std::make_shared<const LabelVolume>(std::move(volume));
+}
 
 void extend_body(PreparedVolume& out, RunContext& ctx) {
   const LabelVolume& body = *out.prepared;
@@ -28,13 +33,38 @@ void extend_body(PreparedVolume& out, RunContext& ctx) {
   std::string names;
   for (const CutPlane& cut : out.cuts) names += (names.empty() ? "" : ", ") + cut.name;
   ctx.note(kVolumeStage, "the image cuts the body off: flat faces " + names);
-  const auto share = [](LabelVolume volume) {
-    return std::make_shared<const LabelVolume>(std::move(volume));
-  };
   const bool same = out.anatomy == out.prepared;
   out.meshed = share(extended(body, faces, &out.cuts));
   out.anatomy = share(extended(*out.anatomy, faces, nullptr, !same));
   out.prepared = same ? out.anatomy : share(extended(body, faces));
+}
+
+/// The body without what planes take away.
+Status cut_body(PreparedVolume& out, const VolumeParams& params, RunContext& ctx) {
+  Result<CutPlanes> planes = planes_given(params.cut, *out.prepared);
+  if (!planes) return planes.error();
+  Result<std::vector<CutRecord>> counted = count_cut(*out.selected, *planes, ctx);
+  if (!counted) return counted.error();
+  out.cut_away = std::move(counted).value();
+  CutPlanes cutting;
+  for (std::size_t c = 0; c < planes->size(); ++c)
+    if (!out.cut_away[c].voxels.empty()) cutting.push_back((*planes)[c]);
+  out.meshed = out.prepared;
+  if (params.flat_border) extend_body(out, ctx);
+  out.extracted = out.meshed;
+  if (cutting.empty()) return std::monostate{};
+  Label next = out.cuts.empty() ? std::numeric_limits<Label>::max() : out.cuts.back().beyond - 1;
+  const Label of_body = *std::max_element(out.prepared->labels.begin(), out.prepared->labels.end());
+  for (CutPlane& plane : cutting) plane.beyond = next--;
+  if (next < of_body)
+    return usage_error(kVolumeStage, "volume.cut: found the label " + std::to_string(of_body) +
+                                         ", expected lower ones: numbers up to 65535 are needed for faces");
+  out.meshed = share(with_beyond(*out.extracted, cutting));
+  out.prepared = share(without_cut(*out.prepared, cutting));
+  out.divided_mm3 = divided_mm3(*out.selected, cutting);
+  out.selected = share(without_cut(*out.selected, cutting));
+  out.cuts.insert(out.cuts.end(), cutting.begin(), cutting.end());
+  return std::monostate{};
 }
 
 void clean_labels(PreparedVolume& out, const CleanLimits& limits, RunContext& ctx) {
@@ -59,7 +89,10 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
   const std::shared_ptr<const LabelVolume>& placed = aligned->volume;
   Result<std::shared_ptr<const LabelVolume>> chosen = select_labels(placed, labels, merge);
   if (!chosen) return chosen.error();
-  PreparedVolume out{*chosen, *chosen, placed, {}, placed, {}, std::move(aligned->alignment), {1, 1, 1}, {}};
+  PreparedVolume out;
+  out.selected = out.prepared = *chosen;
+  out.anatomy = out.placed = placed;
+  out.alignment = std::move(aligned->alignment);
   if (const AxisOrder order = mesh_order(*out.selected); !order.is_identity()) {
     out.anatomy = std::make_shared<const LabelVolume>(reordered(*placed, order));
     out.selected = out.prepared =
@@ -78,8 +111,7 @@ Result<PreparedVolume> prepare_volume(const std::shared_ptr<const LabelVolume>& 
   if (!limits.none()) clean_labels(out, limits, ctx);
   out.flaws = find_flaws(*out.prepared);
   for (const Flaw& flaw : out.flaws) ctx.warn(kVolumeStage, in_words(flaw) + kCleanRemedy);
-  out.meshed = out.prepared;
-  if (params.flat_border) extend_body(out, ctx);
+  if (const Status cut = cut_body(out, params, ctx); !cut) return cut.error();
   return out;
 }
 

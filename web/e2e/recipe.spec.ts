@@ -1,5 +1,5 @@
 /** Cases of other versions, labels that are transferred, errors that have a place. */
-import { expect, idle, link, meshed, smallHeart, stage, test } from './support';
+import { expect, idle, link, meshed, openAndRun, smallHeart, stage, test, tetCount } from './support';
 
 test('a saved case of another version is taken up without the fields that are gone, which are named', async ({
   page,
@@ -88,4 +88,17 @@ test('an error of the mesher shows its triangles on the adapted surface', async 
   await stage(page, 'surface').click();
   await page.getByRole('button', { name: 'Show where' }).click();
   await expect(stage(page, 'remesh')).toHaveAttribute('aria-current', 'step');
+});
+
+test('a plane gives the heart a flat base, which is said', async ({ page }) => {
+  await openAndRun(page, smallHeart);
+  const before = await tetCount(page);
+  const cuts = page.locator('section', { has: page.getByRole('heading', { name: 'Flat cuts' }) });
+  await cuts.getByRole('button', { name: 'Plane' }).click();
+  await expect(cuts.getByLabel('Name of the flat surface')).toHaveValue('base');
+  await cuts.getByLabel('Cut away A').fill('0.2');
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  await meshed(page);
+  await expect(page.getByText(/the plane base cuts away [\d]+ voxels of label 1/)).toBeAttached();
+  expect(await tetCount(page)).toBeLessThan(0.9 * before);
 });

@@ -1,7 +1,6 @@
 #include "cli/words/option_texts.h"
 
 #include <cstdlib>
-#include <optional>
 
 #include "io/volume/voxels/length_unit.h"
 
@@ -16,6 +15,28 @@ Result<std::pair<std::string, std::string>> split_pair(const std::string& option
     return usage_error("cli", option + " " + text + ": expected " + form);
   return usage_error("cli", option + " " + text + ": expected " + text.substr(0, colon) + "=" +
                                 text.substr(colon + 1) + ", with = for :");
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+std::optional<std::array<double, 3>> three_numbers(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  std::array<double, 3> numbers{};
+  if (parts.size() != numbers.size()) return std::nullopt;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    char* end = nullptr;
+    numbers[i] = std::strtod(parts[i].c_str(), &end);
+    if (end == parts[i].c_str() || *end != '\0' || !std::isfinite(numbers[i])) return std::nullopt;
+  }
+  return numbers;
 }
 
 CLI::Validator number_as(const std::string& form, bool (*fits)(double)) {

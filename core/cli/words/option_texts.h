@@ -2,9 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "types/result.h"
 
@@ -16,6 +19,12 @@ inline constexpr const char* kDash = "-";
 /// "a=b" -> {a, b}. Errors: kUsage, with the form that was expected.
 Result<std::pair<std::string, std::string>> split_pair(const std::string& option, const std::string& text,
                                                        const std::string& form);
+
+/// The parts of a text between separators: one more than there are separators.
+std::vector<std::string> split(const std::string& text, char separator);
+
+/// "0,0.5,-1" -> three finite numbers; nothing for another text.
+std::optional<std::array<double, 3>> three_numbers(const std::string& text);
 
 /// "2", "2mm", "0.2 cm", "800um" -> mm. `option` begins the messages. Errors: kUsage.
 Result<double> to_mm(const std::string& option, const std::string& text);

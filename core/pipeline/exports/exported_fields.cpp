@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "anatomy/facet_sets.h"
-#include "geometry/topology/cut_faces.h"
+#include "geometry/cut/cut_faces.h"
 
 namespace voxtet {
 namespace {
@@ -32,13 +32,30 @@ std::vector<Field> point_fields(const Session& session) {
   return fields;
 }
 
-/// Cuts, as far as none of their faces has a name.
+/// Cuts that were asked for have all of their faces, and take the place of a surface of the same name. Those
+/// of the image's border have what no other surface has.
 void add_cuts(const TetMesh& mesh, const CutPlanes& cuts, std::vector<NamedSet>& surfaces) {
-  std::vector<bool> named(mesh.faces.size(), false);
-  for (const NamedSet& set : surfaces)
-    for (const std::uint32_t face : set.members) named[face] = true;
-  for (NamedSet& set : cut_sets(mesh, cuts)) {
-    std::erase_if(set.members, [&](std::uint32_t face) { return named[face]; });
+  const auto faces_in = [&](const auto& sets) {
+    std::vector<bool> named(mesh.faces.size(), false);
+    for (const NamedSet& set : sets)
+      for (const std::uint32_t face : set.members) named[face] = true;
+    return named;
+  };
+  const auto leave_out_of = [](NamedSet& set, const std::vector<bool>& faces) {
+    std::erase_if(set.members, [&](std::uint32_t face) { return faces[face]; });
+  };
+  CutPlanes given = cuts;
+  std::erase_if(given, [](const CutPlane& cut) { return !cut.is_given(); });
+  for (NamedSet& set : cut_sets(mesh, given)) {
+    const std::vector<bool> own = faces_in(std::vector<NamedSet>{set});
+    for (NamedSet& other : surfaces) leave_out_of(other, own);
+    std::erase_if(surfaces,
+                  [&](const NamedSet& other) { return other.name == set.name || other.members.empty(); });
+    surfaces.push_back(std::move(set));
+  }
+  const std::vector<bool> named = faces_in(surfaces);
+  for (NamedSet& set : cut_sets(mesh, cuts_of_border(cuts))) {
+    leave_out_of(set, named);
     if (!set.members.empty()) surfaces.push_back(std::move(set));
   }
 }

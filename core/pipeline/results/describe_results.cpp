@@ -37,6 +37,18 @@ json flaws_json(const Flaws& flaws) {
   return out;
 }
 
+/// What each plane of volume.cut took away.
+json cut_json(const std::vector<CutRecord>& records) {
+  json out = json::array();
+  for (const CutRecord& record : records) {
+    json labels = json::array();
+    for (const auto& [label, voxels] : record.voxels)
+      labels.push_back({{"label", label}, {"voxels", voxels}});
+    out.push_back({{"name", record.name}, {"labels", std::move(labels)}});
+  }
+  return out;
+}
+
 }  // namespace
 
 json counts_of(const VolumeResult& result) {
@@ -45,6 +57,7 @@ json counts_of(const VolumeResult& result) {
   const Eigen::Vector3d spacing = prepared.spacing_mm();
   counts["prepared"] = {{"size", prepared.size}, {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
   if (!result.prepared.alignment.slices.empty()) counts["alignment"] = slices_json(result.prepared.alignment);
+  if (!result.prepared.cut_away.empty()) counts["cut"] = cut_json(result.prepared.cut_away);
   counts["flaws"] = flaws_json(result.prepared.flaws);
   return counts;
 }

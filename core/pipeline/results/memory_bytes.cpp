@@ -23,7 +23,8 @@ std::size_t memory_bytes(const VolumeResult& result) {
   std::vector<const LabelVolume*> counted;
   for (const LabelVolume* volume :
        {result.source.get(), result.prepared.selected.get(), result.prepared.prepared.get(),
-        result.prepared.anatomy.get(), result.prepared.meshed.get(), result.prepared.placed.get()}) {
+        result.prepared.anatomy.get(), result.prepared.meshed.get(), result.prepared.placed.get(),
+        result.prepared.extracted.get()}) {
     if (!volume || std::find(counted.begin(), counted.end(), volume) != counted.end()) continue;
     counted.push_back(volume);
     bytes += bytes_of(volume->labels);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -52,6 +53,18 @@ Status check_volumes(const TetMesh& mesh, const char* stage) {
                std::move(where)};
 }
 
+/// The image without what planes of volume.cut took away, where a mesh was made of it.
+std::shared_ptr<const LabelVolume> image_of(const VolumeResult& volume, const Recipe& recipe) {
+  CutPlanes given = volume.prepared.cuts;
+  std::erase_if(given, [](const CutPlane& cut) { return !cut.is_given(); });
+  if (given.empty()) return volume.source;
+  for (CutPlane& cut : given)
+    for (const LabelGroup& group : recipe.merge)
+      if (cut.cuts(*std::min_element(group.begin(), group.end())))
+        cut.labels.insert(cut.labels.end(), group.begin(), group.end());
+  return std::make_shared<const LabelVolume>(without_cut(*volume.source, given));
+}
+
 }  // namespace
 
 Status run_anatomy(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
@@ -63,7 +76,7 @@ Status run_anatomy(const StageInputs& in, const Recipe& recipe, StageOutput& out
     if (params.wall.empty()) params.wall = wall_labels(mesh, params);
     RunContext first = ctx.part(0, 0.4), second = ctx.part(0.4, 0.8), third = ctx.part(0.8, 1);
     Result<HeartSurfaces> surfaces =
-        find_heart_surfaces(mesh, *in.get<VolumeResult>(Stage::kVolume).source, params, first);
+        find_heart_surfaces(mesh, *image_of(in.get<VolumeResult>(Stage::kVolume), recipe), params, first);
     if (!surfaces) return surfaces.error();
     Result<VentricularPotentials> potentials = ventricular_potentials(mesh, *surfaces, second);
     if (!potentials) return potentials.error();

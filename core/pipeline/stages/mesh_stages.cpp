@@ -5,8 +5,9 @@
 #include <set>
 
 #include "base/digest.h"
+#include "geometry/cut/clip_surface.h"
+#include "geometry/cut/cut_faces.h"
 #include "geometry/repair/undo_intersections.h"
-#include "geometry/topology/cut_faces.h"
 #include "phantom/make_phantom.h"
 #include "pipeline/results/stage_results.h"
 #include "pipeline/stages/side_sizes.h"
@@ -53,6 +54,24 @@ BuiltSurface built(SurfaceMesh surface, const CutPlanes& cuts) {
   return out;
 }
 
+/// A surface cut at the planes of volume.cut.
+Result<SurfaceMesh> clipped(SurfaceMesh surface, const PreparedVolume& volume, const char* stage,
+                            const RunContext& ctx) {
+  for (std::size_t c = 0; c < volume.cuts.size(); ++c) {
+    if (!volume.cuts[c].is_given()) continue;
+    std::optional<SurfaceMesh> cut = clip_surface(std::move(surface), *volume.meshed, volume.cuts, c, ctx);
+    if (ctx.cancelled()) return cancelled_error(stage);
+    if (!cut)
+      return Error{ErrorCode::kMeshing,
+                   stage,
+                   "volume.cut: found surfaces that meet in the plane " + volume.cuts[c].name +
+                       ", expected them apart there: move it by a part of a voxel",
+                   {}};
+    surface = std::move(*cut);
+  }
+  return surface;
+}
+
 std::vector<LayeredWall> layered(const Walls& walls, const std::vector<std::size_t>& numbers,
                                  const Recipe& recipe) {
   std::vector<LayeredWall> out;
@@ -75,8 +94,7 @@ bool has_sheets(const BuiltSurface& surface, const WallLayers& layers) {
 TetMesh cut_off(TetMesh mesh, const CutPlanes& cuts, double voxel_mm, RunContext& ctx) {
   if (cuts.empty()) return mesh;
   if (const double off = flatten_cuts(mesh, cuts); off > kFlatVoxels * voxel_mm)
-    ctx.warn(kOptimiseStage,
-             "volume.flat_border: faces of a cut are up to " + std::to_string(off) + " mm off its plane");
+    ctx.warn(kOptimiseStage, "volume: faces of a cut are up to " + std::to_string(off) + " mm off its plane");
   return without_beyond(std::move(mesh), cuts);
 }
 
@@ -151,25 +169,35 @@ Status run_surface(const StageInputs& in, const Recipe& recipe, StageOutput& out
                              " labels, expected auto or marching_tets, or all labels merged to one");
     if (!volume.cuts.empty())
       return usage_error(kSurfaceStage,
-                         "surface.method: found marching_cubes where the image cuts the body off, expected "
-                         "auto or marching_tets, or volume.flat_border false");
+                         "surface.method: found marching_cubes where the image or a plane cuts the body off, "
+                         "expected auto or marching_tets, or no volume.cut and volume.flat_border false");
   }
-  Result<SurfaceMesh> surface = extract_surface(*volume.meshed, recipe.surface, ctx);
+  ExtractParams params = recipe.surface;
+  if (!volume.cuts.empty()) params.method = ExtractMethod::kMarchingTets;
+  Result<SurfaceMesh> surface = extract_surface(*volume.extracted, params, ctx);
   if (!surface) return surface.error();
-  if (!volume.cuts.empty()) {
+  if (volume.cuts.empty()) {
+    out.put(BuiltSurface{std::move(surface).value(), {}});
+    return std::monostate{};
+  }
+  if (const CutPlanes border = cuts_of_border(volume.cuts); !border.empty()) {
     const std::vector<Eigen::Vector3d> before = surface->points;
-    settle_cuts(*surface, *volume.meshed, volume.cuts);
+    settle_cuts(*surface, *volume.extracted, border);
     if (undo_intersections(*surface, before, ctx).cancelled) return cancelled_error(kSurfaceStage);
   }
-  out.put(built(std::move(surface).value(), volume.cuts));
+  // Smoothing goes on from the surface that passes through the planes.
+  const Result<SurfaceMesh> shown = clipped(*surface, volume, kSurfaceStage, ctx);
+  if (!shown) return shown.error();
+  out.put(BuiltSurface{without_beyond(*shown, volume.cuts), std::move(surface).value()});
   return std::monostate{};
 }
 
 Status run_smooth(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   const PreparedVolume& volume = prepared_of(in);
   Result<SurfaceMesh> surface =
-      smooth_surface(in.get<BuiltSurface>(Stage::kSurface).as_built(), *volume.meshed, recipe.smooth, ctx,
-                     volume.cuts, volume.planes);
+      smooth_surface(in.get<BuiltSurface>(Stage::kSurface).as_built(), *volume.extracted, recipe.smooth, ctx,
+                     cuts_of_border(volume.cuts), volume.planes);
+  if (surface) surface = clipped(std::move(surface).value(), volume, kSmoothStage, ctx);
   if (!surface) return surface.error();
   out.put(built(std::move(surface).value(), volume.cuts));
   return std::monostate{};
@@ -324,11 +352,12 @@ Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out
   for (std::size_t w = 0; w < all.size(); ++w)
     if (recipe.sizing.thickness[w].layers > 0) counted.push_back(w);
   const std::vector<LayeredWall> walls = layered(all, counted, recipe);
-  Result<QualityReport> report = measure_quality(
-      in.get<TetMesh>(Stage::kOptimise),
-      {*prepared_of(in).prepared, *prepared_of(in).selected, in.get<BuiltSurface>(Stage::kSmooth).mesh,
-       in.get<BuiltSurface>(Stage::kRemesh).mesh, in.get<SizingField>(Stage::kSizing), walls},
-      recipe.quality, ctx);
+  Result<QualityReport> report =
+      measure_quality(in.get<TetMesh>(Stage::kOptimise),
+                      {*prepared_of(in).prepared, *prepared_of(in).selected,
+                       in.get<BuiltSurface>(Stage::kSmooth).mesh, in.get<BuiltSurface>(Stage::kRemesh).mesh,
+                       in.get<SizingField>(Stage::kSizing), walls, prepared_of(in).divided_mm3},
+                      recipe.quality, ctx);
   if (!report) {
     Error error = report.error();
     error.where.stage = name_of(Stage::kOptimise);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "geometry/cut/cut_faces.h"
 #include "geometry/elements/surface_measures.h"
 #include "geometry/repair/undo_intersections.h"
 #include "geometry/topology/compare_topology.h"
@@ -58,6 +59,7 @@ constexpr std::array<Repair, 9> kRepairs{{{false, 0.5, 0.3, 0},
                                           {true, 0.06, 0.03, 0.7, 0.1, true, true},
                                           {true, 0.06, 0.03, 0.7, 0.1, true, true},
                                           {true, 0.06, 0.03, 0.7, 0.1, true, true}}};
+constexpr double kLeastFoldedRadius = 0.1;  ///< of a facet folded upon a cut, in the same units
 constexpr double kContactReach =
     0.5;  ///< of cells that change labels around a lost contact, in the same units
 constexpr double kDenseSpacing = 0.03;  ///< of points on lost contacts, in the same units
@@ -95,6 +97,31 @@ std::vector<InterfaceFacet> facets_at_pinches(const LabelledCells& cells, const 
     }
   for (const std::uint32_t f : largest) out.push_back(edges.facets[f]);
   return out;
+}
+
+/// Facets of a wall of which all corners lie on the rim of one cut: in its plane they would lie upon the cut.
+std::vector<InterfaceFacet> facets_folded_at(const CutPlanes& cuts, const LabelledCells& cells,
+                                             const std::vector<InterfaceFacet>& facets) {
+  if (cuts.empty()) return {};
+  SurfaceMesh surface{{}, {}, {}};
+  for (const InterfaceFacet& facet : facets) {
+    const auto& corners = kFacetCorners[facet.corner];
+    Triangle& triangle = surface.triangles.emplace_back();
+    for (std::size_t c = 0; c < 3; ++c)
+      triangle[c] = cells.vertices[facet.cell][static_cast<std::size_t>(corners[c])];
+    surface.sides.push_back(
+        {cells.labels[facet.cell], cells.label_or_background(cells.neighbours[facet.cell][facet.corner])});
+  }
+  const std::vector<CutBits> of_points =
+      cuts_of_points(cells.points.size(), surface.triangles, surface.sides, cuts);
+  std::vector<InterfaceFacet> folded;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto [a, b, c] = surface.triangles[f];
+    const CutBits common = of_points[a] & of_points[b] & of_points[c];
+    const CutBits own = cuts_of_sides(surface.sides[f], cuts);
+    if ((common & ~own) != 0) folded.push_back(facets[f]);
+  }
+  return folded;
 }
 
 std::vector<Eigen::Vector3d> places_of(const LabelledCells& cells, const Pinches& pinches) {
@@ -218,7 +245,7 @@ std::vector<double> with_layers_mm3(std::vector<double> volumes, const SurfaceMe
 
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
                                      const TopologyLedger& wanted, const SizingField& sizing,
-                                     const DelaunayParams& params, RunContext& ctx) {
+                                     const DelaunayParams& params, RunContext& ctx, const CutPlanes& cuts) {
   const double voxel = field.grid().smallest_spacing_mm();
   const VoxelPieces pieces = find_pieces(field);
   const std::vector<double> volumes = enclosed_volumes_mm3(reference);
@@ -246,6 +273,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     const Pinches pinches = find_pinches(cells);
     const std::vector<InterfaceFacet> pinched = facets_at_pinches(cells, pinches);
     flawed.insert(flawed.end(), pinched.begin(), pinched.end());
+    const std::vector<InterfaceFacet> folded = facets_folded_at(cuts, cells, pinches.edges.facets);
     make_two_manifold(cells, field, pinches);
     if (ctx.cancelled()) return cancelled_error(kRemeshStage);
     remove_wedges(cells);
@@ -264,12 +292,14 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     std::vector<bool> suspects;  // empty: none, or all
     const auto compare = [&] {
       if (broken) return;
-      std::vector<TopologyDifference> differences = compare_topology(wanted, label_topology(merged));
+      std::vector<TopologyDifference> differences =
+          compare_topology(wanted, topology_before(cuts, label_topology(merged)));
       if (!differences.empty() && (repair == kRepairs.end() || repair->relabels)) {
         LabelledCells mended =
             with_contacts(cells, field, wanted, lost_contacts(lost_pairs(pairs, merged), reference));
         SurfaceMesh other = extract_interface(mended), other_merged = merge_layers(other, field.layers());
-        std::vector<TopologyDifference> left = compare_topology(wanted, label_topology(other_merged));
+        std::vector<TopologyDifference> left =
+            compare_topology(wanted, topology_before(cuts, label_topology(other_merged)));
         if (size_of(left) < size_of(differences)) {
           cells = std::move(mended);
           surface = std::move(other);
@@ -290,7 +320,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       // Where the topology is as wanted, mending has done away with what was flawed; what is still far from
       // the reference then is left to the improvement of the surface.
       const bool sound = repair->thorough && broken->empty();
-      if (sound && was_sound) break;
+      if (sound && was_sound && folded.empty()) break;
       was_sound = sound;
       std::vector<Eigen::Vector3d> missed =
           missed_junctions(reference, junctions, merged, params.missed_voxels * voxel);
@@ -306,6 +336,8 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
         for (const Eigen::Vector3d& p : refiner.passed_over(kPassedOverDepth * voxel))
           if (suspects.empty() || suspects[field.nearest_voxel(p)]) missed.push_back(p);
       // These first, because new points do away with cells.
+      for (const InterfaceFacet& facet : folded)
+        added += refiner.request(facet.cell, facet.corner, kLeastFoldedRadius * voxel);
       if (!sound)
         for (const InterfaceFacet& facet : flawed)
           added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);

@@ -1,6 +1,7 @@
 // The adapted surface by restricted Delaunay refinement of a label field.
 #pragma once
 
+#include "geometry/cut/cut_plane.h"
 #include "remesh/field/label_field.h"
 #include "types/result.h"
 #include "types/run_context.h"
@@ -22,9 +23,10 @@ struct DelaunayParams {
 /// the surface is not `wanted`, that of the reference, these get closer and closer, regardless of the sizing
 /// field, and contacts of labels that are still lost are made by cells that change labels. Facets are a
 /// subset of one Delaunay triangulation until the fit, which is taken back where it would make them
-/// intersect. Errors: kCancelled.
+/// intersect. The topology of what is beyond `cuts` is of no concern. Errors: kCancelled.
 Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh& reference,
                                      const TopologyLedger& wanted, const SizingField& sizing,
-                                     const DelaunayParams& params, RunContext& ctx);
+                                     const DelaunayParams& params, RunContext& ctx,
+                                     const CutPlanes& cuts = {});
 
 }  // namespace voxtet::remesh

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "geometry/cut/cut_faces.h"
 #include "geometry/elements/surface_measures.h"
 #include "geometry/repair/undo_intersections.h"
-#include "geometry/topology/cut_faces.h"
 #include "surface/smooth/bilaplacian.h"
 #include "surface/smooth/crossing_limits.h"
 #include "surface/smooth/move_limits.h"
@@ -147,7 +147,7 @@ Flags vertices_of_thin(const CorrectionProblem& problem, const VoxelRegions& reg
 
 void hold_in_planes(const SurfaceMesh& surface, const CutPlanes& cuts, MoveLimits& limits) {
   if (cuts.empty()) return;
-  const std::vector<std::uint8_t> of_points =
+  const std::vector<CutBits> of_points =
       cuts_of_points(surface.points.size(), surface.triangles, surface.sides, cuts);
   for (std::size_t v = 0; v < of_points.size(); ++v)
     for (std::size_t c = 0; c < cuts.size(); ++c)

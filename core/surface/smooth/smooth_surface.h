@@ -1,7 +1,7 @@
 // Staircase removal that keeps shape, volume and labels.
 #pragma once
 
-#include "geometry/topology/cut_plane.h"
+#include "geometry/cut/cut_plane.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"

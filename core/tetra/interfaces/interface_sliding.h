@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "geometry/topology/cut_plane.h"
+#include "geometry/cut/cut_plane.h"
 #include "tetra/interfaces/nearby_surface.h"
 #include "tetra/interfaces/volume_keeper.h"
 #include "tetra/mesh/tet_complex.h"

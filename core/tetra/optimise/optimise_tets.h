@@ -3,7 +3,7 @@
 // Roundtable (2007).
 #pragma once
 
-#include "geometry/topology/cut_plane.h"
+#include "geometry/cut/cut_plane.h"
 #include "types/result.h"
 #include "types/run_context.h"
 #include "types/sizing_field.h"

@@ -106,6 +106,38 @@ TEST_F(CliTest, TakesLabelsByNameRangeAndAll) {
   EXPECT_EQ(sizing["labels"], json::parse(R"([{"label":2,"edge_mm":0.8},{"label":3,"edge_mm":0.8}])"));
 }
 
+// A plane of the command line becomes a field of the recipe, and a surface of its name in every kind of file.
+TEST_F(CliTest, CutsAtAPlane) {
+  write(
+      "boxes.json",
+      R"({"source":{"phantom":{"kind":"nested_boxes","radius_mm":8,"inner_radius_mm":5,"spacing_mm":[1,1,1]}},
+            "sizing":{"edge_mm":3}})");
+  const auto has = [&](const std::string& name, const std::string& text) {
+    const Result<Bytes> bytes = read_file(at(name));
+    return bytes.ok() && std::string(bytes->begin(), bytes->end()).find(text) != std::string::npos;
+  };
+  for (const std::string name : {"a.msh", "a.inp", "a.vtu", "a.feb", "a.bdf"})
+    ASSERT_EQ(run({"mesh", at("boxes.json"), "--cut", "all:0,0,1.3:0.2,0.1,1:base", "--cut",
+                   "outer box,2:0,0,-4:0,0,-1", "-o", at(name), "--report", at("report.json")}),
+              kExitOk)
+        << name;
+  EXPECT_TRUE(has("a.msh", "\"base\"") && has("a.msh", "\"cut\""));
+  EXPECT_TRUE(has("a.inp", "NAME=base") && has("a.inp", "NAME=cut"));
+  EXPECT_TRUE(has("a.surfaces.vtu", "base") && has("a.surfaces.vtu", "cut"));
+  EXPECT_TRUE(has("a.feb", "\"base\"") && has("a.bdf", "base"));
+  const json report = read_json("report.json");
+  EXPECT_EQ(report["recipe"]["volume"]["cut"][0]["name"], "base");
+  EXPECT_EQ(report["recipe"]["volume"]["cut"][0]["labels"], json::array());
+  EXPECT_EQ(report["recipe"]["volume"]["cut"][1]["labels"], json({1, 2}));
+  EXPECT_EQ(report["recipe"]["volume"]["cut"][1]["normal"], json({0, 0, -1}));
+  const json taken = report["stages"][0]["counts"]["cut"];
+  EXPECT_EQ(taken[0]["name"], "base");
+  EXPECT_GT(taken[0]["labels"][0]["voxels"], 100);
+  EXPECT_EQ(taken[1]["name"], "cut");
+  for (const json& item : report["quality"]["checklist"])
+    if (item["hard"]) EXPECT_TRUE(item["passed"]) << item;
+}
+
 TEST_F(CliTest, SaysWhatFormWasExpected) {
   write("case.json", kSphere);
   for (const auto& [options, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
@@ -115,6 +147,9 @@ TEST_F(CliTest, SaysWhatFormWasExpected) {
            {{"--edge-label", "2"}, "--edge-label 2: expected LABEL=LENGTH, as 5=0.8"},
            {{"--edge-label", "1=x"}, "--edge-label 1=x: found 'x', expected a length as 2, 2mm"},
            {{"--mask-edge", "Wall=2"}, "--mask-edge Wall=2: expected labels of the mask by number, as 1=0.8"},
+           {{"--cut", "1"}, "--cut 1: found 1 parts, expected LABELS:X,Y,Z:NX,NY,NZ or"},
+           {{"--cut", "1:0,0:0,0,1"}, "--cut 1:0,0:0,0,1: found '0,0', expected LABELS:X,Y,Z:NX,NY,NZ"},
+           {{"--cut", "heart:0,0,0:0,0,1"}, "found no label 'heart' in the volume, which has 1"},
            {{"--threads", "x"}, "--threads: found 'x', expected a whole number as 2; 0 for one a core"},
            {{"--threads", "1.5"}, "--threads: found '1.5', expected a whole number as 2"},
            {{"--time-limit", "1min"}, "--time-limit: found '1min', expected seconds as 60; 0 for no limit"},

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "geometry/topology/cut_faces.h"
+#include "geometry/cut/cut_faces.h"
 #include "io/volume/write_volume.h"
 #include "pipeline/exports/exported_fields.h"
 #include "pipeline/session.h"

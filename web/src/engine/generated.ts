@@ -76,6 +76,17 @@ export interface RecipeFields {
     handle_voxels: number;
     /** Faces at which the image cuts a body off are flat, with a sharp rim and a name. */
     flat_border: boolean;
+    /** Planes at which labels are cut off: flat faces with a sharp rim and a name. */
+    cut: {
+      /** Name of the surface in the plane; empty: cut, cut_2, ... */
+      name: string;
+      /** Labels that are cut; none: all. */
+      labels: number[];
+      /** A point of the plane; RAS; mm. */
+      point_mm: Vec3;
+      /** Direction across the plane; what it points to is cut away; RAS. */
+      normal: Vec3;
+    }[];
     /** Thick slices that are shifted against each other, as by breath-holds, are put back. */
     align_slices: boolean;
     /** No slice is moved farther, unless slice_shifts says so; mm. */
@@ -419,6 +430,7 @@ export const recipeDefaults = {
     "hole_voxels": 0,
     "handle_voxels": 0,
     "flat_border": true,
+    "cut": [],
     "align_slices": false,
     "largest_shift_mm": 10,
     "slice_shifts": []

@@ -84,22 +84,26 @@ function SizingSection({ current }: { current: Recipe }) {
   );
 }
 
-/** Until a simulation is asked for, its panel is not fetched. */
-function AddSimulation() {
-  const add = () =>
-    import('../../store/case/physics').then(({ addSimulation }) => addSimulation(), tellError);
+const CutList = fetched(() => import('./cut_list').then((part) => part.CutList));
+
+/** What is not fetched before it is asked for. */
+function AddSection(props: { title: string; button: string; hint?: string; add(): Promise<void> }) {
   return (
     <section class="section">
       <div class="section-head">
-        <h2>Physics</h2>
-        <button type="button" class="button small" onClick={() => void add()}>
-          <Icon name="plus" size={13} /> Simulate
+        <h2>{props.title}</h2>
+        <button type="button" class="button small" onClick={() => void props.add()}>
+          <Icon name="plus" size={13} /> {props.button}
         </button>
       </div>
-      <p class="hint">How excitation spreads through the heart, on this mesh.</p>
+      {props.hint && <p class="hint">{props.hint}</p>}
     </section>
   );
 }
+
+const addCut = () => import('./cut_list').then((part) => part.addCut(), tellError);
+const addSimulation = () =>
+  import('../../store/case/physics').then((part) => part.addSimulation(), tellError);
 
 const PhysicsSection = fetched(() =>
   import('../physics/physics_section').then((part) => part.PhysicsSection),
@@ -133,8 +137,23 @@ export function CasePanel() {
           <LabelSection current={current} />
           {!meshIsGiven.value && <SizingSection current={current} />}
           {!meshIsGiven.value && isStack(current.volume.slice_ratio) && <StackSection current={current} />}
+          {!meshIsGiven.value &&
+            (current.volume.cut.length > 0 ? (
+              <CutList current={current} />
+            ) : (
+              <AddSection title="Flat cuts" button="Plane" add={addCut} />
+            ))}
           {!meshIsGiven.value && <StageSection current={current} />}
-          {physics?.monodomain ? <PhysicsSection current={current} physics={physics} /> : <AddSimulation />}
+          {physics?.monodomain ? (
+            <PhysicsSection current={current} physics={physics} />
+          ) : (
+            <AddSection
+              title="Physics"
+              button="Simulate"
+              hint="How excitation spreads through the heart, on this mesh."
+              add={addSimulation}
+            />
+          )}
           {developer && <SimulationSection current={current} />}
         </>
       )}

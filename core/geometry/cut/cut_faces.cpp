@@ -1,4 +1,4 @@
-#include "geometry/topology/cut_faces.h"
+#include "geometry/cut/cut_faces.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -26,33 +26,24 @@ bool goes(const Sides& sides, const CutPlanes& cuts) {
   return is_beyond(cuts, sides[0]) && (sides[1] == kBackground || is_beyond(cuts, sides[1]));
 }
 
-/// Where a point is after as many moves into planes as it has cuts: planes across different axes meet, so the
-/// moves go along each other's planes where axes are at right angles, and are repeated where they are not.
-Eigen::Vector3d in_planes(Eigen::Vector3d point, std::uint8_t of_point, const CutPlanes& cuts) {
-  constexpr int kRounds = 8;
-  const int rounds = (of_point & (of_point - 1)) == 0 ? 1 : kRounds;
-  for (int round = 0; round < rounds; ++round)
-    for (std::size_t c = 0; c < cuts.size(); ++c)
-      if ((of_point >> c & 1) != 0) point -= (cuts[c].normal.dot(point) - cuts[c].offset_mm) * cuts[c].normal;
-  return point;
-}
-
 using Points = std::vector<Eigen::Vector3d>;
 
 /// Moves points into their planes, and those of elements whose measure shrinks too much only by a part of the
 /// way. Returns the largest distance that remains.
 template <class Elements, class Measure>
-double flatten(const std::vector<std::uint8_t>& of_points, const CutPlanes& cuts, const Elements& elements,
+double flatten(const std::vector<CutBits>& of_points, const CutPlanes& cuts, const Elements& elements,
                const Measure& measure, Points& points) {
   const Points before = points;
   std::vector<double> share(points.size(), 1);
-  for (int halving = 0; halving <= kCutHalvings; ++halving) {
+  for (int halving = 0;; ++halving) {
     for (std::size_t p = 0; p < points.size(); ++p)
       if (of_points[p] != 0)
         points[p] = before[p] + share[p] * (in_planes(before[p], of_points[p], cuts) - before[p]);
     bool good = true;
     for (const auto& element : elements) {
-      if (std::none_of(element.begin(), element.end(), [&](auto p) { return of_points[p] != 0; })) continue;
+      if (std::none_of(element.begin(), element.end(),
+                       [&](auto p) { return of_points[p] != 0 && share[p] > 0; }))
+        continue;
       if (measure(points, element) >= kLeastPart * measure(before, element)) continue;
       good = false;
       for (const std::uint32_t p : element) share[p] = halving + 1 < kCutHalvings ? share[p] / 2 : 0;
@@ -92,14 +83,37 @@ Eigen::Vector3d to_the_wall(const Eigen::Vector3d& index, const LabelVolume& vol
 
 }  // namespace
 
-std::vector<std::uint8_t> cuts_of_points(std::size_t point_count, const std::vector<Triangle>& triangles,
-                                         const std::vector<Sides>& sides, const CutPlanes& cuts) {
-  std::vector<std::uint8_t> of_points(point_count, 0);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
+Eigen::Vector3d in_planes(Eigen::Vector3d point, CutBits of_point, const CutPlanes& cuts) {
+  // Moves go along each other's planes where these are at right angles, and are repeated where they are not.
+  constexpr int kRounds = 8, kMostRounds = 1000;
+  constexpr double kInAll = 1e-9;  // mm
+  const int rounds = (of_point & (of_point - 1)) == 0 ? 1 : kRounds;
+  double farthest = 0;
+  for (int round = 0; round < rounds || (rounds > 1 && farthest > kInAll && round < kMostRounds); ++round) {
+    farthest = 0;
     for (std::size_t c = 0; c < cuts.size(); ++c) {
-      if (sides[t][0] != cuts[c].beyond || goes(sides[t], cuts)) continue;
-      for (const std::uint32_t p : triangles[t]) of_points[p] |= static_cast<std::uint8_t>(1U << c);
+      if ((of_point >> c & 1) == 0) continue;
+      const double distance = cuts[c].distance_mm(point);
+      point -= distance * cuts[c].normal;
+      farthest = std::max(farthest, std::abs(distance));
     }
+  }
+  return point;
+}
+
+CutBits cuts_of_sides(const Sides& sides, const CutPlanes& cuts) {
+  for (std::size_t c = 0; c < cuts.size(); ++c)
+    if (sides[0] == cuts[c].beyond && !goes(sides, cuts) && (!cuts[c].is_given() || cuts[c].cuts(sides[1])))
+      return static_cast<CutBits>(1U << c);
+  return 0;
+}
+
+std::vector<CutBits> cuts_of_points(std::size_t point_count, const std::vector<Triangle>& triangles,
+                                    const std::vector<Sides>& sides, const CutPlanes& cuts) {
+  std::vector<CutBits> of_points(point_count, 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    if (const CutBits of_face = cuts_of_sides(sides[t], cuts); of_face != 0)
+      for (const std::uint32_t p : triangles[t]) of_points[p] |= of_face;
   return of_points;
 }
 
@@ -108,7 +122,7 @@ void settle_cuts(SurfaceMesh& extracted, const LabelVolume& volume, const CutPla
   constexpr double kBefore = 0.6, kBorder = 0.5;
   if (cuts.empty()) return;
   const Eigen::Matrix3d to_index = volume.linear().inverse();
-  const std::vector<std::uint8_t> of_points =
+  const std::vector<CutBits> of_points =
       cuts_of_points(extracted.points.size(), extracted.triangles, extracted.sides, cuts);
   for (std::size_t p = 0; p < of_points.size(); ++p) {
     if (of_points[p] == 0) continue;
@@ -157,6 +171,12 @@ std::vector<std::uint32_t> shown_triangles(const std::vector<std::uint32_t>& tri
   return shown;
 }
 
+TopologyLedger topology_before(const CutPlanes& cuts, TopologyLedger ledger) {
+  std::erase_if(ledger.labels, [&](const LabelTopology& of) { return is_beyond(cuts, of.label); });
+  std::erase_if(ledger.contacts, [&](const auto& pair) { return is_beyond(cuts, pair[1]); });
+  return ledger;
+}
+
 SurfaceMesh without_beyond(const SurfaceMesh& surface, const CutPlanes& cuts) {
   if (cuts.empty()) return surface;
   SurfaceMesh out{surface.points, {}, {}};
@@ -200,8 +220,10 @@ std::vector<NamedSet> cut_sets(const TetMesh& mesh, const CutPlanes& cuts) {
     NamedSet set{cut.name, {}};
     for (std::uint32_t f = 0; f < mesh.faces.size(); ++f) {
       const Triangle& face = mesh.faces[f];
-      if (mesh.face_sides[f][1] == kBackground && std::all_of(face.begin(), face.end(), [&](std::uint32_t p) {
-            return std::abs(cut.normal.dot(mesh.points[p]) - cut.offset_mm) <= kInPlane * size;
+      if (mesh.face_sides[f][1] != kBackground || (cut.is_given() && !cut.cuts(mesh.face_sides[f][0])))
+        continue;
+      if (std::all_of(face.begin(), face.end(), [&](std::uint32_t p) {
+            return std::abs(cut.distance_mm(mesh.points[p])) <= kInPlane * size;
           }))
         set.members.push_back(f);
     }
