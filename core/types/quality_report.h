@@ -92,7 +92,8 @@ struct LayerCount {
 
   /// False where no part of the outer surface lies far enough from the wall's sides.
   bool counted() const {
-    return std::any_of(by_edges.area_mm2.begin(), by_edges.area_mm2.end(), [](double area) { return area > 0; });
+    return std::any_of(by_edges.area_mm2.begin(), by_edges.area_mm2.end(),
+                       [](double area) { return area > 0; });
   }
   /// Whether layers that shall be exact are not, over more of the area than may be.
   bool given_up() const { return shall_be_exact && counted() && by_edges.exact < kNearlyAll; }

@@ -46,8 +46,8 @@ WallCase body_case(const std::string& name, test::Body body, const Eigen::Vector
 }
 
 /// Closed and open, spherical and ellipsoidal shells around a cavity of that half width.
-void add_shells(double cavity_mm, double wall_mm, const Eigen::Vector3d& spacing_mm, const std::string& voxels,
-                std::vector<WallCase>& cases) {
+void add_shells(double cavity_mm, double wall_mm, const Eigen::Vector3d& spacing_mm,
+                const std::string& voxels, std::vector<WallCase>& cases) {
   const Eigen::Vector3d turned(10, 20, 30);
   const std::string size = " " + number(cavity_mm) + "+" + number(wall_mm) + " mm, " + voxels + " mm voxels";
   const test::Body sphere = test::shell(cavity_mm, cavity_mm + wall_mm);
@@ -64,7 +64,9 @@ WallCase heart_case(double scale, double voxel_mm) {
   heart.spacing_mm.setConstant(voxel_mm);
   heart.scale = scale;
   return {"generated heart times " + number(scale) + ", " + number(voxel_mm) + " mm voxels",
-          [heart] { return make_phantom(heart); }, {1, 2}, {3, 4}};
+          [heart] { return make_phantom(heart); },
+          {1, 2},
+          {3, 4}};
 }
 
 WallCase file_case(const std::string& file, const std::vector<Label>& wall) {
@@ -116,8 +118,8 @@ double whole(const LayerShares& shares) {
   return std::accumulate(shares.area_mm2.begin(), shares.area_mm2.end(), 0.0);
 }
 
-void sweep_case(const WallCase& c, std::uint32_t layers, const std::vector<std::string>& fields,
-                bool places, Findings& findings) {
+void sweep_case(const WallCase& c, std::uint32_t layers, const std::vector<std::string>& fields, bool places,
+                Findings& findings) {
   const std::string name = c.name + ", " + std::to_string(layers) + " layers";
   Session session;
   RunContext ctx;
@@ -140,15 +142,15 @@ void sweep_case(const WallCase& c, std::uint32_t layers, const std::vector<std::
   const double judged_mm2 = whole(found.by_edges);
   if (judged_mm2 > 0) {
     expect("exactly so many, by edges,", found.by_edges.exact, kLeastExact);
-    if (whole(found.by_lines) > 0)
-      expect("exactly so many, along lines,", found.by_lines.exact, kLeastExact);
+    if (whole(found.by_lines) > 0) expect("exactly so many, along lines,", found.by_lines.exact, kLeastExact);
   }
   expect("smallest dihedral angle", dihedral.min, kLeastDihedralDeg);
   for (const TopologyDifference& difference : quality.topology.differences)
     failures.push_back(in_words(difference));
   const double voxel_mm = session.volume()->smallest_spacing_mm();
   const double volume_error = quality.labels.at(0).volume_error_percent;
-  const double far_voxels = std::max(quality.mesh_to_surface.max_mm, quality.surface_to_mesh.max_mm) / voxel_mm;
+  const double far_voxels =
+      std::max(quality.mesh_to_surface.max_mm, quality.surface_to_mesh.max_mm) / voxel_mm;
   std::printf("| %s | %u | %.1f | %.1f | %.1f | %.0f | %.1f / %.1f | %zu | %+.2f | %.2f | %.1f | %s |\n",
               c.name.c_str(), layers, 100 * found.by_edges.exact, 100 * found.by_edges.at_least,
               100 * found.by_lines.exact, judged_mm2 / 100, dihedral.min, dihedral.p1,
@@ -189,7 +191,8 @@ int main(int argc, char** argv) {
 
   Findings findings;
   std::printf(
-      "| wall | layers | exactly so many, by edges, %% | no fewer, %% | exactly, along lines, %% | judged cm2 | "
+      "| wall | layers | exactly so many, by edges, %% | no fewer, %% | exactly, along lines, %% | judged "
+      "cm2 | "
       "dihedral angles, smallest / 1 %% | tetrahedra | volume, %% | farthest, voxels | seconds | |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const WallCase& c : wall_cases())

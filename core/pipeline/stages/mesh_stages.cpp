@@ -94,10 +94,11 @@ void warn_about_layers(std::size_t wall, const LayerCount& found, const RunConte
   }
   if (!found.given_up()) return;
   char text[160];
-  std::snprintf(text, sizeof text,
-                "exactly %u on %.1f %% of the wall's area, by edges, expected %.0f %%: triangles much smaller "
-                "than the layers are thick leave no room for them",
-                found.target_layers, 100 * found.by_edges.exact, 100 * LayerCount::kNearlyAll);
+  std::snprintf(
+      text, sizeof text,
+      "exactly %u on %.1f %% of the wall's area, by edges, expected %.0f %%: triangles much smaller "
+      "than the layers are thick leave no room for them",
+      found.target_layers, 100 * found.by_edges.exact, 100 * LayerCount::kNearlyAll);
   ctx.warn(kQualityStage, name + text);
 }
 
@@ -109,7 +110,7 @@ void warn_about_coarse_layers(const QualityReport& report, double allowed_mm, co
       std::none_of(report.layers.begin(), report.layers.end(),
                    [](const LayerCount& count) { return count.shall_be_exact; }))
     return;
-  char text[192];
+  char text[256];
   std::snprintf(text, sizeof text,
                 "exact layers: facets as large as they need are up to %.2g mm off the labels, "
                 "remesh.max_distance_voxels allows %.2g mm elsewhere; more layers, or a smaller "
@@ -356,8 +357,7 @@ Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out
     error.where.on = On::kTets;
     return error;
   }
-  for (std::size_t w = 0; w < counted.size(); ++w)
-    warn_about_layers(counted[w], report->layers[w], ctx);
+  for (std::size_t w = 0; w < counted.size(); ++w) warn_about_layers(counted[w], report->layers[w], ctx);
   warn_about_coarse_layers(
       *report, recipe.remesh.max_distance_voxels * prepared_of(in).prepared->smallest_spacing_mm(), ctx);
   return put(std::move(report), out);

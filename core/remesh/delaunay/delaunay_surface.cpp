@@ -32,8 +32,8 @@ using Eigen::Vector3d;
 /// Measured on hearts, aorta and spheres: the median edge of a relaxed surface is 1.32 times the largest
 /// radius allowed for the surface Delaunay balls.
 constexpr double kEdgePerRadius = 1.32;
-constexpr double kSeedSeparation = 0.25;   ///< between first points, in units of the smallest spacing
-constexpr double kLeastSeedSpacing = 1;    ///< of seeds that are not halved once more
+constexpr double kSeedSeparation = 0.25;  ///< between first points, in units of the smallest spacing
+constexpr double kLeastSeedSpacing = 1;   ///< of seeds that are not halved once more
 /// Between points added in walls with layers, in target edge lengths, unless the topology is at stake.
 constexpr double kLayerSeparation = 0.4;
 constexpr double kPassedOverDepth = 0.06;  ///< of a cell's centroid in another label, in the same units
