@@ -8,7 +8,7 @@ enum ExitCode {
   kExitOk = 0,
   kExitUsage = 2,
   kExitBadInput = 3,
-  kExitMeshing = 4,
+  kExitMeshing = 4,  ///< also where a mesh was made that fails a hard check or lacks exact layers
   kExitDiffers = 5,
   kExitLimits = 6,  ///< out of memory or time
 };

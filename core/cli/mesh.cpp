@@ -55,11 +55,24 @@ void note_no_output(const MeshOptions& wanted, const Output& output) {
   if (!asked) print_note("no -o: the report will be printed, and no mesh written");
 }
 
+/// The mesh is there, without what was asked of it.
+Error layers_error(const LayerCount& count) {
+  char text[192];
+  std::snprintf(text, sizeof text,
+                "exact layers were given up: %u layers on %.1f %% of the wall's area, expected %.0f %%; the "
+                "report's layers name the places",
+                count.target_layers, 100 * count.by_edges.exact, 100 * LayerCount::kNearlyAll);
+  return {ErrorCode::kMeshing, "quality", text, {}};
+}
+
 /// What went wrong, in the stages or with what they made.
 std::optional<Error> error_of(const Status& done, const Session& session, const Output& output) {
   if (!done) return run_error(done.error(), output);
   if (session.quality() && !session.quality()->passed())
     return Error{ErrorCode::kMeshing, "quality", "the mesh fails a hard check, see the checklist", {}};
+  if (session.quality())
+    for (const LayerCount& count : session.quality()->layers)
+      if (count.given_up()) return layers_error(count);
   return std::nullopt;
 }
 

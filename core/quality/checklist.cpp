@@ -225,4 +225,19 @@ std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, std::span<c
       {"label_volumes", off.empty(), false, listed(off, "all"), "within 0.5 %, or 2 % where small or thin"}};
 }
 
+std::vector<ChecklistItem> check_exact_layers(std::span<const LayerCount> layers) {
+  std::vector<ChecklistItem> items;
+  for (const LayerCount& count : layers) {
+    if (!count.shall_be_exact) continue;
+    char found[64], expected[64];
+    std::snprintf(found, sizeof found, "%u on %.1f %% of the area", count.target_layers,
+                  100 * count.by_edges.exact);
+    std::snprintf(expected, sizeof expected, "%u on %.0f %% or more", count.target_layers,
+                  100 * LayerCount::kNearlyAll);
+    items.push_back({"exact_layers", count.counted() && !count.given_up(), false,
+                     count.counted() ? found : "not counted: all is near the wall's sides", expected});
+  }
+  return items;
+}
+
 }  // namespace voxtet

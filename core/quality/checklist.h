@@ -29,4 +29,7 @@ std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, std::span<c
                                                 const std::vector<TopologyDifference>& differences,
                                                 const RunContext& ctx);
 
+/// Of each wall whose layers shall be exact: whether nearly all of its area has so many (soft).
+std::vector<ChecklistItem> check_exact_layers(std::span<const LayerCount> layers);
+
 }  // namespace voxtet

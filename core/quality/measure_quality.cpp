@@ -226,6 +226,7 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   for (ChecklistItem& item :
        check_against_labels(mesh, faces, reference.volume, report.labels, topology.differences, ctx))
     report.checklist.push_back(std::move(item));
+  for (ChecklistItem& item : check_exact_layers(report.layers)) report.checklist.push_back(std::move(item));
   return report;
 }
 

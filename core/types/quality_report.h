@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -80,10 +81,22 @@ struct LayerPlace {
 
 /// The layers of one wall, counted in two ways (walls/count_layers.h).
 struct LayerCount {
+  /// Of the counted area, as little as layers that shall be exact may have.
+  static constexpr double kNearlyAll = 0.97;
+
   std::vector<Label> wall;
   std::uint32_t target_layers = 0;
+  bool shall_be_exact = false;  ///< by sheets across the wall, not by size alone
   LayerShares by_edges, by_lines;
   std::vector<LayerPlace> places;  ///< counted by edges; the ten largest, largest first
+
+  /// False where no part of the outer surface lies far enough from the wall's sides.
+  bool counted() const {
+    return std::any_of(by_edges.area_mm2.begin(), by_edges.area_mm2.end(),
+                       [](double area) { return area > 0; });
+  }
+  /// Whether layers that shall be exact are not, over more of the area than may be.
+  bool given_up() const { return shall_be_exact && counted() && by_edges.exact < kNearlyAll; }
 };
 
 struct ChecklistItem {

@@ -102,7 +102,7 @@ FoundLayers count_layers(const TetMesh& mesh, std::span<const LayeredWall> walls
                   {"layers_across", "Layers across the wall", "1", On::kTets, Scale::kWhole, 1, none}};
   for (const LayeredWall& wall : walls) {
     const WallMesh in_mesh(mesh, wall.field);
-    LayerCount count{wall.field.wall, wall.layers, {}, count_lines(in_mesh, wall.layers), {}};
+    LayerCount count{wall.field.wall, wall.layers, wall.exact, {}, count_lines(in_mesh, wall.layers), {}};
     count_edges(mesh, in_mesh, count);
     finish(count.by_edges, wall.layers);
     finish(count.by_lines, wall.layers);

@@ -78,6 +78,7 @@ struct WallField : SearchableGrid {
 struct LayeredWall {
   const WallField& field;
   std::uint32_t layers = 1;
+  bool exact = false;  ///< whether they shall be exact
 };
 
 }  // namespace voxtet

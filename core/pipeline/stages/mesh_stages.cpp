@@ -76,7 +76,10 @@ std::vector<LayeredWall> layered(const Walls& walls, const std::vector<std::size
                                  const Recipe& recipe) {
   std::vector<LayeredWall> out;
   out.reserve(numbers.size());
-  for (const std::size_t w : numbers) out.push_back({walls[w], recipe.sizing.thickness[w].layers});
+  for (const std::size_t w : numbers) {
+    const ThicknessSize& rule = recipe.sizing.thickness[w];
+    out.push_back({walls[w], rule.layers, rule.layering == Layering::kExact});
+  }
   return out;
 }
 
@@ -98,21 +101,40 @@ TetMesh cut_off(TetMesh mesh, const CutPlanes& cuts, double voxel_mm, RunContext
   return without_beyond(std::move(mesh), cuts);
 }
 
-/// Warns if layers could not be counted, and if less than 95 % of a wall's area has the exact layers that
-/// were asked for. `wall`: index of the wall in sizing.thickness.
-void warn_about_layers(std::size_t wall, Layering layering, const LayerCount& found, const RunContext& ctx) {
-  constexpr double kNearlyAll = 0.95;
+/// Warns if layers could not be counted, and if those that shall be exact were given up. `wall`: index of the
+/// wall in sizing.thickness.
+void warn_about_layers(std::size_t wall, const LayerCount& found, const RunContext& ctx) {
   const std::string name = "sizing.thickness[" + std::to_string(wall) + "].layers: ";
-  const std::vector<double>& areas = found.by_edges.area_mm2;
-  if (std::all_of(areas.begin(), areas.end(), [](double area) { return area == 0; })) {
-    ctx.warn(kQualityStage, name + "not counted, as no label of the wall has an outer surface in the mesh");
+  if (!found.counted()) {
+    ctx.warn(kQualityStage, name + "not counted, as no label of the wall has an outer surface in the mesh" +
+                                " two edges off the wall's sides");
     return;
   }
-  if (layering != Layering::kExact || found.by_edges.exact >= kNearlyAll) return;
-  char share[16];
-  std::snprintf(share, sizeof share, "%.0f %%", 100 * found.by_edges.exact);
-  ctx.warn(kQualityStage, name + "exactly " + std::to_string(found.target_layers) + " on " + share +
-                              " of the wall's area, by edges: the others have no room there");
+  if (!found.given_up()) return;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "exactly %u on %.1f %% of the wall's area, by edges, expected %.0f %%: triangles much smaller "
+      "than the layers are thick leave no room for them",
+      found.target_layers, 100 * found.by_edges.exact, 100 * LayerCount::kNearlyAll);
+  ctx.warn(kQualityStage, name + text);
+}
+
+/// Warns where facets that exact layers need are much farther off the labels than was allowed.
+void warn_about_coarse_layers(const QualityReport& report, double allowed_mm, const RunContext& ctx) {
+  constexpr double kMuchFarther = 2;
+  const double farthest_mm = std::max(report.mesh_to_surface.max_mm, report.surface_to_mesh.max_mm);
+  if (farthest_mm <= kMuchFarther * allowed_mm ||
+      std::none_of(report.layers.begin(), report.layers.end(),
+                   [](const LayerCount& count) { return count.shall_be_exact; }))
+    return;
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "exact layers: facets as large as they need are up to %.2g mm off the labels, "
+                "remesh.max_distance_voxels allows %.2g mm elsewhere; more layers, or a smaller "
+                "max_distance_voxels, bring them nearer",
+                farthest_mm, allowed_mm);
+  ctx.warn(kQualityStage, text);
 }
 
 }  // namespace
@@ -364,8 +386,9 @@ Status run_quality(const StageInputs& in, const Recipe& recipe, StageOutput& out
     error.where.on = On::kTets;
     return error;
   }
-  for (std::size_t w = 0; w < counted.size(); ++w)
-    warn_about_layers(counted[w], recipe.sizing.thickness[counted[w]].layering, report->layers[w], ctx);
+  for (std::size_t w = 0; w < counted.size(); ++w) warn_about_layers(counted[w], report->layers[w], ctx);
+  warn_about_coarse_layers(
+      *report, recipe.remesh.max_distance_voxels * prepared_of(in).prepared->smallest_spacing_mm(), ctx);
   return put(std::move(report), out);
 }
 

@@ -129,6 +129,11 @@ struct DelaunayRefiner::Impl {
     bad.push(urgency, {cell->info().serial, cell->neighbor(i)->info().serial, cell, i, centre});
   }
 
+  bool is_of_layer(Cell cell, int i) const {
+    return field.layers().is_layer(cell->info().label) ||
+           field.layers().is_layer(cell->neighbor(i)->info().label);
+  }
+
   /// 0 for a good facet; facets that are too large come before those that are too far off or too thin.
   double badness(Cell cell, int i, const Vector3d& centre, const Vector3d& normal, bool skips) const {
     const auto& corners = kFacetCorners[static_cast<std::size_t>(i)];
@@ -143,7 +148,9 @@ struct DelaunayRefiner::Impl {
     const Vector3d across = (q - p).cross(r - p);
     const double circle = a * b * c / (4 * across.squaredNorm());
     const double offset = ball - circle;
-    const bool far = offset > criteria.max_distance_mm * criteria.max_distance_mm;
+    const bool coarse = is_of_layer(cell, i) && relative < criteria.layer_radius_share;
+    const double allowed = (coarse ? criteria.layer_distance : 1) * criteria.max_distance_mm;
+    const bool far = offset > allowed * allowed;
     const bool thin = !(circle <= ratio_limit * std::min({a, b, c}));
     // A facet across the surface spans a wall or a hole that is narrower than itself.
     const double along = across.dot(normal);
@@ -193,14 +200,16 @@ DelaunayRefiner::DelaunayRefiner(const LabelField& field, const SizingField& siz
 
 DelaunayRefiner::~DelaunayRefiner() = default;
 
-std::size_t DelaunayRefiner::insert(const std::vector<Vector3d>& points, double separation_mm) {
+std::size_t DelaunayRefiner::insert(const std::vector<Vector3d>& points, double separation_mm,
+                                    double edge_share) {
   Triangulation& t = impl_->triangulation;
   std::size_t added = 0;
   Cell hint = t.finite_cells_begin();
   for (const Vector3d& p : points) {
     const auto nearest = t.nearest_vertex(Point(p.x(), p.y(), p.z()), hint);
     hint = nearest->cell();
-    if ((to_vector(nearest->point()) - p).squaredNorm() < separation_mm * separation_mm) continue;
+    const double least = std::max(separation_mm, edge_share * impl_->sizing.at(p));
+    if ((to_vector(nearest->point()) - p).squaredNorm() < least * least) continue;
     if (!impl_->insert_point(p, hint, Cell())) continue;
     ++added;
     hint = impl_->star.front();

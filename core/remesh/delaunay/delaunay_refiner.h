@@ -22,6 +22,10 @@ struct RefineCriteria {
   double facet_angle_deg = 30;    ///< lower bound on planar angles; at most 30 for termination
   double max_distance_mm = 0.25;  ///< facet circumcentre to centre of the surface ball
   double radius_per_edge = 0.8;   ///< surface ball radius allowed per target edge length
+  /// Facets of layers (walls/wall_layers.h) whose ball has less than this part of the radius allowed may be
+  /// farther off, as a factor on the distance: between facets much smaller than a layer is thick there is no
+  /// room for good tetrahedra across it.
+  double layer_radius_share = 0.6, layer_distance = 4;
 };
 
 /// Holds the growing triangulation (CGAL Delaunay_triangulation_3). `field` and `sizing` must outlive it.
@@ -30,9 +34,10 @@ class DelaunayRefiner {
   DelaunayRefiner(const LabelField& field, const SizingField& sizing, const RefineCriteria& criteria);
   ~DelaunayRefiner();
 
-  /// Adds points as they are, except those closer than `separation_mm` to an existing one: facets around an
-  /// edge much shorter than the others would become as small. Returns how many were added.
-  std::size_t insert(const std::vector<Eigen::Vector3d>& points, double separation_mm);
+  /// Adds points as they are, except those closer to an existing one than `separation_mm` or `edge_share` of
+  /// the target edge length: facets around an edge much shorter than the others would become as small.
+  /// Returns how many were added.
+  std::size_t insert(const std::vector<Eigen::Vector3d>& points, double separation_mm, double edge_share = 0);
 
   /// Refines until no facet is bad. False when cancelled.
   bool refine(RunContext& ctx, double predicted_vertices);

@@ -34,8 +34,10 @@ using Eigen::Vector3d;
 /// Measured on hearts, aorta and spheres: the median edge of a relaxed surface is 1.32 times the largest
 /// radius allowed for the surface Delaunay balls.
 constexpr double kEdgePerRadius = 1.32;
-constexpr double kSeedSeparation = 0.25;   ///< between first points, in units of the smallest spacing
-constexpr double kLeastSeedSpacing = 1;    ///< of seeds that are not halved once more
+constexpr double kSeedSeparation = 0.25;  ///< between first points, in units of the smallest spacing
+constexpr double kLeastSeedSpacing = 1;   ///< of seeds that are not halved once more
+/// Between points added in walls with layers, in target edge lengths, unless the topology is at stake.
+constexpr double kLayerSeparation = 0.4;
 constexpr double kPassedOverDepth = 0.06;  ///< of a cell's centroid in another label, in the same units
 
 /// How a surface is refined where it does not follow the reference; lengths in units of the smallest spacing.
@@ -342,7 +344,14 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
         for (const InterfaceFacet& facet : flawed)
           added += refiner.request(facet.cell, facet.corner, repair->least_facet_radius * voxel);
       if (ctx.cancelled()) return cancelled_error(kRemeshStage);
-      added += refiner.insert(missed, repair->separation * voxel);
+      // Layers need room: points close to others only where the topology is not as wanted.
+      const auto at_stake = [&](const Vector3d& p) {
+        return field.layers().empty() ||
+               (!sound && repair->thorough && (suspects.empty() || suspects[field.nearest_voxel(p)]));
+      };
+      const auto rest = std::stable_partition(missed.begin(), missed.end(), at_stake);
+      added += refiner.insert({missed.begin(), rest}, repair->separation * voxel);
+      added += refiner.insert({rest, missed.end()}, repair->separation * voxel, kLayerSeparation);
       if (repair->dense && !sound)
         added += refiner.insert(points_between(reference, field, lost_pairs(pairs, merged),
                                                kDenseSpacing * voxel, params.missed_voxels * voxel),

@@ -280,8 +280,8 @@ void widen_thin(SurfaceMesh& surface, Shifts& shifts) {
 
 void fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMesh& reference,
                  const std::vector<double>& volumes_mm3) {
-  const double voxel = field.grid().smallest_spacing_mm(), most = kMostShiftVoxels * voxel;
-  const double farthest = kFarthestVoxels * voxel;
+  const double unit = (field.layers().empty() ? 1 : kLayerFreedom) * field.grid().smallest_spacing_mm();
+  const double most = kMostShiftVoxels * unit, farthest = kFarthestVoxels * unit;
   Shifts shifts(surface, far_points(reference, surface, field.layers(), farthest - 2 * most), farthest);
   std::vector<double> offsets;
   fit_once(surface, field, offsets, most, shifts);

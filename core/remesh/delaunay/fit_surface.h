@@ -15,12 +15,14 @@ namespace voxtet::remesh {
 /// than 29 degrees that was not, no angle between two of them sharper than 50 degrees; thinner triangles are
 /// widened as far as their neighbours allow. Facets whose distance the field does not know count as 0. The
 /// surface moves no farther than kFarthestVoxels away from any point of `reference`, the surface of the
-/// labels, unless it was farther. Intersections are not checked.
+/// labels, unless it was farther. Around layers, whose facets are coarser, both lengths are kLayerFreedom
+/// times as long. Intersections are not checked.
 void fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMesh& reference,
                  const std::vector<double>& volumes_mm3);
 
 inline constexpr double kMostShiftVoxels = 0.15;
 inline constexpr double kFarthestVoxels = 0.45;
+inline constexpr double kLayerFreedom = 2;
 /// Cosine of the angle below which a triangle may not become thinner: nearly all triangles have this angle
 /// after refinement.
 inline constexpr double kThinnestCosine = 0.8724960070727971;  // 29.25 degrees

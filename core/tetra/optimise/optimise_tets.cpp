@@ -31,7 +31,9 @@ constexpr std::size_t kPointsForOne = 10;
 /// As many may be inserted into the smallest mesh.
 constexpr std::size_t kAlwaysAllowed = 200;
 /// A vertex inside of a layer makes two of it: only where nothing else helps.
-constexpr double kLayerInsertionDeg = 25;
+constexpr double kLayerInsertionDeg = 19;
+/// To this all else is tried before.
+constexpr double kLayerGoalDeg = 20;
 constexpr std::size_t kTetsPerQuestion = 256;
 /// Tets for every step of compound trials, at least, but so many steps always: on a hopeless surface most
 /// trials fail.
@@ -78,10 +80,12 @@ class Optimiser {
       if (round > 0 && counts_ == before) break;
     }
     if (!layers_.empty()) {
+      slide(last_goal);
+      if (!combine(quality_of_angle(kLayerGoalDeg), false)) return false;
       if (!insert(quality_of_angle(kLayerInsertionDeg), true)) return false;
       slide(last_goal);
     }
-    if (!combine(last_goal) || !combine_loosely(last_goal) || !fit_sizes(goal)) return false;
+    if (!combine(last_goal, true) || !combine_loosely(last_goal) || !fit_sizes(goal)) return false;
     tell(bad_before, bad_tets(goal).size());
     return true;
   }
@@ -208,8 +212,8 @@ class Optimiser {
     return vertices;
   }
 
-  /// False when cancelled.
-  bool combine(double goal) {
+  /// New vertices only if `insert`. False when cancelled.
+  bool combine(double goal, bool insert) {
     if (params_.slide > 0) slider_.approach(interfaces_around(goal));
     const std::size_t most_steps = std::max(kStepsAlways, complex_.places() / kTetsForStep);
     bool going = true;
@@ -221,7 +225,7 @@ class Optimiser {
               !(complex_.quality_of(t) < goal))
             continue;
           if (!(going = !ctx_.cancelled())) break;
-          any = compound_.improve(t, goal, may_insert(t)) || any;
+          any = compound_.improve(t, goal, insert && may_insert(t)) || any;
         }
     });
     return going;
@@ -231,7 +235,7 @@ class Optimiser {
   bool combine_loosely(double goal) {
     if (!(params_.slide > 0) || bad_tets(goal).empty()) return true;
     slider_.loosen(kLastFreedom);
-    return combine(goal);
+    return combine(goal, true);
   }
 
   /// False when cancelled.

@@ -30,6 +30,24 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+TEST_F(CliTest, TellsByItsExitCodeThatExactLayersWereGivenUp) {
+  const auto mesh_with = [this](const char* distance_voxels) {
+    write("case.json",
+          R"({"source":{"phantom":{"kind":"shell","radius_mm":18,"inner_radius_mm":8,"spacing_mm":[1,1,1]}},
+          "sizing":{"edge_mm":10,"thickness":[{"wall":[1],"layers":1,"layering":"exact"}]},
+          "remesh":{"max_distance_voxels":)" +
+              std::string(distance_voxels) + "}}");
+    return run({"mesh", at("case.json"), "-o", at("layers.vtu"), "--report", at("report.json")});
+  };
+  EXPECT_EQ(mesh_with("0.5"), kExitOk);
+  EXPECT_FALSE(read_json("report.json").contains("error"));
+  EXPECT_EQ(mesh_with("0.03"), kExitMeshing);
+  EXPECT_NE(
+      read_json("report.json")["error"]["message"].get<std::string>().find("exact layers were given up"),
+      std::string::npos);
+  EXPECT_TRUE(fs::exists(at("layers.vtu")));
+}
+
 TEST_F(CliTest, MeshesAPhantomWrittenAsAVolume) {
   ASSERT_EQ(run({"phantom", "nested_boxes", "--set", "radius_mm=8", "--set", "spacing_mm=[1,1,1]", "-o",
                  at("boxes.nii.gz")}),

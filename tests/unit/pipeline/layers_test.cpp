@@ -101,6 +101,54 @@ TEST(Layers, AreExactAllOverAnEllipsoidalShell) {
   }
 }
 
+const ChecklistItem& exact_layers_of(const QualityReport& quality) {
+  const auto found = std::find_if(quality.checklist.begin(), quality.checklist.end(),
+                                  [](const ChecklistItem& item) { return item.name == "exact_layers"; });
+  EXPECT_NE(found, quality.checklist.end());
+  return *found;
+}
+
+/// Layers far thicker than the triangles that would follow the surface to half a voxel, on which the base is
+/// a sharp rim.
+TEST(Layers, AreExactInThickWallsClosedAndOpen) {
+  test::Body open = test::shell(20, 44);
+  open.label_at = [whole = open.label_at](const Eigen::Vector3d& p) -> Label {
+    return p.z() < 0 ? whole(p) : kBackground;
+  };
+  for (const test::Body& body : {test::shell(20, 36), open}) {
+    const LabelVolume volume = test::sample(body, Eigen::Vector3d::Constant(2), {0, 0, 0});
+    for (const std::uint32_t layers : {1U, 2U, 3U}) {
+      SCOPED_TRACE(layers);
+      Session session;
+      ASSERT_NO_FATAL_FAILURE(mesh_soundly(volume, exact_recipe(layers), session));
+      const QualityReport& quality = *session.quality();
+      EXPECT_GE(quality.layers.at(0).by_edges.exact, 0.97);
+      EXPECT_GE(quality.layers.at(0).by_lines.exact, 0.97);
+      EXPECT_TRUE(exact_layers_of(quality).passed);
+      EXPECT_TRUE(quality.topology.differences.empty());
+      EXPECT_NEAR(quality.labels.at(0).volume_error_percent, 0, 0.5);
+      EXPECT_GE(smallest_dihedral(session), 18);
+    }
+  }
+}
+
+/// Triangles held to a fraction of a voxel are too small for one layer.
+TEST(Layers, ThatAreGivenUpAreNoted) {
+  const LabelVolume volume = test::sample(test::shell(8, 18), Eigen::Vector3d::Ones(), {0, 0, 0});
+  Recipe recipe = exact_recipe(1);
+  recipe.remesh.max_distance_voxels = 0.03;
+  Session session;
+  ASSERT_NO_FATAL_FAILURE(mesh_soundly(volume, recipe, session));
+  const QualityReport& quality = *session.quality();
+  ASSERT_LT(quality.layers.at(0).by_edges.exact, LayerCount::kNearlyAll);
+  EXPECT_TRUE(quality.layers.at(0).given_up());
+  EXPECT_FALSE(exact_layers_of(quality).passed);
+  const std::vector<std::string> warnings = session.warnings();
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& text) {
+    return text.find("sizing.thickness[0].layers: exactly 1 on ") != std::string::npos;
+  }));
+}
+
 /// Two inner spaces in one body, with a septum between them, from end to end.
 TEST(Layers, MeetWithoutAJumpWhereWallsMeet) {
   const test::Body body{[](const Eigen::Vector3d& p) -> Label {
