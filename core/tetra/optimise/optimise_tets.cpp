@@ -31,9 +31,9 @@ constexpr std::size_t kPointsForOne = 10;
 /// As many may be inserted into the smallest mesh.
 constexpr std::size_t kAlwaysAllowed = 200;
 /// A vertex inside of a layer makes two of it: only where nothing else helps.
-constexpr double kLayerInsertionDeg = 19;
+constexpr double kLayerInsertionDeg = 20;
 /// To this all else is tried before.
-constexpr double kLayerGoalDeg = 20;
+constexpr double kLayerGoalDeg = 21;
 constexpr std::size_t kTetsPerQuestion = 256;
 /// Tets for every step of compound trials, at least, but so many steps always: on a hopeless surface most
 /// trials fail.

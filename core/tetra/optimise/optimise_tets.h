@@ -37,7 +37,7 @@ struct OptimiseParams {
 /// of those that they replace or that moved with them. Edges of an inserted vertex, and those around tets
 /// that need several operations, may be 1.5 times farther. At most one vertex for every ten, or 200, is
 /// inserted. All volumes stay positive, by exact predicates. In layers, vertices are inserted only where tets
-/// stay below 19 degrees after everything else.
+/// stay below 20 degrees after everything else.
 ///
 /// Faces of `cuts` stay as far from the label surface as they are.
 ///
