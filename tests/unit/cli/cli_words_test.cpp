@@ -134,8 +134,9 @@ TEST_F(CliTest, CutsAtAPlane) {
   EXPECT_EQ(taken[0]["name"], "base");
   EXPECT_GT(taken[0]["labels"][0]["voxels"], 100);
   EXPECT_EQ(taken[1]["name"], "cut");
-  for (const json& item : report["quality"]["checklist"])
-    if (item["hard"]) EXPECT_TRUE(item["passed"]) << item;
+  for (const json& item : report["quality"]["checklist"]) {
+    EXPECT_TRUE(item["passed"] || !item["hard"]) << item;
+  }
 }
 
 TEST_F(CliTest, SaysWhatFormWasExpected) {
