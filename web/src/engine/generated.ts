@@ -7,7 +7,7 @@ export interface RecipeFields {
   source: {
     phantom?: {
       /** Which body. */
-      kind: 'sphere' | 'shell' | 'torus' | 'slab' | 'nested_boxes' | 'branching_tube' | 'biventricle';
+      kind: 'sphere' | 'shell' | 'torus' | 'slab' | 'nested_boxes' | 'branching_tube' | 'biventricle' | 'atlas';
       /** Distance between voxel centres along the image axes; mm. */
       spacing_mm: Vec3;
       /** Rotation of the image axes about x, then y, then z; deg. */
@@ -20,7 +20,7 @@ export interface RecipeFields {
       inner_radius_mm: number;
       /** Thickness of the slab; mm. */
       thickness_mm: number;
-      /** Biventricle: size, 1 is an adult heart. */
+      /** Biventricle and atlas: size, 1 is an adult's. */
       scale: number;
       /** Biventricle: amplitude of the seeded roughness of the walls; mm. */
       roughness_mm: number;
@@ -34,7 +34,9 @@ export interface RecipeFields {
       border_mm: number;
       /** Biventricle: width of the isthmus at scale 1; 0 closes it; mm. */
       isthmus_mm: number;
-      /** Biventricle: seed of the roughness. */
+      /** Atlas: number of labels. */
+      regions: number;
+      /** Biventricle: seed of the roughness. Atlas: seed of the regions. */
       seed: number;
     };
     file?: {
@@ -526,6 +528,7 @@ export const optionalDefaults = {
     "scar_depth": 0.7,
     "border_mm": 3,
     "isthmus_mm": 8,
+    "regions": 300,
     "seed": 1
   },
   "source.file": {
