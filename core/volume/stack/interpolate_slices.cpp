@@ -31,7 +31,7 @@ constexpr double kReach = 3;
 /// Passes over what must be kept apart.
 constexpr int kSeparations = 8;
 /// Volumes are balanced again, for what absorbing and setting apart took, while a label is off by more.
-constexpr double kVolumeError = 0.0001;
+constexpr double kVolumeError = 0.001;
 constexpr int kRounds = 6;
 /// A label on one or two slices that is off by more after that keeps them as slabs.
 constexpr double kNotCarried = 0.03;
