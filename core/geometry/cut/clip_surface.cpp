@@ -19,6 +19,25 @@ constexpr double kLeastArea = 0.2;   ///< of what a triangle has before its poin
 constexpr double kAtPlane = 1e-9;    ///< of the spacing
 constexpr std::uint32_t kNotDivided = 0xffffffffU;
 
+/// Gives triangles the sides that sides_of(index) says; those with one label on both go.
+template <class SidesOf>
+void give_sides(SurfaceMesh& surface, const SidesOf& sides_of) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    Triangle triangle = surface.triangles[t];
+    Sides sides = sides_of(t);
+    if (sides[0] == sides[1]) continue;
+    if (sides[0] < sides[1]) {
+      std::swap(sides[0], sides[1]);
+      std::swap(triangle[1], triangle[2]);
+    }
+    surface.triangles[kept] = triangle;
+    surface.sides[kept++] = sides;
+  }
+  surface.triangles.resize(kept);
+  surface.sides.resize(kept);
+}
+
 class Clipper {
  public:
   Clipper(SurfaceMesh surface, const LabelVolume& volume, const CutPlane& cut)
@@ -236,25 +255,14 @@ class Clipper {
   }
 
   void relabel() {
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
-      Triangle triangle = surface_.triangles[t];
+    give_sides(surface_, [&](std::size_t t) {
       Sides sides = surface_.sides[t];
-      if (concerns(sides)) {
-        const std::array<bool, 2> beyond = sides_beyond(triangle);
-        for (std::size_t s = 0; s < 2; ++s)
-          if (beyond[s] && cut_.cuts(sides[s])) sides[s] = cut_.beyond;
-        if (sides[0] == sides[1]) continue;
-        if (sides[0] < sides[1]) {
-          std::swap(sides[0], sides[1]);
-          std::swap(triangle[1], triangle[2]);
-        }
-      }
-      surface_.triangles[kept] = triangle;
-      surface_.sides[kept++] = sides;
-    }
-    surface_.triangles.resize(kept);
-    surface_.sides.resize(kept);
+      if (!concerns(sides)) return sides;
+      const std::array<bool, 2> beyond = sides_beyond(surface_.triangles[t]);
+      for (std::size_t s = 0; s < 2; ++s)
+        if (beyond[s] && cut_.cuts(sides[s])) sides[s] = cut_.beyond;
+      return sides;
+    });
   }
 
   SurfaceMesh surface_;
@@ -285,6 +293,19 @@ std::optional<SurfaceMesh> clip_surface(SurfaceMesh surface, const LabelVolume& 
   std::optional<SurfaceMesh> near = clip_once(std::move(surface), volume, far, cut, ctx);
   if (!near) return std::nullopt;
   return clip_once(std::move(*near), volume, cuts, cut, ctx);
+}
+
+void drop_lost_labels(SurfaceMesh& surface, const LabelVolume& volume) {
+  std::vector<bool> is_left(std::size_t{1} << 16, false);
+  is_left[kBackground] = true;
+  for (const Label label : volume.labels) is_left[label] = true;
+  give_sides(surface, [&](std::size_t t) {
+    Sides sides = surface.sides[t];
+    for (Label& label : sides)
+      if (!is_left[label]) label = kBackground;
+    return sides;
+  });
+  drop_unused_points(surface);
 }
 
 }  // namespace voxtet

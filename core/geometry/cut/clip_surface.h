@@ -20,4 +20,8 @@ namespace voxtet {
 std::optional<SurfaceMesh> clip_surface(SurfaceMesh surface, const LabelVolume& volume, const CutPlanes& cuts,
                                         std::size_t cut, const RunContext& ctx);
 
+/// What a surface has of labels of which `volume` has no voxel, as less than a voxel before a plane, becomes
+/// background.
+void drop_lost_labels(SurfaceMesh& surface, const LabelVolume& volume);
+
 }  // namespace voxtet

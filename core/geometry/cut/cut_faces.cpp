@@ -19,6 +19,8 @@ constexpr double kInPlane = 1e-5;
 constexpr int kCutHalvings = 6;
 /// Of the area or volume of an element that its points' way into their planes must leave.
 constexpr double kLeastPart = 0.3;
+/// Dihedral angles above this may shrink down to its part: the chord on the unit circle, of 15 degrees.
+constexpr double kOpenChord = 0.261;
 constexpr std::uint32_t kGone = 0xffffffffU;
 
 /// Whether a triangle bounds nothing but what is beyond; its label stands first, since it is the highest.
@@ -28,33 +30,73 @@ bool goes(const Sides& sides, const CutPlanes& cuts) {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-/// Moves points into their planes, and those of elements whose measure shrinks too much only by a part of the
-/// way. Returns the largest distance that remains.
-template <class Elements, class Measure>
-double flatten(const std::vector<CutBits>& of_points, const CutPlanes& cuts, const Elements& elements,
-               const Measure& measure, Points& points) {
+/// Calls visit(element) for each whose measure shrinks too much on its points' way.
+template <class Elements, class Measure, class Visit>
+void visit_shrunk(const Elements& elements, const Measure& measure, const Points& before, const Points& now,
+                  Visit&& visit) {
+  for (const auto& element : elements)
+    if (std::any_of(element.begin(), element.end(), [&](auto p) { return now[p] != before[p]; }) &&
+        measure(now, element) < kLeastPart * measure(before, element))
+      visit(element);
+}
+
+/// Moves points into their planes, and those of elements that shrink too much only by a part of the way.
+/// `find_shrunk`: calls visit_shrunk() for all elements. Returns the largest distance that remains.
+template <class FindShrunk>
+double flatten(const std::vector<CutBits>& of_points, const CutPlanes& cuts, const FindShrunk& find_shrunk,
+               Points& points) {
   const Points before = points;
   std::vector<double> share(points.size(), 1);
   for (int halving = 0;; ++halving) {
     for (std::size_t p = 0; p < points.size(); ++p)
       if (of_points[p] != 0)
         points[p] = before[p] + share[p] * (in_planes(before[p], of_points[p], cuts) - before[p]);
+    std::vector<bool> back(points.size(), false);
     bool good = true;
-    for (const auto& element : elements) {
-      if (std::none_of(element.begin(), element.end(),
-                       [&](auto p) { return of_points[p] != 0 && share[p] > 0; }))
-        continue;
-      if (measure(points, element) >= kLeastPart * measure(before, element)) continue;
+    find_shrunk(before, points, [&](const auto& element) {
       good = false;
-      for (const std::uint32_t p : element) share[p] = halving + 1 < kCutHalvings ? share[p] / 2 : 0;
-    }
+      for (const std::uint32_t p : element) back[p] = true;
+    });
     if (good) break;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (back[p]) share[p] = halving + 1 < kCutHalvings ? share[p] / 2 : 0;
   }
   double remains = 0;
   for (std::size_t p = 0; p < points.size(); ++p)
     if (of_points[p] != 0)
       remains = std::max(remains, (in_planes(points[p], of_points[p], cuts) - points[p]).norm());
   return remains;
+}
+
+/// Two triangles at an edge: its ends, and the corners across from it.
+using Hinge = std::array<std::uint32_t, 4>;
+
+/// All pairs of triangles at the edges of which a corner is in a plane, ascending.
+std::vector<Hinge> hinges_at(const std::vector<CutBits>& of_points, const std::vector<Triangle>& triangles) {
+  std::vector<std::array<std::uint32_t, 3>> uses;  // an edge, ascending, and the third corner
+  for (const Triangle& t : triangles) {
+    if ((of_points[t[0]] | of_points[t[1]] | of_points[t[2]]) == 0) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto [low, high] = std::minmax(t[c], t[(c + 1) % 3]);
+      uses.push_back({low, high, t[(c + 2) % 3]});
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  std::vector<Hinge> hinges;
+  for (std::size_t i = 0; i < uses.size(); ++i)
+    for (std::size_t j = i + 1; j < uses.size() && uses[j][0] == uses[i][0] && uses[j][1] == uses[i][1]; ++j)
+      hinges.push_back({uses[i][0], uses[i][1], uses[i][2], uses[j][2]});
+  return hinges;
+}
+
+/// How far two triangles are from lying upon each other, as the chord of their angle, at most kOpenChord.
+double opening(const Points& points, const Hinge& hinge) {
+  const Eigen::Vector3d &a = points[hinge[0]], along = (points[hinge[1]] - a).normalized();
+  const auto across = [&](std::uint32_t p) -> Eigen::Vector3d {
+    const Eigen::Vector3d d = points[p] - a;
+    return (d - d.dot(along) * along).normalized();
+  };
+  return std::min((across(hinge[2]) - across(hinge[3])).norm(), kOpenChord);
 }
 
 /// From the middle of a lattice triangle of body, beyond and background to where the wall passes through it.
@@ -143,22 +185,29 @@ void settle_cuts(SurfaceMesh& extracted, const LabelVolume& volume, const CutPla
 
 double flatten_cuts(SurfaceMesh& surface, const CutPlanes& cuts) {
   if (cuts.empty()) return 0;
-  return flatten(
-      cuts_of_points(surface.points.size(), surface.triangles, surface.sides, cuts), cuts, surface.triangles,
-      [](const Points& points, const Triangle& t) {
-        return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
-      },
-      surface.points);
+  const std::vector<CutBits> of_points =
+      cuts_of_points(surface.points.size(), surface.triangles, surface.sides, cuts);
+  const std::vector<Hinge> hinges = hinges_at(of_points, surface.triangles);
+  const auto area = [](const Points& points, const Triangle& t) {
+    return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
+  };
+  const auto find_shrunk = [&](const Points& before, const Points& now, const auto& visit) {
+    visit_shrunk(surface.triangles, area, before, now, visit);
+    visit_shrunk(hinges, opening, before, now, visit);
+  };
+  return flatten(of_points, cuts, find_shrunk, surface.points);
 }
 
 double flatten_cuts(TetMesh& mesh, const CutPlanes& cuts) {
   if (cuts.empty()) return 0;
-  return flatten(
-      cuts_of_points(mesh.points.size(), mesh.faces, mesh.face_sides, cuts), cuts, mesh.tets,
-      [](const Points& points, const Tet& t) {
-        return tet_volume_mm3({points[t[0]], points[t[1]], points[t[2]], points[t[3]]});
-      },
-      mesh.points);
+  const auto volume = [](const Points& points, const Tet& t) {
+    return tet_volume_mm3({points[t[0]], points[t[1]], points[t[2]], points[t[3]]});
+  };
+  const auto find_shrunk = [&](const Points& before, const Points& now, const auto& visit) {
+    visit_shrunk(mesh.tets, volume, before, now, visit);
+  };
+  return flatten(cuts_of_points(mesh.points.size(), mesh.faces, mesh.face_sides, cuts), cuts, find_shrunk,
+                 mesh.points);
 }
 
 std::vector<std::uint32_t> shown_triangles(const std::vector<std::uint32_t>& triangles,

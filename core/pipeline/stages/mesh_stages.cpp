@@ -69,6 +69,7 @@ Result<SurfaceMesh> clipped(SurfaceMesh surface, const PreparedVolume& volume, c
                    {}};
     surface = std::move(*cut);
   }
+  if (!volume.cuts.empty()) drop_lost_labels(surface, *volume.meshed);
   return surface;
 }
 

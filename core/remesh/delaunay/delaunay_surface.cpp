@@ -11,6 +11,7 @@
 #include "geometry/repair/undo_intersections.h"
 #include "geometry/topology/compare_topology.h"
 #include "geometry/topology/label_topology.h"
+#include "remesh/cells/cut_folds.h"
 #include "remesh/cells/extract_interface.h"
 #include "remesh/cells/interface_edges.h"
 #include "remesh/cells/make_two_manifold.h"
@@ -99,31 +100,6 @@ std::vector<InterfaceFacet> facets_at_pinches(const LabelledCells& cells, const 
     }
   for (const std::uint32_t f : largest) out.push_back(edges.facets[f]);
   return out;
-}
-
-/// Facets of a wall of which all corners lie on the rim of one cut: in its plane they would lie upon the cut.
-std::vector<InterfaceFacet> facets_folded_at(const CutPlanes& cuts, const LabelledCells& cells,
-                                             const std::vector<InterfaceFacet>& facets) {
-  if (cuts.empty()) return {};
-  SurfaceMesh surface{{}, {}, {}};
-  for (const InterfaceFacet& facet : facets) {
-    const auto& corners = kFacetCorners[facet.corner];
-    Triangle& triangle = surface.triangles.emplace_back();
-    for (std::size_t c = 0; c < 3; ++c)
-      triangle[c] = cells.vertices[facet.cell][static_cast<std::size_t>(corners[c])];
-    surface.sides.push_back(
-        {cells.labels[facet.cell], cells.label_or_background(cells.neighbours[facet.cell][facet.corner])});
-  }
-  const std::vector<CutBits> of_points =
-      cuts_of_points(cells.points.size(), surface.triangles, surface.sides, cuts);
-  std::vector<InterfaceFacet> folded;
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const auto [a, b, c] = surface.triangles[f];
-    const CutBits common = of_points[a] & of_points[b] & of_points[c];
-    const CutBits own = cuts_of_sides(surface.sides[f], cuts);
-    if ((common & ~own) != 0) folded.push_back(facets[f]);
-  }
-  return folded;
 }
 
 std::vector<Eigen::Vector3d> places_of(const LabelledCells& cells, const Pinches& pinches) {
@@ -275,10 +251,11 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     const Pinches pinches = find_pinches(cells);
     const std::vector<InterfaceFacet> pinched = facets_at_pinches(cells, pinches);
     flawed.insert(flawed.end(), pinched.begin(), pinched.end());
-    const std::vector<InterfaceFacet> folded = facets_folded_at(cuts, cells, pinches.edges.facets);
+    const std::vector<InterfaceFacet> folded = find_cut_folds(cuts, cells, pinches.edges.facets);
     make_two_manifold(cells, field, pinches);
     if (ctx.cancelled()) return cancelled_error(kRemeshStage);
     remove_wedges(cells);
+    remove_cut_folds(cuts, cells);
     remove_islands(cells, field, pieces);
     mend_parents(cells, field);
     SurfaceMesh surface = extract_interface(cells);

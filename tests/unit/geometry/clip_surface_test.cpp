@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geometry/cut/cut_faces.h"
 #include "geometry/cut/triangulate_section.h"
 #include "geometry/elements/surface_measures.h"
@@ -96,6 +98,25 @@ TEST(ClipSurface, TakesFacesInThePlane) {
     for (const LabelTopology& label : label_topology(found.after).labels)
       EXPECT_EQ(label.open_edges, 0U) << label.label << " at " << offset;
   }
+}
+
+// A label that planes cut away may have a thin slice left in the surface, and no voxel.
+TEST(ClipSurface, DropsWhatHasNoVoxelLeft) {
+  const LabelVolume volume = two_boxes();
+  RunContext ctx;
+  SurfaceMesh surface = *extract_surface(volume, {ExtractMethod::kMarchingTets}, ctx);
+  LabelVolume left = volume;
+  std::replace(left.labels.begin(), left.labels.end(), Label{1}, kBackground);
+  drop_lost_labels(surface, left);
+  expect_sound(surface);
+  const std::vector<double> volumes = enclosed_volumes_mm3(surface);
+  ASSERT_EQ(volumes.size(), 3U);
+  EXPECT_EQ(volumes[1], 0);
+  EXPECT_NEAR(volumes[2], 6 * 12 * 12, 0.05 * 6 * 12 * 12);
+  const SurfaceMesh before = surface;
+  drop_lost_labels(surface, left);
+  EXPECT_EQ(surface.triangles, before.triangles);
+  EXPECT_EQ(surface.sides, before.sides);
 }
 
 TEST(TriangulateSection, KeepsRegionsApart) {

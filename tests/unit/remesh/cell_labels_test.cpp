@@ -9,6 +9,7 @@
 #include "geometry/topology/label_topology.h"
 #include "lattice_complex.h"
 #include "remesh/cells/cell_stars.h"
+#include "remesh/cells/cut_folds.h"
 #include "remesh/cells/extract_interface.h"
 #include "remesh/cells/make_two_manifold.h"
 #include "remesh/cells/mend_contacts.h"
@@ -325,6 +326,48 @@ TEST(MendContacts, PiercesNoLabelThatPartsOthers) {
   std::sort(wanted.begin(), wanted.end());
   EXPECT_EQ(mend_contacts(cells, wanted, {{{1, 2}, {Vector3d(4.5, 4.5, 4.5)}}}, 0.1), 0U);
   EXPECT_EQ(cells.labels, wall().labels);
+}
+
+// In the corner of a cut with a step lie loose cells of the body: in the cut's plane their walls would lie
+// upon its faces.
+TEST(RemoveCutFolds, GivesFlatCellsAwayAndNoOthers) {
+  constexpr Label kBody = 1, kBeyond = 9;
+  LabelledCells cells = test::lattice_complex(6, 1, 0, [](int i, int j, int k) {
+    if (std::min({i, j, k}) < 1 || std::max({i, j, k}) > 4) return 0;
+    return k >= 3 || (i < 3 && k >= 2) ? int{kBeyond} : i >= 3 && k == 1 ? int{kBody} : 0;
+  });
+  const auto is_on_cut = [&](std::uint32_t p) {
+    const Vector3d& at = cells.points[p];
+    return at.x() == 3 ? at.z() >= 2 && at.z() <= 3 : at.x() > 3 && at.z() == 3;
+  };
+  std::size_t flat = 0, deep = 0;
+  for (std::size_t c = 0; c < cells.labels.size(); ++c) {
+    const auto& corners = cells.vertices[c];
+    if (cells.labels[c] == kBody) ++deep;
+    const auto faces =
+        std::count_if(cells.neighbours[c].begin(), cells.neighbours[c].end(),
+                      [&](std::uint32_t other) { return cells.label_or_background(other) == kBeyond; });
+    if (cells.labels[c] == 0 && faces == 2 && std::all_of(corners.begin(), corners.end(), is_on_cut)) {
+      cells.labels[c] = kBody;
+      ++flat;
+    }
+  }
+  ASSERT_GT(flat, 3U);
+  CutPlane cut;
+  cut.beyond = kBeyond;
+  cut.labels = {kBody};
+  const auto folded_walls = [&] {
+    std::size_t walls = 0;
+    for (const InterfaceFacet& fold : find_cut_folds({cut}, cells, find_interface_edges(cells).facets))
+      if (cells.labels[fold.cell] == kBody) ++walls;
+    return walls;
+  };
+  ASSERT_GT(folded_walls(), 3U);
+  const std::size_t defects = all_defects(cells);
+  remove_cut_folds({cut}, cells);
+  EXPECT_EQ(folded_walls(), 0U);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(cells.labels.begin(), cells.labels.end(), kBody)), deep);
+  EXPECT_LE(all_defects(cells), defects);
 }
 
 }  // namespace
