@@ -19,8 +19,9 @@ constexpr double kInPlane = 1e-5;
 constexpr int kCutHalvings = 6;
 /// Of the area or volume of an element that its points' way into their planes must leave.
 constexpr double kLeastPart = 0.3;
-/// Dihedral angles above this may shrink down to its part: the chord on the unit circle, of 15 degrees.
-constexpr double kOpenChord = 0.261;
+/// Dihedral angles above this may shrink down to its part, 13 degrees: the chord on the unit circle, of 45
+/// degrees.
+constexpr double kOpenChord = 0.765;
 constexpr std::uint32_t kGone = 0xffffffffU;
 
 /// Whether a triangle bounds nothing but what is beyond; its label stands first, since it is the highest.
