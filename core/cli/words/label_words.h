@@ -13,8 +13,8 @@ namespace voxtet {
 /// What a user may write for labels.
 inline constexpr const char* kLabelForms = "numbers as 1,2,5, ranges as 1-3, names, or all";
 
-/// Looks labels up in a volume, by the names of its file or of a legend. Before it has been read (null) only numbers are known: names, ranges and
-/// `all` then give no labels, and no error.
+/// Looks labels up in a volume, by the names of its file or of a legend. Before it has been read (null) only
+/// numbers are known: names, ranges and `all` then give no labels, and no error.
 class LabelWords {
  public:
   explicit LabelWords(const LabelVolume* volume, const std::vector<LegendEntry>& legend = {});

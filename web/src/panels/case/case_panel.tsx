@@ -6,20 +6,20 @@ import { unnamed } from '../../store/case/legend/legend';
 import { developer } from '../../store/developer';
 import { editRecipe, recipe } from '../../store/case/recipe';
 import { activity } from '../../store/run/stages';
-import { CurvatureList } from './curvature_list';
+import { CurvatureList } from './sizes/curvature_list';
 import { dialogShown } from '../controls/dialog_shown';
 import { NumberField } from '../controls/fields';
 import { Icon } from '../controls/icons';
 import { LabelTable } from './label_table';
 import { TransferFields } from './transfer_fields';
 import { MergeAllField } from './merge_all_field';
-import { PaintSection } from './paint_section';
-import { RegionList } from './region_list';
+import { PaintSection } from './sizes/paint_section';
+import { RegionList } from './sizes/region_list';
 import { fetched } from '../controls/fetched';
-import { SizeFiles } from './size_files';
+import { SizeFiles } from './sizes/size_files';
 import { SourceSection } from './source_section';
 import { StageSection } from './stage_section';
-import { WallList } from './wall_list';
+import { WallList } from './sizes/wall_list';
 
 const Naming = fetched(() => import('./naming').then((part) => part.Naming));
 

@@ -8,7 +8,6 @@ import { awaitedFile, volume } from './input';
 import { announcement, tell } from '../notices';
 import { activity, endStages } from '../run/stages';
 import { previewSoon } from '../run/run_stages';
-import { editLegend } from './legend/legend';
 import { recipe } from './recipe';
 import { awaitedSides } from './side_files';
 import { openSideFile } from './size_files';
@@ -33,21 +32,10 @@ async function openValues(files: readonly File[]): Promise<void> {
   await values.openValues(files);
 }
 
-/** Names and colours of labels from a table; others than the case's are left out. */
+/** Names and colours of labels. */
 async function openLegend(file: File): Promise<void> {
-  try {
-    const { readLegend } = await import('./legend/legend_file');
-    const known = volume.value?.labels.map(({ label }) => label) ?? [];
-    const entries = readLegend(file.name, await file.text()).filter(({ label }) => known.includes(label));
-    if (entries.length === 0)
-      throw new Error(
-        `${file.name} names none of the labels ${known.slice(0, 12).join(', ')}; they stay as they are`,
-      );
-    editLegend('Names of labels', entries);
-    tell('news', 'Labels are named', `${file.name} names ${entries.length} of ${known.length} labels.`);
-  } catch (error) {
-    tellError(error);
-  }
+  const { openLegendFile } = await import('./legend/legend_file');
+  await openLegendFile(file);
 }
 
 /** Files that were dropped on an open case: what they are for is for the user to say. */

@@ -37,6 +37,12 @@ export const brushTool = signal<BrushTool>({
   edge_mm: 1,
 });
 
+/** The least and the largest radius of the brush, mm: half a voxel, and twenty. */
+export function brushRadiiMm(): [number, number] {
+  const voxel = Math.min(...(volume.value?.spacing_mm ?? [1]));
+  return [0.5 * voxel, 20 * voxel];
+}
+
 export interface Painting {
   grid: Grid;
   /** Of each voxel the label of its size; 0: none. */

@@ -1,5 +1,8 @@
 /** Tables of names and colours: label descriptions of ITK-SNAP, colour tables of 3D Slicer and FreeSurfer. */
-import type { LegendEntry } from './legend';
+import { tell } from '../../notices';
+import { tellError } from '../../run/engine';
+import { volume } from '../input';
+import { editLegend, type LegendEntry } from './legend';
 
 // Number, red, green, blue, opacity, two switches, "name".
 const snapLine = /^(\d+)\s+(\d+)\s+(\d+)\s+(\d+)\s+[\d.]+\s+\d\s+\d\s+"(.*)"$/;
@@ -38,4 +41,20 @@ export function readLegend(file: string, text: string): LegendEntry[] {
     if (entry.label > 0) found.set(entry.label, entry);
   });
   return [...found.values()];
+}
+
+/** Takes what a table says of the labels that the case has. */
+export async function openLegendFile(file: File): Promise<void> {
+  try {
+    const known = volume.value?.labels.map(({ label }) => label) ?? [];
+    const entries = readLegend(file.name, await file.text()).filter(({ label }) => known.includes(label));
+    if (entries.length === 0)
+      throw new Error(
+        `${file.name} names none of the labels ${known.slice(0, 12).join(', ')}; they stay as they are`,
+      );
+    editLegend('Names of labels', entries);
+    tell('news', 'Labels are named', `${file.name} names ${entries.length} of ${known.length} labels.`);
+  } catch (error) {
+    tellError(error);
+  }
 }

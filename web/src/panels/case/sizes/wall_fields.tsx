@@ -1,28 +1,10 @@
-import type { Recipe, ThicknessSize } from '../../engine/contract';
-import { robustRange } from '../../geometry/faces';
-import { volume } from '../../store/case/input';
-import { editRecipe } from '../../store/case/recipe';
-import { sizingFields } from '../../store/run/sizing_fields';
-import { CheckField, NumberField, Segments } from '../controls/fields';
-import { short } from '../controls/format';
-import { LabelChips } from '../controls/label_chips';
-import { SizeList } from '../controls/size_list';
-import { nameOf } from '../../store/case/legend/legend';
-
-function newWall(current: Recipe): ThicknessSize {
-  const labels = volume.value?.labels.map(({ label }) => label) ?? [];
-  const { edge_mm } = current.sizing;
-  return {
-    wall: [current.labels[0] ?? labels[0] ?? 1],
-    inner: [],
-    layers: 0,
-    layering: 'size',
-    edge_thin_mm: Number((edge_mm / 2).toPrecision(2)),
-    edge_thick_mm: edge_mm,
-    thin_mm: 0,
-    thick_mm: 0,
-  };
-}
+import type { ThicknessSize } from '../../../engine/contract';
+import { robustRange } from '../../../geometry/faces';
+import { editRecipe } from '../../../store/case/recipe';
+import { sizingFields } from '../../../store/run/sizing_fields';
+import { CheckField, NumberField, Segments } from '../../controls/fields';
+import { short } from '../../controls/format';
+import { LabelChips } from '../../controls/label_chips';
 
 /** The thickness of all walls as it has been measured, mm. */
 function measuredRange(): [number, number] | null {
@@ -69,7 +51,7 @@ function RangeFields({ wall, name, set }: { wall: ThicknessSize; name: string; s
 
 type WallEdit = (label: string, change: Partial<ThicknessSize>) => void;
 
-function WallFields({ wall, index, name }: { wall: ThicknessSize; index: number; name: string }) {
+export function WallFields({ wall, index, name }: { wall: ThicknessSize; index: number; name: string }) {
   const set: WallEdit = (label, change) =>
     editRecipe(
       label,
@@ -128,26 +110,5 @@ function WallFields({ wall, index, name }: { wall: ThicknessSize; index: number;
         </p>
       )}
     </>
-  );
-}
-
-/** Walls that are sized by their thickness. */
-export function WallList({ current }: { current: Recipe }) {
-  return (
-    <SizeList
-      title="Walls"
-      kind="Wall"
-      hint="Labels that form a wall, sized by how thick it is."
-      of={({ sizing }) => sizing.thickness}
-      current={current}
-      fresh={newWall}
-      nameOf={({ wall }) => wall.map(nameOf).join(', ')}
-      noteOf={({ layers, edge_thin_mm, edge_thick_mm }) =>
-        layers > 0
-          ? `${layers} ${layers === 1 ? 'layer' : 'layers'}`
-          : `${edge_thin_mm} to ${edge_thick_mm} mm`
-      }
-      fields={(wall, index, name) => <WallFields wall={wall} index={index} name={name} />}
-    />
   );
 }

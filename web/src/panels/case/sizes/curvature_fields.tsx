@@ -1,19 +1,9 @@
-import type { CurvatureSize, Recipe } from '../../engine/contract';
-import { volume } from '../../store/case/input';
-import { carriersOf } from '../../store/case/labels';
-import { editRecipe } from '../../store/case/recipe';
-import { NumberField } from '../controls/fields';
-import { LabelChips } from '../controls/label_chips';
-import { SizeList } from '../controls/size_list';
-import { nameOf } from '../../store/case/legend/legend';
-
-function newCurvature(current: Recipe): CurvatureSize {
-  return {
-    labels: [],
-    edges_per_turn: 20,
-    edge_min_mm: Number((current.sizing.edge_mm / 4).toPrecision(2)),
-  };
-}
+import type { CurvatureSize, Recipe } from '../../../engine/contract';
+import { volume } from '../../../store/case/input';
+import { carriersOf } from '../../../store/case/labels';
+import { editRecipe } from '../../../store/case/recipe';
+import { NumberField } from '../../controls/fields';
+import { LabelChips } from '../../controls/label_chips';
 
 /** Only the surfaces of regions of the mesh are there to bend. */
 function unmeshed(current: Recipe): number[] {
@@ -22,7 +12,12 @@ function unmeshed(current: Recipe): number[] {
   return all.filter((label) => !carriers.includes(label));
 }
 
-function CurvatureFields(props: { current: Recipe; size: CurvatureSize; index: number; name: string }) {
+export function CurvatureFields(props: {
+  current: Recipe;
+  size: CurvatureSize;
+  index: number;
+  name: string;
+}) {
   const { current, size, index, name } = props;
   const set = (label: string, change: Partial<CurvatureSize>) =>
     editRecipe(
@@ -57,24 +52,5 @@ function CurvatureFields(props: { current: Recipe; size: CurvatureSize; index: n
         onChange={(edge_min_mm) => set('Smallest edge of curvature', { edge_min_mm })}
       />
     </>
-  );
-}
-
-/** Surfaces that are sized by how sharply they bend. */
-export function CurvatureList({ current }: { current: Recipe }) {
-  return (
-    <SizeList
-      title="Bends"
-      kind="Curvature"
-      hint="Smaller elements where a surface bends sharply."
-      of={({ sizing }) => sizing.curvature}
-      current={current}
-      fresh={newCurvature}
-      nameOf={({ labels }) => (labels.length > 0 ? labels.map(nameOf).join(', ') : 'All surfaces')}
-      noteOf={({ edges_per_turn }) => `${edges_per_turn} to a turn`}
-      fields={(size, index, name) => (
-        <CurvatureFields current={current} size={size} index={index} name={name} />
-      )}
-    />
   );
 }

@@ -1,12 +1,12 @@
-import type { Recipe, RegionShape, SizeRegion } from '../../engine/contract';
-import { volume } from '../../store/case/input';
-import { isChosen } from '../../store/case/bodies';
-import { editRecipe } from '../../store/case/recipe';
-import { bodyShown, gizmoMode } from '../../store/view';
-import { crosshairMm } from '../../store/view_place';
-import { fetched } from '../controls/fetched';
-import { FoldedItem } from '../controls/folded_item';
-import { Icon } from '../controls/icons';
+import type { Recipe, RegionShape, SizeRegion } from '../../../engine/contract';
+import { volume } from '../../../store/case/input';
+import { isChosen } from '../../../store/case/bodies';
+import { editRecipe } from '../../../store/case/recipe';
+import { bodyShown, gizmoMode } from '../../../store/view';
+import { crosshairMm } from '../../../store/view_place';
+import { fetched } from '../../controls/fetched';
+import { FoldedItem } from '../../controls/folded_item';
+import { Icon } from '../../controls/icons';
 
 /** How long the image is, mm. */
 function imageExtent(): number {

@@ -1,13 +1,13 @@
 import { useState } from 'preact/hooks';
-import type { MaskSize, Recipe, SideKind } from '../../engine/contract';
-import { openSizeFiles } from '../../store/case/open_files';
-import { paintedName } from '../../store/case/painting';
-import { editRecipe } from '../../store/case/recipe';
-import { awaitedSides } from '../../store/case/side_files';
-import { NumberField } from '../controls/fields';
-import { FileInput } from '../controls/file_input';
-import { FoldedItem } from '../controls/folded_item';
-import { Icon } from '../controls/icons';
+import type { MaskSize, Recipe, SideKind } from '../../../engine/contract';
+import { openSizeFiles } from '../../../store/case/open_files';
+import { paintedName } from '../../../store/case/painting';
+import { editRecipe } from '../../../store/case/recipe';
+import { awaitedSides } from '../../../store/case/side_files';
+import { NumberField } from '../../controls/fields';
+import { FileInput } from '../../controls/file_input';
+import { FoldedItem } from '../../controls/folded_item';
+import { Icon } from '../../controls/icons';
 
 function SizeFileButton({ kind, label, title }: { kind: SideKind; label: string; title: string }) {
   return (

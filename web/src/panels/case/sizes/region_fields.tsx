@@ -1,7 +1,7 @@
-import type { SizeRegion } from '../../engine/contract';
-import { editRecipe } from '../../store/case/recipe';
-import { BodyFields, BodyHandles, BodyShape } from '../controls/body_fields';
-import { NumberField } from '../controls/fields';
+import type { SizeRegion } from '../../../engine/contract';
+import { editRecipe } from '../../../store/case/recipe';
+import { BodyFields, BodyHandles, BodyShape } from '../../controls/body_fields';
+import { NumberField } from '../../controls/fields';
 
 export function RegionFields({ region, index }: { region: SizeRegion; index: number }) {
   const body = { kind: 'region', index } as const;
