@@ -27,7 +27,7 @@ test('a DICOM segmentation object is read with its names, colours and place, fro
   await idle(page);
   const rows = page.locator('.labels tbody tr');
   await expect(rows).toHaveCount(2);
-  await expect(rows.first()).toContainText('Left ventricle wall');
+  await expect(rows.first().getByLabel(/^Name of label/)).toHaveValue('Left ventricle wall');
   await expect(page.getByLabel('Colour of Left ventricle blood')).toHaveValue('#0000ff');
   await expect(page.locator('.read-facts')).toContainText('24 × 20 × 12');
   const digest = await sourceDigest(page);
