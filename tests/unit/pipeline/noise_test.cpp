@@ -133,7 +133,7 @@ TEST(Noise, OfAGeneratedHeartIsNamedAndCleaned) {
   expect_cleaned(*heart, 300, 5, 6, "300 loose pieces of label 1: 300 voxels");
 }
 
-TEST(Noise, OfAMeanHeartIsNamedAndCleaned) {
+TEST(NoiseOverAHeart, IsNamedAndCleaned) {
   const std::string path = test::shared_data("biv_mean_1mm.nii.gz");
   if (path.empty()) GTEST_SKIP() << "the volume is not there: set VOXTET_DATA";
   const Result<LabelVolume> heart = read_volume_file(path);
