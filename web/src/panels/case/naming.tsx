@@ -1,21 +1,10 @@
-import type { Recipe } from '../../engine/contract';
 import { volume } from '../../store/case/input';
-import { changedLegend, unnamed } from '../../store/case/legend/legend';
-import { schemesFor, type Scheme } from '../../store/case/legend/schemes';
+import { unnamed } from '../../store/case/legend/legend';
+import { nameBy, schemesFor, type Scheme } from '../../store/case/legend/schemes';
 import { editRecipe } from '../../store/case/recipe';
 import { previewSoon } from '../../store/run/run_stages';
 
 const most = 3;
-
-/** Names all labels, and leaves cavities out of the mesh where the user has not chosen labels yet. */
-export function nameBy({ names, cavities }: Scheme, labels: readonly number[], draft: Recipe): void {
-  draft.legend = changedLegend(
-    draft.legend,
-    labels.map((label) => ({ label, name: names.get(label) ?? '' })),
-  );
-  const solid = labels.filter((label) => !cavities.has(label));
-  if (draft.labels.length === 0 && solid.length > 0 && solid.length < labels.length) draft.labels = solid;
-}
 
 /** Proposes names where a file gives its labels none, by the numberings that have all of them. */
 export function Naming() {

@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { changedLegend } from './legend';
 import { readLegend } from './legend_file';
-import { schemes, schemesFor } from './schemes';
+import type { Recipe, VolumeSummary } from '../../../engine/contract';
+import { volume } from '../input';
+import { nameBy, schemes, schemesFor } from './schemes';
 
 describe('a legend', () => {
   it('changes what is named and forgets what says nothing any more', () => {
@@ -79,5 +81,20 @@ describe('schemes of labels', () => {
     expect(titles([2, 41, 251])).toEqual(['Brain (FreeSurfer)']);
     expect(titles([1, 2, 999])).toEqual([]);
     expect(titles([1])).toEqual([]);
+  });
+
+  it('leave cavities out of a mesh that is to be made, not of one that is given, nor where labels are chosen', () => {
+    const [shortAxis] = schemesFor([1, 2, 3]);
+    const named = (labels: number[]) => {
+      const draft = { legend: [], labels } as unknown as Recipe;
+      nameBy(shortAxis, [1, 2, 3], draft);
+      expect(draft.legend.map(({ name }) => name)).toEqual(['RV_blood', 'LV_wall', 'LV_blood']);
+      return draft.labels;
+    };
+    expect(named([])).toEqual([2]);
+    expect(named([1, 2])).toEqual([1, 2]);
+    volume.value = { labels: [], mesh: {} } as unknown as VolumeSummary;
+    expect(named([])).toEqual([]);
+    volume.value = null;
   });
 });

@@ -1,4 +1,7 @@
 /** Numberings of labels that are in wide use, to name a file's labels by. */
+import type { Recipe } from '../../../engine/contract';
+import { meshIsGiven } from '../input';
+import { changedLegend } from './legend';
 
 export interface Scheme {
   title: string;
@@ -104,4 +107,15 @@ export function schemesFor(labels: readonly number[]): Scheme[] {
   return schemes
     .filter(({ names }) => labels.length > 1 && labels.every((label) => names.has(label)))
     .sort((a, b) => a.names.size - b.names.size);
+}
+
+/** Names all labels, and leaves cavities out of a mesh that is to be made, where the user has not chosen labels yet. */
+export function nameBy({ names, cavities }: Scheme, labels: readonly number[], draft: Recipe): void {
+  draft.legend = changedLegend(
+    draft.legend,
+    labels.map((label) => ({ label, name: names.get(label) ?? '' })),
+  );
+  const solid = labels.filter((label) => !cavities.has(label));
+  if (!meshIsGiven.value && draft.labels.length === 0 && solid.length > 0 && solid.length < labels.length)
+    draft.labels = solid;
 }
