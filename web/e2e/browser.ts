@@ -1,5 +1,5 @@
 /** The system's Chromium, drawing by software; no browser is downloaded. */
-export const port = 8137;
+export const port = Number(process.env.VOXTET_PORT ?? 8137);
 
 export const browserUse = {
   baseURL: `http://127.0.0.1:${port}/`,
