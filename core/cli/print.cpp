@@ -188,9 +188,12 @@ void print_layers(const nlohmann::json& report, std::FILE* out) {
 
 void print_forecast(const nlohmann::json& forecast, std::FILE* out) {
   const auto print = [out](const nlohmann::json& f) {
-    std::fprintf(out, "%lld tetrahedra, %lld points, %lld triangles, %.0f MB, %.1f s (forecast)\n",
-                 f["tets"].get<long long>(), f["points"].get<long long>(), f["triangles"].get<long long>(),
-                 f["peak_mb"].get<double>(), f["seconds"].get<double>());
+    std::fprintf(
+        out,
+        "%lld tetrahedra, %lld points, %lld triangles, %.0f MB, %.1f s, here %.1f to %.1f s (forecast)\n",
+        f["tets"].get<long long>(), f["points"].get<long long>(), f["triangles"].get<long long>(),
+        f["peak_mb"].get<double>(), f["seconds"].get<double>(), f["seconds_here"][0].get<double>(),
+        f["seconds_here"][1].get<double>());
   };
   print(forecast);
   if (!forecast.contains("fitting")) return;

@@ -64,6 +64,24 @@ constexpr double kSlower = 1.6;
 constexpr double kSlower = 1;
 #endif
 
+/// Extraction and smoothing of the label surface on the machine that the models are for, s per million
+/// triangles; and what a surface of few takes.
+constexpr double kSecondsOfSurface = 2, kSecondsOfNone = 0.03;
+/// The fastest and the slowest machine that one measurement is trusted to tell of.
+constexpr double kFastest = 0.25, kSlowest = 16;
+/// What a time may be, as parts of its forecast for this machine.
+constexpr double kShortest = 0.7, kLongest = 1.6;
+
+/// How many times as long as in the models stages take here and now, by those that have just made the label
+/// surface; 1 where they were not made.
+double slowness(const Session& session) {
+  const double measured = session.record(Stage::kSurface).seconds + session.record(Stage::kSmooth).seconds;
+  if (!session.smooth() || !(measured > 0)) return 1;
+  const double millions = 1e-6 * static_cast<double>(session.smooth()->triangles.size());
+  return std::clamp(measured / (kSlower * (kSecondsOfNone + kSecondsOfSurface * millions)), kFastest,
+                    kSlowest);
+}
+
 double peak_mb(const Load& load, const MeshForecast& mesh) {
   return std::max({load.peak_mb, kSurfaceMb[static_cast<std::size_t>(load.method)].of(load, mesh),
                    kOptimiseMb.of(load, mesh), kQualityMb.of(load, mesh)});
@@ -161,13 +179,15 @@ std::string shown(double value) {
   return text;
 }
 
-nlohmann::json numbers_json(const Forecast& forecast) {
+nlohmann::json numbers_json(const Forecast& forecast, double slowness) {
+  const double here = slowness * forecast.seconds;
   const auto whole = [](double value) { return std::llround(value); };
   return {{"tets", whole(forecast.mesh.tets)},
           {"points", whole(forecast.mesh.points)},
           {"triangles", whole(forecast.mesh.triangles)},
           {"peak_mb", forecast.peak_mb},
-          {"seconds", forecast.seconds}};
+          {"seconds", forecast.seconds},
+          {"seconds_here", {kShortest * here, kLongest * here}}};
 }
 
 }  // namespace
@@ -246,7 +266,8 @@ Status check_limits(const Session& session, RunContext& ctx, double space_mb) {
 Result<nlohmann::json> forecast_json(const Session& session, double elements, RunContext& ctx) {
   const Result<Forecast> forecast = forecast_case(session, ctx);
   if (!forecast) return forecast.error();
-  nlohmann::json out = numbers_json(*forecast);
+  const double here = slowness(session);
+  nlohmann::json out = numbers_json(*forecast, here);
   if (!(elements > 0)) return out;
   const Result<FittingSizes> fitting = fit_sizes(session, {elements, 0, 0}, ctx);
   if (!fitting) return fitting.error();
@@ -255,7 +276,7 @@ Result<nlohmann::json> forecast_json(const Session& session, double elements, Ru
   out["fitting"] = {{"factor", fitting->factor},
                     {"edge_mm", fitting->sizing.edge_mm},
                     {"sizing", recipe_to_json(fitted)["sizing"]},
-                    {"forecast", numbers_json(fitting->forecast)}};
+                    {"forecast", numbers_json(fitting->forecast, here)}};
   return out;
 }
 

@@ -41,9 +41,10 @@ Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, Run
 /// stage sizing.
 Status check_limits(const Session& session, RunContext& ctx, double space_mb = memory_space_mb());
 
-/// {tets, points, triangles, peak_mb, seconds} of forecast_case. With `elements` > 0 also `fitting`, the
-/// sizes that give this many tetrahedra: {factor, edge_mm, sizing, forecast}, `sizing` as in the recipe.
-/// Errors: those of forecast_case and fit_sizes.
+/// {tets, points, triangles, peak_mb, seconds} of forecast_case, and `seconds_here`, the least and the most
+/// that it may be on this machine, judged by how long the label surface took. With `elements` > 0 also
+/// `fitting`, the sizes that give this many tetrahedra: {factor, edge_mm, sizing, forecast}, `sizing` as in
+/// the recipe. Errors: those of forecast_case and fit_sizes.
 Result<nlohmann::json> forecast_json(const Session& session, double elements, RunContext& ctx);
 
 }  // namespace voxtet

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "base/digest.h"
@@ -124,6 +126,24 @@ json transfer_json(const LabelTransfer& found) {
   return labels;
 }
 
+/// The smallest and largest target edge length within what is meshed. Of a large volume some millions of
+/// voxels are looked at.
+json sizes_of_body(const LabelVolume& volume, const SizingField& sizing) {
+  constexpr std::size_t kMostVoxels = 4'000'000;
+  const int stride =
+      1 + static_cast<int>(std::cbrt(static_cast<double>(volume.voxel_count()) / double{kMostVoxels}));
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (int k = 0; k < volume.size[2]; k += stride)
+    for (int j = 0; j < volume.size[1]; j += stride)
+      for (int i = 0; i < volume.size[0]; i += stride) {
+        if (volume.at(i, j, k) == kBackground) continue;
+        const double h = sizing.at(volume.to_mm(i, j, k));
+        low = std::min(low, h);
+        high = std::max(high, h);
+      }
+  return high > 0 ? json{{"min_mm", low}, {"max_mm", high}} : json::object();
+}
+
 }  // namespace
 
 json volume_json(const Session& session) {
@@ -142,6 +162,7 @@ json stage_json(const Session& session, Stage stage) {
   const StageResult& result = *session.current(stage);
   json counts = stage == Stage::kVolume ? volume_json(session) : json::object();
   counts.update(spec_of(stage).counts(result.value));
+  if (stage == Stage::kSizing) counts.update(sizes_of_body(*session.volume(), *session.sizing()));
   return {{"name", spec_of(stage).name},     {"seconds", result.record.seconds},
           {"cached", session.cached(stage)}, {"peak_mb", result.record.peak_mb},
           {"notes", result.record.notes},    {"counts", counts}};

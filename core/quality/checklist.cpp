@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "base/with_commas.h"
 #include "geometry/elements/tet_measures.h"
 #include "geometry/topology/compare_topology.h"
 #include "types/stage_names.h"
@@ -22,8 +23,17 @@ constexpr std::uint64_t kSpeck = 27;
 /// Points closer than this part of the mesh's extent are the same point.
 constexpr double kSamePoint = 1e-9;
 
-ChecklistItem none_of(const std::string& name, std::size_t found, std::size_t total, bool hard = true) {
-  return {name, found == 0, hard, std::to_string(found) + " of " + std::to_string(total), "0"};
+/// "none of 35,120 tetrahedra", "3 of 35,120 tetrahedra"
+ChecklistItem none_of(const std::string& name, std::uint64_t found, std::uint64_t total, const char* things) {
+  const std::string of = " of " + with_commas(total) + " " + things;
+  return {name, found == 0, true, (found == 0 ? "none" : with_commas(found)) + of, "none"};
+}
+
+ChecklistItem all_finite(std::uint64_t infinite, std::uint64_t points) {
+  const std::string found = infinite == 0
+                                ? "all " + with_commas(points) + " points finite"
+                                : with_commas(infinite) + " of " + with_commas(points) + " points not finite";
+  return {"finite_coordinates", infinite == 0, true, found, "all finite"};
 }
 
 std::string shown(double value) {
@@ -181,16 +191,17 @@ std::vector<ChecklistItem> check_mesh_alone(const TetMesh& mesh, std::span<const
     edges += t.pinched_edges;
     points += t.pinched_points;
   }
-  const std::string pinched = edges + points == 0 ? "pinched nowhere"
-                                                  : "pinched at " + std::to_string(edges) + " edges, " +
-                                                        std::to_string(points) + " points";
-  return {none_of("finite_coordinates", static_cast<std::size_t>(infinite), mesh.points.size()),
-          none_of("no_inverted_tets", count_inverted(mesh), mesh.tets.size()),
-          none_of("no_duplicate_points", count_duplicate_points(mesh), mesh.points.size()),
-          none_of("no_duplicate_tets", count_duplicate_tets(mesh), mesh.tets.size()),
-          none_of("no_unused_points", count_unused_points(mesh), mesh.points.size()),
-          none_of("faces_on_at_most_two_tets", static_cast<std::size_t>(crowded), faces.size()),
-          {"label_boundaries_closed", open == 0, true, std::to_string(open) + " open edges", "0"},
+  const std::string pinched =
+      edges + points == 0 ? "pinched nowhere"
+                          : "pinched at " + with_commas(edges) + " edges, " + with_commas(points) + " points";
+  return {all_finite(static_cast<std::uint64_t>(infinite), mesh.points.size()),
+          none_of("no_inverted_tets", count_inverted(mesh), mesh.tets.size(), "tetrahedra"),
+          none_of("no_duplicate_points", count_duplicate_points(mesh), mesh.points.size(), "points"),
+          none_of("no_duplicate_tets", count_duplicate_tets(mesh), mesh.tets.size(), "tetrahedra"),
+          none_of("no_unused_points", count_unused_points(mesh), mesh.points.size(), "points"),
+          none_of("faces_on_at_most_two_tets", static_cast<std::uint64_t>(crowded), faces.size(), "faces"),
+          {"label_boundaries_closed", open == 0, true, (open == 0 ? "no" : with_commas(open)) + " open edges",
+           "no open edges"},
           {"label_boundaries_manifold", edges + points == 0, false, pinched, "pinched nowhere"},
           {"min_dihedral", min_dihedral_deg >= 10, false, shown(min_dihedral_deg) + " deg", ">= 10 deg"}};
 }
@@ -218,7 +229,7 @@ std::vector<ChecklistItem> check_against_labels(const TetMesh& mesh, std::span<c
     wrong.push_back(std::to_string(count) + " tetrahedra of background");
   for (const TopologyDifference& d : differences) changed.push_back(in_words(d));
   return {
-      none_of("faces_match_tets", count_wrong_faces(mesh, faces), mesh.faces.size()),
+      none_of("faces_match_tets", count_wrong_faces(mesh, faces), mesh.faces.size(), "boundary facets"),
       {"labels_present", wrong.empty(), true, listed(wrong, "those of the voxels"), "those of the voxels"},
       {"topology_kept", changed.empty(), false, listed(changed, "as the label surface"),
        "components, cavities, handles and contacts as the label surface has them"},

@@ -57,6 +57,12 @@ void visit_fields(V& v, FileSource& p) {
 }
 
 template <class V>
+void visit_fields(V& v, Threshold& p) {
+  v.field({"lower", "", -1e9, 1e9, "Smallest value that becomes label 1."}, p.lower);
+  v.field({"upper", "", -1e9, 1e9, "Largest value that becomes label 1."}, p.upper);
+}
+
+template <class V>
 void visit_fields(V& v, ReadOptions& p) {
   v.choice({"unit", "", 0, 0, "Unit of the file's lengths, whatever it says; file: as it says."}, p.unit,
            Choices<LengthUnit>{{"file", LengthUnit::kOfFile},
@@ -73,6 +79,8 @@ void visit_fields(V& v, ReadOptions& p) {
           p.background);
   v.field({"frame", "", -1, 65535, "Frame of a file with several, counted from 0; -1: none is chosen."},
           p.frame);
+  v.optional_group({"threshold", "", 0, 0, "Of an image without labels: values that become label 1."},
+                   p.threshold);
 }
 
 template <class V>

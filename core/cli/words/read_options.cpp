@@ -18,6 +18,11 @@ void add_read_options(CLI::App& command, ReadOptionTexts& options) {
       ->check(number_as("a whole number as -1", is_whole));
   command.add_option("--frame", options.frame, "frame of a volume with several, counted from 0")
       ->check(number_as("a whole number as 0", is_whole));
+  command
+      .add_option("--threshold", options.threshold,
+                  "of an image without labels: the values that become label 1, as 200,1000")
+      ->delimiter(',')
+      ->expected(2);
 }
 
 void put_read_options(const ReadOptionTexts& options, nlohmann::json& source) {
@@ -25,6 +30,8 @@ void put_read_options(const ReadOptionTexts& options, nlohmann::json& source) {
   if (!options.precedence.empty()) source["precedence"] = options.precedence;
   if (options.background) source["background"] = *options.background;
   if (options.frame) source["frame"] = *options.frame;
+  if (!options.threshold.empty())
+    source["threshold"] = {{"lower", options.threshold.front()}, {"upper", options.threshold.back()}};
 }
 
 Result<ReadOptions> read_options_of(const ReadOptionTexts& options) {

@@ -19,6 +19,7 @@ struct ReadOptionTexts {
   std::vector<std::string> precedence;     ///< --precedence
   std::optional<std::int64_t> background;  ///< --background
   std::optional<std::int64_t> frame;       ///< --frame
+  std::vector<double> threshold;           ///< --threshold, lower and upper
 };
 
 void add_read_options(CLI::App& command, ReadOptionTexts& options);

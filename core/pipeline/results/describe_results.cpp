@@ -49,6 +49,20 @@ json cut_json(const std::vector<CutRecord>& records) {
   return out;
 }
 
+/// Of each label the four largest contacts.
+json surroundings_json(const std::vector<LabelSurroundings>& found) {
+  constexpr std::size_t kMost = 4;
+  json out = json::array();
+  for (const LabelSurroundings& of : found) {
+    json contacts = json::array();
+    for (std::size_t n = 0; n < std::min(kMost, of.contacts.size()); ++n)
+      contacts.push_back({{"label", of.contacts[n].other}, {"share", of.contacts[n].share}});
+    out.push_back(
+        {{"label", of.label}, {"contacts", std::move(contacts)}, {"border_share", of.border_share}});
+  }
+  return out;
+}
+
 }  // namespace
 
 json counts_of(const VolumeResult& result) {
@@ -58,6 +72,7 @@ json counts_of(const VolumeResult& result) {
   counts["prepared"] = {{"size", prepared.size}, {"spacing_mm", {spacing.x(), spacing.y(), spacing.z()}}};
   if (!result.prepared.alignment.slices.empty()) counts["alignment"] = slices_json(result.prepared.alignment);
   if (!result.prepared.cut_away.empty()) counts["cut"] = cut_json(result.prepared.cut_away);
+  counts["surroundings"] = surroundings_json(result.surroundings);
   counts["flaws"] = flaws_json(result.prepared.flaws);
   return counts;
 }

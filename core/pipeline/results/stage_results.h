@@ -15,6 +15,7 @@
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
 #include "types/tissue.h"
+#include "volume/label_contacts.h"
 #include "volume/prepare_volume.h"
 #include "walls/wall_field.h"
 #include "walls/wall_layers.h"
@@ -22,8 +23,9 @@
 namespace voxtet {
 
 struct VolumeResult {
-  std::shared_ptr<const LabelVolume> source;  ///< all labels, as read or generated
-  std::string digest;                         ///< digest_of(*source)
+  std::shared_ptr<const LabelVolume> source;    ///< all labels, as read or generated
+  std::string digest;                           ///< digest_of(*source)
+  std::vector<LabelSurroundings> surroundings;  ///< of the labels of *source
   PreparedVolume prepared;
 };
 

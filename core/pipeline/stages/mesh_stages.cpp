@@ -162,8 +162,8 @@ Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   } else if (in.files.volume) {
     if (!(recipe.source.read == in.files.options))
       return usage_error(kVolumeStage,
-                         "source: found a unit, precedence, background or frame by which the "
-                         "volume was not read, expected it to be loaded again");
+                         "source: found a unit, precedence, background, frame or threshold by which "
+                         "the volume was not read, expected it to be loaded again");
     result.source = in.files.volume;
     result.digest = in.files.digest;
     say(in.files.remarks, kVolumeStage, ctx);
@@ -178,6 +178,7 @@ Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out,
   Result<PreparedVolume> prepared =
       prepare_volume(result.source, recipe.labels, recipe.merge, recipe.volume, ctx);
   if (!prepared) return prepared.error();
+  result.surroundings = label_surroundings(*result.source);
   result.prepared = std::move(prepared).value();
   out.put(std::move(result));
   return std::monostate{};

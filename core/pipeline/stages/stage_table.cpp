@@ -46,7 +46,7 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .title = "Volume",
        .inputs = {},
        .reads = {"source.phantom", "source.unit", "source.precedence", "source.background", "source.frame",
-                 "labels", "merge", "volume"},
+                 "source.threshold", "labels", "merge", "volume"},
        .add_files = add_volume,
        .run = run_volume,
        .counts = counts<VolumeResult>,

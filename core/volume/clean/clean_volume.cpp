@@ -4,17 +4,12 @@
 #include <map>
 #include <utility>
 
+#include "base/with_commas.h"
 #include "volume/clean/mend_handles.h"
 #include "volume/clean/remove_specks.h"
 
 namespace voxtet {
 namespace {
-
-std::string with_commas(std::size_t count) {
-  std::string text = std::to_string(count);
-  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
-  return text;
-}
 
 std::string counted(std::size_t count, const std::string& what) {
   return with_commas(count) + " " + what + (count == 1 ? "" : "s");

@@ -47,6 +47,24 @@ TEST(ReadOptions, LabelsThatASlopeStoresComeBackWhole) {
   expect_refused(scaled_file(std::vector<Label>(12, 1), 0.47, 0).bytes(), "save them without scl_slope");
 }
 
+TEST(ReadOptions, AThresholdMakesALabelOfAnImage) {
+  NiftiFile file;
+  file.datatype = 16;
+  file.bitpix = 32;
+  const std::vector<float> values{-1000.5F, -2, 0, 0.25F, 0.5F, 0.75F, 1, NAN, INFINITY, 300, 300.5F, 301};
+  file.data.resize(48);
+  std::memcpy(file.data.data(), values.data(), 48);
+  ReadOptions options;
+  ReadRemarks remarks;
+  options.threshold = Threshold{0.25, 300};
+  expect_volume(read(file.bytes(), options, remarks), {0, 0, 0, 1, 1, 1, 1, 0, 0, 1, 0, 0}, kPlaced);
+  options.threshold = Threshold{400, 500};
+  const Result<LabelVolume> none = read(file.bytes(), options, remarks);
+  ASSERT_FALSE(none.ok());
+  EXPECT_NE(none.error().message.find("no voxel has a value from 400 to 500"), std::string::npos)
+      << none.error().message;
+}
+
 TEST(ReadOptions, RealNumbersNearLabelsAreRounded) {
   NiftiFile file;
   file.datatype = 16;

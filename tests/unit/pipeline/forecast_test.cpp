@@ -64,6 +64,17 @@ TEST(Forecast, IsNearTheMeshThatComesOfIt) {
   }
 }
 
+TEST(Forecast, GivesARangeOfTimeForThisMachine) {
+  Session session;
+  run_to(Stage::kSizing, small_heart(), session);
+  RunContext ctx;
+  const Result<nlohmann::json> forecast = forecast_json(session, 0, ctx);
+  ASSERT_TRUE(forecast.ok());
+  const double least = (*forecast)["seconds_here"][0], most = (*forecast)["seconds_here"][1];
+  EXPECT_GT(least, 0);
+  EXPECT_NEAR(most / least, 1.6 / 0.7, 1e-9);
+}
+
 TEST(Forecast, GrowsAsElementsShrinkAndFeelsTheSurface) {
   Recipe recipe = small_heart();
   const double coarse = forecast_tets(recipe);

@@ -93,10 +93,10 @@ TEST(Session, ReadsAVolumeByTheOptionsOfItsSource) {
   const Status stale = session.run(Stage::kVolume, ctx);
   ASSERT_FALSE(stale.ok());
   EXPECT_EQ(stale.error().code, ErrorCode::kUsage);
-  EXPECT_EQ(
-      stale.error().message,
-      "source: found a unit, precedence, background or frame by which the volume was not read, expected it "
-      "to be loaded again");
+  EXPECT_EQ(stale.error().message,
+            "source: found a unit, precedence, background, frame or threshold by which the volume was not "
+            "read, expected it "
+            "to be loaded again");
   ASSERT_TRUE(session.load_volume({"a.seg.nrrd", file, {}}, recipe.source.read).ok());
   ASSERT_TRUE(session.run(Stage::kVolume, ctx).ok());
   EXPECT_EQ(voxels_of_inner(session), 8);

@@ -70,6 +70,27 @@ TEST(Session, MeshesThickSlicesInterpolatedAndMeasuresAgainstTheSlices) {
   EXPECT_EQ(session.source_digest(), digest_of(*session.source_volume()));
 }
 
+TEST(Session, ReportsSizesWithinTheBodyAndWhatIsAroundEachLabel) {
+  Session session;
+  Recipe recipe = test::small_case();
+  recipe.sizing.edge_mm = 2;
+  recipe.sizing.gradation = 0.5;
+  recipe.sizing.edge_max_mm = 40;
+  ASSERT_TRUE(session.set_recipe(recipe).ok());
+  RunContext ctx;
+  ASSERT_TRUE(session.run(Stage::kSizing, ctx).ok());
+  const std::vector<float>& h = session.sizing()->h_mm;
+  const nlohmann::json report = report_json(session);
+  const nlohmann::json& sizes = report["stages"].back()["counts"];
+  EXPECT_NEAR(sizes["max_mm"].get<double>(), 2, 0.3);
+  EXPECT_GT(*std::max_element(h.begin(), h.end()), 1.2 * sizes["max_mm"].get<double>()) << "outside it grows";
+  const nlohmann::json& around = report["stages"][0]["counts"]["surroundings"];
+  ASSERT_EQ(around.size(), report["source"]["labels"].size());
+  double share = 0;
+  for (const nlohmann::json& contact : around[0]["contacts"]) share += contact["share"].get<double>();
+  EXPECT_NEAR(share, 1, 1e-12);
+}
+
 TEST(Session, ReportsTheSlicesThatItMovesAndTransfersLabelsFromThem) {
   Session session;
   Recipe recipe = test::small_case();

@@ -148,9 +148,11 @@ TEST(ParseRecipe, ReadsFormerNamesAndWritesThoseOfToday) {
 
 TEST(ParseRecipe, ReadsHowAVolumeIsRead) {
   const auto read = parse_recipe(std::string_view(
-      R"({"source": {"unit": "um", "precedence": ["inner", 3], "background": -1, "frame": 2}})"));
+      R"({"source": {"unit": "um", "precedence": ["inner", 3], "background": -1, "frame": 2,
+                     "threshold": {"lower": -0.5, "upper": 300}}})"));
   ASSERT_TRUE(read.ok()) << read.error().message;
-  EXPECT_EQ(read->source.read, (ReadOptions{LengthUnit::kMicrometre, {"inner", "3"}, -1, 2}));
+  EXPECT_EQ(read->source.read,
+            (ReadOptions{LengthUnit::kMicrometre, {"inner", "3"}, -1, 2, Threshold{-0.5, 300}}));
   EXPECT_EQ(parse_recipe(recipe_to_json(*read))->source.read, read->source.read);
   EXPECT_FALSE(recipe_to_json(Recipe{}, true).contains("source"));
   const auto message = [](std::string_view text) { return parse_recipe(text).error().message; };
@@ -166,8 +168,8 @@ TEST(RecipeSchema, DescribesEveryFieldOfTheRecipe) {
   std::vector<std::string> paths;
   const json schema = recipe_schema();
   EXPECT_EQ(schema["optional_groups"],
-            json({"source.phantom", "source.file", "physics", "physics.anatomy", "physics.fibres",
-                  "physics.fibres.septum", "physics.monodomain", "physics.diffusion"}));
+            json({"source.phantom", "source.file", "source.threshold", "physics", "physics.anatomy",
+                  "physics.fibres", "physics.fibres.septum", "physics.monodomain", "physics.diffusion"}));
   for (const json& field : schema["fields"]) {
     EXPECT_FALSE(field["description"].get<std::string>().empty()) << field;
     paths.push_back(field["path"]);

@@ -63,8 +63,18 @@ export interface VolumeSummary {
   mesh?: { points: number; tets: number; fibres: boolean };
   /** The grid that is meshed; known once the volume has been prepared. */
   prepared?: { size: Vec3; spacing_mm: Vec3 };
+  /** What lies around each label; known once the volume has been prepared. */
+  surroundings?: Surroundings[];
   /** Noise of the segmentation in what is meshed; known once the volume has been prepared. */
   flaws?: Flaw[];
+}
+
+export interface Surroundings {
+  label: number;
+  /** Labels across its boundary, 0 too, with their parts of its area; the four largest. */
+  contacts: { label: number; share: number }[];
+  /** Its part of the voxels at the image's border. */
+  border_share: number;
 }
 
 export interface Flaw {
@@ -123,6 +133,8 @@ export interface Forecast {
   /** At the most, in MB; and of all stages. */
   peak_mb: number;
   seconds: number;
+  /** The least and the most on this machine, by how long it took for the label surface. */
+  seconds_here: [number, number];
 }
 
 /** Edge lengths of the recipe, all times one factor, and what they will take. */

@@ -53,6 +53,12 @@ export interface RecipeFields {
     background: number;
     /** Frame of a file with several, counted from 0; -1: none is chosen. */
     frame: number;
+    threshold?: {
+      /** Smallest value that becomes label 1. */
+      lower: number;
+      /** Largest value that becomes label 1. */
+      upper: number;
+    };
   };
   /** Names and colours of labels, before those of the file. */
   legend: {
@@ -535,6 +541,10 @@ export const optionalDefaults = {
     "name": "",
     "sha256": ""
   },
+  "source.threshold": {
+    "lower": 0,
+    "upper": 0
+  },
   "physics": {
     "tissue": {
       "by": "mesh",
@@ -589,6 +599,7 @@ export const stageSpecs = [
       "source.precedence",
       "source.background",
       "source.frame",
+      "source.threshold",
       "labels",
       "merge",
       "volume"

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import createVoxtet from '../engine/testing/mock_engine.mjs';
 import { colourTable, labelColour } from './colours';
 import { robustRange, surfaceFaces } from './faces';
-import { coveringRange, rebin } from './histogram';
+import { coveringRange, rebin, shareWithin, spreadByFactor } from './histogram';
 import { smoothNormals } from './smooth_normals';
 import { chosenBit, shownBit, tetFaces, tetMask } from './tet_faces';
 import { oppositeFace, tetNeighbours } from './tet_neighbours';
@@ -179,6 +179,31 @@ describe('histograms', () => {
     expect(coveringRange([{ lo: 0, hi: 10, counts: [0, 0, 5, 5, 0, 0, 0, 0, 0, 0] }])).toEqual([2, 4]);
     expect(coveringRange([{ lo: 3, hi: 3, counts: [7] }])).toEqual([2.5, 3.5]);
     expect(coveringRange([])).toEqual([0, 1]);
+  });
+});
+
+describe('a histogram that is spread by a factor', () => {
+  it('keeps its total, and ends at the factor', () => {
+    fc.assert(
+      fc.property(
+        fc.array(fc.nat(1000), { minLength: 1, maxLength: 40 }).filter((counts) => counts.some((n) => n > 0)),
+        fc.double({ min: 0.5, max: 3, noNaN: true }),
+        (counts, lo) => {
+          const source = { lo, hi: lo + 2, counts };
+          const wide = spreadByFactor(source, Math.SQRT2);
+          const total = (of: number[]) => of.reduce((sum, n) => sum + n, 0);
+          expect(total(wide.counts)).toBeCloseTo(total(counts), 6);
+          expect([wide.lo, wide.hi]).toEqual([lo / Math.SQRT2, (lo + 2) * Math.SQRT2]);
+        },
+      ),
+    );
+  });
+
+  it('says which part is within a range', () => {
+    const source = { lo: 0, hi: 4, counts: [1, 1, 1, 1] };
+    expect(shareWithin(source, 1, 3)).toBeCloseTo(0.5, 12);
+    expect(shareWithin(source, 0.5, 9)).toBeCloseTo(0.875, 12);
+    expect(shareWithin({ lo: 2, hi: 2, counts: [5] }, 1, 3)).toBe(1);
   });
 });
 

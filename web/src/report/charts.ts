@@ -1,6 +1,8 @@
 /** Which histograms of a report stand together in one chart. */
 import type { Histogram, Metric, Report } from '../engine/contract';
 
+import { spreadByFactor } from '../geometry/histogram';
+
 export interface Series {
   name: string;
   histogram: Histogram;
@@ -24,6 +26,12 @@ function histogramOf(found: Report, metric: string): Histogram | null {
   return entry && entry.histogram.counts.some((count) => count > 0) ? entry.histogram : null;
 }
 
+/**
+ * No mesh of well-shaped tetrahedra has edges of one length. Lengths between 1/√2 and √2 of the target are as good as
+ * it (quasi-unit meshes; Frey and George, "Mesh generation", 2008), which is what a target is to be held against.
+ */
+export const evenFactor = Math.SQRT2;
+
 function make(found: Report, pinned: Report | null): Charts {
   const one = (metric: string, name: string, tone: Series['tone'] = 'now', of = found): Series[] => {
     const histogram = histogramOf(of, metric);
@@ -34,7 +42,13 @@ function make(found: Report, pinned: Report | null): Charts {
   return {
     edges: pinned
       ? against('edge_mm', 'Edge length')
-      : [...one('target_edge_mm', 'Target', 'before'), ...one('edge_mm', 'Edge length')],
+      : [
+          ...one('target_edge_mm', 'Target × 0.71 to 1.41', 'before').map((series) => ({
+            ...series,
+            histogram: spreadByFactor(series.histogram, evenFactor),
+          })),
+          ...one('edge_mm', 'Edge length'),
+        ],
     ratios: against('size_log2', 'Size ratio'),
     aspects: pinned
       ? against('triangle_aspect_after', 'Adapted surface')

@@ -35,13 +35,6 @@ void LabelCollector::expect(std::uint64_t count) {
   if (needed > codes_.capacity()) codes_.reserve(std::max(needed, 2 * codes_.capacity()));
 }
 
-bool LabelCollector::is_picked(std::uint64_t index) const {
-  if (!picked_) return true;
-  const auto picked = static_cast<std::uint64_t>(*picked_);
-  return layout_.layers > 1 ? index % static_cast<std::uint64_t>(layout_.layers) == picked
-                            : index / layout_.voxel_count() == picked;
-}
-
 bool LabelCollector::whole_number(double value, std::int64_t& whole) {
   if (!(value >= -kLargestWhole && value <= kLargestWhole)) return false;  // NaN too
   whole = static_cast<std::int64_t>(value);
@@ -85,7 +78,7 @@ Result<Label> LabelCollector::code_of(double number, std::uint64_t index) {
 Status LabelCollector::take(std::span<const double> values) {
   for (const double value : values) {
     const std::uint64_t index = seen_++;
-    if (!is_picked(index)) continue;
+    if (picked_ && layout_.frame_of(index) != static_cast<std::uint64_t>(*picked_)) continue;
     // Most voxels are like the one before.
     if (value != last_value_ || found_.empty()) {
       const Result<Label> code = code_of(value, index);
@@ -103,7 +96,8 @@ Error LabelCollector::no_label(std::uint64_t index, double value) const {
   if (value != std::floor(value))
     remedy = layout_.scaled()
                  ? ": if they are labels, round them and save them without scl_slope"
-                 : ": an image, not labels? if they are labels, round them and save them as whole numbers";
+                 : ": an image, not labels? if they are labels, round them and save them as whole numbers; "
+                   "--threshold LOWER,UPPER (source.threshold) takes values as one label";
   return bad_input(layout_.stage, voxel_name(layout_, index) + " has the value " + number_text(value) +
                                       "; expected labels, whole numbers from 0 to 65535" + remedy);
 }

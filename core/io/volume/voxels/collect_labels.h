@@ -34,7 +34,6 @@ class LabelCollector : public ValueSink {
     std::uint64_t first;
   };
 
-  bool is_picked(std::uint64_t index) const;
   /// The whole number that a value stands for; false: it stands for none.
   bool whole_number(double value, std::int64_t& whole);
   /// The code of a value, its place in `found_`.

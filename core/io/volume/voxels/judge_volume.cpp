@@ -114,8 +114,9 @@ std::size_t count_values_of_image(const LabelVolume& volume) {
 
 void warn_of_unlikely(const LabelVolume& volume, Reading& reading) {
   if (const std::size_t values = count_values_of_image(volume); values > 0)
-    reading.warn(std::to_string(values) + " values: an image, not labels? expected a mask, with a whole " +
-                 "number for each structure");
+    reading.warn(
+        std::to_string(values) + " values: an image, not labels? expected a mask, with a whole " +
+        "number for each structure, or values to take as one: --threshold LOWER,UPPER (source.threshold)");
   warn_of_unit(volume, reading);
   warn_of_slice(volume, reading);
   if (!reading.options.precedence.empty() && !reading.precedence_used)

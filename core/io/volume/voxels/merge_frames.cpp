@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/volume/voxels/collect_labels.h"
+#include "io/volume/voxels/threshold_values.h"
 
 namespace voxtet {
 namespace {
@@ -102,11 +103,17 @@ Result<std::vector<Label>> read_labels(const VoxelLayout& layout, Reading& readi
                      "source.frame is " + std::to_string(frame) + ", but the file has " +
                          (count == 1 ? "one frame" : std::to_string(count) + " frames, counted from 0"));
   if (count == 1 || frame >= 0) {
-    LabelCollector labels(layout, reading, count == 1 ? std::nullopt : std::optional<std::int64_t>(frame));
+    const std::optional<std::int64_t> only = count == 1 ? std::nullopt : std::optional<std::int64_t>(frame);
+    if (reading.options.threshold) {
+      ThresholdCollector within(layout, *reading.options.threshold, only);
+      if (Status fed = feed(within); !fed) return fed.error();
+      return within.finish();
+    }
+    LabelCollector labels(layout, reading, only);
     if (Status fed = feed(labels); !fed) return fed.error();
     return labels.finish();
   }
-  if (count > kMostMaps) return choose_frame(layout, count);
+  if (count > kMostMaps || reading.options.threshold) return choose_frame(layout, count);
   FrameMerger merger(layout);
   if (Status fed = feed(merger); !fed) return fed.error();
   if (!merger.are_maps()) return choose_frame(layout, count);

@@ -34,6 +34,10 @@ struct VoxelLayout {
   std::uint64_t value_count() const {
     return voxel_count() * static_cast<std::uint64_t>(layers) * static_cast<std::uint64_t>(frames);
   }
+  /// The frame (or layer) that a value belongs to.
+  std::uint64_t frame_of(std::uint64_t value_index) const {
+    return layers > 1 ? value_index % static_cast<std::uint64_t>(layers) : value_index / voxel_count();
+  }
   bool scaled() const { return slope != 1 || inter != 0; }
   bool whole() const { return type != VoxelType::kFloat32 && type != VoxelType::kFloat64; }
 };

@@ -328,6 +328,7 @@ class Session {
       triangles: 100,
       peak_mb: 70,
       seconds: 2,
+      seconds_here: [1, 3],
     });
     if (!elements) return JSON.stringify({ ok: true, value: of(sizing.edge_mm) });
     const edge_mm = Math.cbrt(1e6 / elements);

@@ -3,6 +3,7 @@ import { tellError } from '../../store/run/engine';
 import { forecast } from '../../store/run/forecast';
 import { awaitedFile, meshIsGiven, volume } from '../../store/case/input';
 import { unnamed } from '../../store/case/legend/legend';
+import { likelyBackground } from '../../store/case/legend/proposals';
 import { developer } from '../../store/developer';
 import { editRecipe, recipe } from '../../store/case/recipe';
 import { activity } from '../../store/run/stages';
@@ -22,15 +23,18 @@ import { StageSection } from './stage_section';
 import { WallList } from './sizes/wall_list';
 
 const Naming = fetched(() => import('./naming').then((part) => part.Naming));
+const Background = fetched(() => import('./naming').then((part) => part.Background));
 
 function LabelSection({ current }: { current: Recipe }) {
   const known = volume.value;
   if (!known) return null;
   const chosen = current.labels.length > 0 ? current.labels : known.labels.map(({ label }) => label);
+  const background = likelyBackground(known, chosen);
   return (
     <section class="section">
       <h2>Labels</h2>
       {unnamed.value && <Naming />}
+      {background !== null && <Background label={background} />}
       <LabelTable current={current} />
       {chosen.length > 1 && <MergeAllField current={current} chosen={chosen} />}
       <TransferFields current={current} />

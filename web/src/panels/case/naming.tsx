@@ -1,5 +1,6 @@
 import { volume } from '../../store/case/input';
-import { unnamed } from '../../store/case/legend/legend';
+import { nameOf, unnamed } from '../../store/case/legend/legend';
+import { leaveOut } from '../../store/case/legend/proposals';
 import { nameBy, schemesFor, type Scheme } from '../../store/case/legend/schemes';
 import { editRecipe } from '../../store/case/recipe';
 import { previewSoon } from '../../store/run/run_stages';
@@ -32,6 +33,23 @@ export function Naming() {
         </button>
       ))}
       <p>Or click a name to change it, or drop a label table (.txt, .ctbl).</p>
+    </div>
+  );
+}
+
+/** Proposes to leave out a label that surrounds all others. */
+export function Background({ label }: { label: number }) {
+  const labels = volume.value?.labels.map((one) => one.label) ?? [];
+  const leave = () => {
+    editRecipe('Background left out', (draft) => leaveOut(label, labels, draft));
+    previewSoon();
+  };
+  return (
+    <div class="naming" data-testid="background">
+      <p>{nameOf(label)} surrounds everything else. Is it the background?</p>
+      <button type="button" class="button small" onClick={leave}>
+        Leave it out of the mesh
+      </button>
     </div>
   );
 }

@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
 
 export const dialogShown = signal<
-  'export' | 'share' | 'examples' | 'keys' | 'sizes' | 'reading' | 'about' | 'memory' | null
+  'export' | 'share' | 'examples' | 'keys' | 'sizes' | 'reading' | 'about' | 'memory' | 'glossary' | null
 >(null);

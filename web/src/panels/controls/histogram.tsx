@@ -14,6 +14,10 @@ interface HistogramProps {
   of: string;
   series: Series[];
   range?: [number, number];
+  /** What is good, shown behind the bars. */
+  band?: [number, number];
+  /** Values of the axis as text. */
+  tick?(value: number): string;
   selected?: [number, number] | null;
   onSelect?(lo: number, hi: number): void;
 }
@@ -68,7 +72,7 @@ export function HistogramChart(props: HistogramProps) {
           y: { range: (_, __, max) => [0, Math.max(1, max * 1.08)] },
         },
         axes: [
-          { ...axis, size: 22, gap: 4, values: (_, ticks) => ticks.map((tick) => short(tick)) },
+          { ...axis, size: 22, gap: 4, values: (_, ticks) => ticks.map(props.tick ?? short) },
           { ...axis, size: 34, gap: 4, values: (_, ticks) => ticks.map((tick) => `${tick}%`) },
         ],
         series: [
@@ -80,6 +84,16 @@ export function HistogramChart(props: HistogramProps) {
           }),
         ],
         hooks: {
+          drawClear: [
+            (u) => {
+              if (!props.band) return;
+              const [from, to] = props.band.map((value) => u.valToPos(value, 'x', true));
+              const left = Math.max(from, u.bbox.left);
+              const right = Math.min(to, u.bbox.left + u.bbox.width);
+              u.ctx.fillStyle = cssColour('--line-soft');
+              if (right > left) u.ctx.fillRect(left, u.bbox.top, right - left, u.bbox.height);
+            },
+          ],
           setSelect: [
             (u) => {
               if (!select.current || u.select.width < 3) return;

@@ -1,6 +1,6 @@
 import { acceptOffer, offered, closeOffer } from '../../store/case/open_case';
 import { filesOf } from '../../store/case/input';
-import { droppedFiles, unread } from '../../store/case/open_files';
+import { droppedFiles, imageAsked, unread } from '../../store/case/open_files';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
 import { whole } from '../controls/format';
@@ -8,6 +8,7 @@ import { fetched } from '../controls/fetched';
 import { Icon } from '../controls/icons';
 
 const DropDialog = fetched(() => import('./drop_dialog').then((part) => part.DropDialog));
+const ImageDialog = fetched(() => import('./image_dialog').then((part) => part.ImageDialog));
 const ToolDialogs = fetched(() => import('./tool_dialogs').then((part) => part.ToolDialogs));
 
 function OfferDialog() {
@@ -99,6 +100,7 @@ export function Dialogs() {
     <>
       <OfferDialog />
       {droppedFiles.value && <DropDialog />}
+      {imageAsked.value && <ImageDialog asked={imageAsked.value} />}
       {(dialogShown.value !== null || unread.value) && <ToolDialogs />}
     </>
   );

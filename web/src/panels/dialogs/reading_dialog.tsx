@@ -115,6 +115,26 @@ export function ReadingDialog({ close }: { close(): void }) {
           />
         </span>
       </div>
+      {reading.threshold && (
+        <div class="field" title="Values of the image that become label 1">
+          <span class="field-label">Values of label 1</span>
+          <span class="field-input">
+            {(['lower', 'upper'] as const).map((end) => (
+              <NumberInput
+                key={end}
+                label={end === 'lower' ? 'Smallest value of label 1' : 'Largest value of label 1'}
+                path={`source.threshold.${end}`}
+                value={reading.threshold?.[end] ?? null}
+                onChange={(value) =>
+                  value !== null &&
+                  reading.threshold &&
+                  set({ threshold: { ...reading.threshold, [end]: value } })
+                }
+              />
+            ))}
+          </span>
+        </div>
+      )}
       {segments.length > 1 && <Precedence names={segments} onChange={(precedence) => set({ precedence })} />}
       <div class="dialog-actions">
         <button type="button" class="button" onClick={close}>

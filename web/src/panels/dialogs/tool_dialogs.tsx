@@ -26,6 +26,7 @@ import { Icon } from '../controls/icons';
 import { KeyList } from '../view/key_list';
 import { SizesDialog } from '../run/sizes_dialog';
 import { AboutDialog } from './about_dialog';
+import { GlossaryDialog } from './glossary_dialog';
 import { MemoryDialog } from './memory_dialog';
 import { ReadingDialog } from './reading_dialog';
 
@@ -221,6 +222,8 @@ export function ToolDialogs() {
       return <SizesDialog close={close} />;
     case 'memory':
       return <MemoryDialog close={close} />;
+    case 'glossary':
+      return <GlossaryDialog close={close} />;
     case 'about':
       return <AboutDialog close={close} />;
     case 'examples':

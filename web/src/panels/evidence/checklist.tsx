@@ -2,6 +2,11 @@ import type { ChecklistItem, Report } from '../../engine/contract';
 import { sentence } from '../controls/format';
 import { Icon } from '../controls/icons';
 
+const inSigns = (text: string) => text.replace(/ deg\b/g, '°').replaceAll('>= ', '≥ ');
+
+/** What is wanted is said of what is not there, and where it is a limit that the figure can be held against. */
+const saysMore = ({ passed, expected }: ChecklistItem) => !passed || /\d/.test(expected);
+
 function CheckRow({ item }: { item: ChecklistItem }) {
   const tone = item.passed ? 'pass' : item.hard ? 'fail' : 'caution';
   return (
@@ -9,8 +14,8 @@ function CheckRow({ item }: { item: ChecklistItem }) {
       <Icon name={item.passed ? 'check' : item.hard ? 'cross' : 'warn'} size={14} />
       <span class="check-name">{sentence(item.name)}</span>
       <span class="check-found">
-        {item.found}
-        {item.found !== item.expected && <span class="check-expected"> (wanted {item.expected})</span>}
+        {inSigns(item.found)}
+        {saysMore(item) && <span class="check-expected">, wanted {inSigns(item.expected)}</span>}
       </span>
       <span class="sr">{item.passed ? 'passed' : 'not passed'}</span>
     </li>

@@ -1,10 +1,10 @@
 import { useState } from 'preact/hooks';
 import type { Report } from '../../engine/contract';
-import { coveringRange } from '../../geometry/histogram';
-import { seriesOf, shapeMeasures, type ChartKind, type Series } from '../../report/charts';
+import { coveringRange, shareWithin } from '../../geometry/histogram';
+import { evenFactor, seriesOf, shapeMeasures, type ChartKind, type Series } from '../../report/charts';
 import { brush, focusTet, stageShown, type Brush } from '../../store/view';
 import { NumberInput } from '../controls/fields';
-import { sentence, whole } from '../controls/format';
+import { sentence, short, whole } from '../controls/format';
 import { HistogramChart } from '../controls/histogram';
 import { Icon } from '../controls/icons';
 
@@ -73,6 +73,9 @@ interface Chart {
   of: string;
   unit: string;
   range?: [number, number];
+  /** What is good, and how it is said of the share that is in it. */
+  band?: { range: [number, number]; words: string };
+  tick?(value: number): string;
   /** What a dragged range chooses elements by. */
   brushed?: { metric: BrushMetric; name: string; unit: string };
 }
@@ -89,7 +92,12 @@ const charts: Chart[] = [
     kind: 'ratios',
     title: 'Edge length / target edge length',
     of: 'edges',
-    unit: 'log₂',
+    unit: '',
+    band: {
+      range: [-Math.log2(evenFactor), Math.log2(evenFactor)],
+      words: 'of all edges have 0.71 to 1.41 times their target',
+    },
+    tick: (log2) => short(2 ** log2),
     brushed: { metric: 'size_log2', name: 'size ratio', unit: 'log₂' },
   },
   { kind: 'aspects', title: 'Aspect ratio of surface triangles', of: 'triangles', unit: '' },
@@ -133,9 +141,17 @@ function ChartOf({ chart, found, pinned }: { chart: Chart; found: Report; pinned
         of={chart.of}
         series={series}
         range={chart.range}
+        band={chart.band?.range}
+        tick={chart.tick}
         selected={selected && [selected.lo, selected.hi]}
         onSelect={brushed && brushOf(brushed.metric)}
       />
+      {chart.band && (
+        <p class="brush-hint">
+          {(100 * shareWithin(series[series.length - 1].histogram, ...chart.band.range)).toFixed(1)} %{' '}
+          {chart.band.words}.
+        </p>
+      )}
       {brushed && <BrushRow {...brushed} series={series} />}
     </>
   );

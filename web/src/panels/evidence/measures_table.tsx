@@ -1,10 +1,16 @@
 import type { Report } from '../../engine/contract';
+import { dialogShown } from '../controls/dialog_shown';
 import { sentence, short, unitSign, whole } from '../controls/format';
 
 export function MeasuresTable({ found }: { found: Report }) {
   return (
     <section class="section">
-      <h2>Measures</h2>
+      <div class="section-head">
+        <h2>Measures</h2>
+        <button type="button" class="button small" onClick={() => (dialogShown.value = 'glossary')}>
+          What they mean…
+        </button>
+      </div>
       <div class="table-scroll" tabIndex={0} role="region" aria-label="Measures">
         <table class="measures">
           <thead>

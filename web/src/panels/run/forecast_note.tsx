@@ -1,8 +1,8 @@
 import { exceeded, forecast } from '../../store/run/forecast';
+import { activity } from '../../store/run/stages';
+import { whole } from '../controls/format';
 import { forecastParts, refusal } from './forecast_text';
-
-/** The engine's memory ends at 4295 MB, and forecasts of it hold within a quarter. */
-export const tightMemoryMb = 3300;
+import { budgetEdge, budgetTets, fitBudget, tightMemoryMb } from '../../store/run/budget';
 
 /** What a run will take, or why it will be refused. */
 export function ForecastNote() {
@@ -17,24 +17,38 @@ export function ForecastNote() {
     );
   const beyond = exceeded.value;
   const [first, ...others] = forecastParts(numbers, beyond);
-  const caution = beyond.length > 0 || numbers.peak_mb > tightMemoryMb;
+  const caution = beyond.length > 0 || numbers.peak_mb > tightMemoryMb || budgetEdge.value !== null;
   const words = [
     `Forecast: ${[first, ...others].join(', ')}.`,
     ...beyond.map(refusal),
     beyond.length > 0 ? 'A run would be refused.' : '',
   ].join(' ');
   return (
-    <span
-      class={caution ? 'forecast caution' : 'forecast'}
-      aria-busy={!fresh}
-      title={words}
-      data-testid="forecast"
-    >
-      <span class="sr">{words}</span>
-      <span aria-hidden="true">
-        {first}
-        <span class="forecast-more"> · {others.join(' · ')}</span>
+    <>
+      <span
+        class={caution ? 'forecast caution' : 'forecast'}
+        aria-busy={!fresh}
+        title={words}
+        data-testid="forecast"
+      >
+        <span class="sr">{words}</span>
+        <span aria-hidden="true">
+          {first}
+          <span class="forecast-more"> · {others.join(' · ')}</span>
+        </span>
       </span>
-    </span>
+      {budgetEdge.value !== null && (
+        <button
+          type="button"
+          class="button small"
+          data-testid="use-budget"
+          title={`All edge lengths times one factor, for ${whole(budgetTets)} tetrahedra`}
+          disabled={activity.value !== 'idle'}
+          onClick={() => void fitBudget()}
+        >
+          Use about {budgetEdge.value} mm instead
+        </button>
+      )}
+    </>
   );
 }

@@ -18,11 +18,19 @@ export function forecastParts(numbers: Forecast, exceeded: readonly Exceeded[]):
     const beyond = exceeded.find((one) => one.field === field);
     return amount(field, value) + (beyond ? ` (limit ${limitOf(beyond)})` : '');
   };
+  const beyondTime = exceeded.some(({ field }) => field === 'seconds');
   return [
     `about ${part('tets', numbers.tets)}`,
     part('memory_mb', numbers.peak_mb),
-    part('seconds', numbers.seconds),
+    beyondTime ? part('seconds', numbers.seconds) : span(numbers.seconds_here),
   ];
+}
+
+/** "3 to 7 s", "4 to 9 min". */
+export function span([least, most]: readonly [number, number]): string {
+  const minutes = most >= 120;
+  const [from, to] = [least, most].map((value) => Math.max(1, Math.round(minutes ? value / 60 : value)));
+  return `${from === to ? from : `${from} to ${to}`} ${minutes ? 'min' : 's'}`;
 }
 
 const units: Record<Limited, string> = { tets: '', memory_mb: ' MB', seconds: ' s' };

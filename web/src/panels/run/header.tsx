@@ -1,5 +1,6 @@
 import { redoEdit, undoEdit } from '../../store/case/open_case';
 import { cancelRun, runAll } from '../../store/run/run_stages';
+import { tightMemoryMb } from '../../store/run/budget';
 import { exceeded, forecast } from '../../store/run/forecast';
 import { volume } from '../../store/case/input';
 import { caseName, recipe, redoLabel, undoLabel } from '../../store/case/recipe';
@@ -8,7 +9,7 @@ import { report, upToDate } from '../../store/run/report';
 import { activity } from '../../store/run/stages';
 import { dark, theme } from '../../store/view';
 import { dialogShown } from '../controls/dialog_shown';
-import { ForecastNote, tightMemoryMb } from './forecast_note';
+import { ForecastNote } from './forecast_note';
 import { seconds } from '../controls/format';
 import { Icon } from '../controls/icons';
 

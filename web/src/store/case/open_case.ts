@@ -20,6 +20,7 @@ import { amendRecipe, editRecipe, hasSource, recipe, redo, startRecipe, undo } f
 import { notices, tell } from '../notices';
 import { expectation, type Expectation } from '../run/report';
 import { activity, defaults, forgetResults, schema } from '../run/stages';
+import { budgetTets, edgeFor } from '../run/budget';
 import { cancelRun, preview, previewSoon, runAll } from '../run/run_stages';
 import { forgetSides, holdSide, type SideFile } from './side_files';
 import { sameRecipe } from '../run/stage_inputs';
@@ -135,10 +136,14 @@ function leaveCase(): void {
   forgetPainting();
 }
 
-/** Twice the geometric mean of the spacing: fine enough for the shape, coarse enough for a first look. */
-function startingEdge(summary: VolumeSummary): number {
-  const [x, y, z] = summary.spacing_mm;
-  return Number((2 * Math.cbrt(x * y * z)).toPrecision(2));
+/**
+ * Twice the geometric mean of the spacing: fine enough for the shape, coarse enough for a first look. Longer where the
+ * labels would then be filled with more tetrahedra than a first look needs.
+ */
+function startingEdge({ spacing_mm: [x, y, z], labels }: VolumeSummary): number {
+  const voxel = x * y * z;
+  const volume = labels.reduce((sum, { voxels }) => sum + voxels * voxel, 0);
+  return Number(Math.max(2 * Math.cbrt(voxel), edgeFor(volume, budgetTets)).toPrecision(2));
 }
 
 /** Asks about the case of a link. */

@@ -1,6 +1,6 @@
 /** Files that the user opens or drops: volumes, cases, zips, what sizes come from, and values on the mesh. */
 import { signal } from '@preact/signals';
-import type { SideKind, VolumeFile } from '../../engine/contract';
+import type { SideKind, VolumeFile, VolumeSummary } from '../../engine/contract';
 import { parseCase } from '../../link/codec';
 import { offerCase, takeVolume } from './open_case';
 import { engine, takeTurn, tellError } from '../run/engine';
@@ -43,6 +43,12 @@ export const droppedFiles = signal<File[] | null>(null);
 
 /** A file that could not be read, where the engine names what the user may say of it. */
 export const unread = signal<{ file: VolumeFile; message: string } | null>(null);
+
+/** A file whose values look like those of an image, not like labels; without a summary it could not be read. */
+export const imageAsked = signal<{ file: VolumeFile; summary: VolumeSummary | null; message: string } | null>(
+  null,
+);
+const imageWords = 'an image, not labels?';
 
 /** Whoever comes second is read second, and does not end the first. */
 let reading: Promise<void> = Promise.resolve();
@@ -147,11 +153,18 @@ async function readVolume(files: readonly File[]): Promise<void> {
     endStages();
     if (engine.busy) await engine.cancel();
     const summary = await engine.openVolume(file, awaitedFile.value ? recipe.value?.source : {});
-    if (newest()) takeVolume(summary, files[0].name);
+    if (!newest()) return;
+    const message = awaitedFile.value
+      ? undefined
+      : summary.warnings.find((text) => text.includes(imageWords));
+    if (message) imageAsked.value = { file, summary, message };
+    else takeVolume(summary, files[0].name);
   } catch (error) {
     const { message } = error as Error;
-    const canBeSaid = file && !awaitedFile.value && /\bsource\.(unit|background|frame)\b/.test(message);
-    if (file && canBeSaid) unread.value = { file, message };
+    const mayAsk = file && !awaitedFile.value;
+    if (file && mayAsk && message.includes(imageWords)) imageAsked.value = { file, summary: null, message };
+    else if (file && mayAsk && /\bsource\.(unit|background|frame)\b/.test(message))
+      unread.value = { file, message };
     else tellError(error);
   } finally {
     if (newest() && activity.value === 'opening') activity.value = 'idle';

@@ -9,13 +9,14 @@ import { takeVolume } from './open_case';
 import { editRecipe, recipe } from './recipe';
 
 /** How a file is read: the part of a recipe's source that a file leaves open. */
-export type Reading = Pick<Recipe['source'], 'unit' | 'background' | 'frame' | 'precedence'>;
+export type Reading = Pick<Recipe['source'], 'unit' | 'background' | 'frame' | 'precedence' | 'threshold'>;
 
-export const readingOf = ({ unit, background, frame, precedence }: Recipe['source']): Reading => ({
+export const readingOf = ({ unit, background, frame, precedence, threshold }: Recipe['source']): Reading => ({
   unit,
   background,
   frame,
   precedence,
+  threshold,
 });
 
 /** Segments that the engine names where some overlap: those of the volume, and those that lost all their voxels. */

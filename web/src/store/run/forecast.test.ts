@@ -8,7 +8,14 @@ import { activity, blankStages, previewDue, setStage, stages } from './stages';
 import { runTo } from './run_stages';
 import { stageInput } from './stage_inputs';
 
-const of = (tets: number): Forecast => ({ tets, points: 1, triangles: 1, peak_mb: 70, seconds: 2 });
+const of = (tets: number): Forecast => ({
+  tets,
+  points: 1,
+  triangles: 1,
+  peak_mb: 70,
+  seconds: 2,
+  seconds_here: [1, 3],
+});
 const cancelled = () => new EngineError({ code: 'cancelled', stage: 'engine', message: '' });
 const sizingOf = (json: string) => (JSON.parse(json) as Recipe).sizing;
 

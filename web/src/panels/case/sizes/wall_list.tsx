@@ -3,13 +3,16 @@ import { volume } from '../../../store/case/input';
 import { fetched } from '../../controls/fetched';
 import { SizeList } from '../../controls/size_list';
 import { nameOf } from '../../../store/case/legend/legend';
+import { likelyWall } from '../../../store/case/legend/proposals';
 
 function newWall(current: Recipe): ThicknessSize {
-  const labels = volume.value?.labels.map(({ label }) => label) ?? [];
   const { edge_mm } = current.sizing;
   return {
-    wall: [current.labels[0] ?? labels[0] ?? 1],
-    inner: [],
+    ...likelyWall(
+      volume.value ?? { labels: [] },
+      current.labels,
+      current.sizing.thickness.flatMap(({ inner }) => inner),
+    ),
     layers: 0,
     layering: 'size',
     edge_thin_mm: Number((edge_mm / 2).toPrecision(2)),
