@@ -187,7 +187,7 @@ describe('a histogram that is spread by a factor', () => {
     fc.assert(
       fc.property(
         fc.array(fc.nat(1000), { minLength: 1, maxLength: 40 }).filter((counts) => counts.some((n) => n > 0)),
-        fc.double({ min: 0.5, max: 3, noNaN: true }),
+        fc.double({ min: 0, max: 3, noNaN: true }),
         (counts, lo) => {
           const source = { lo, hi: lo + 2, counts };
           const wide = spreadByFactor(source, Math.SQRT2);
@@ -197,6 +197,14 @@ describe('a histogram that is spread by a factor', () => {
         },
       ),
     );
+  });
+
+  it('is flat by its logarithm where there was one value', () => {
+    const counts = new Array<number>(50).fill(0);
+    counts[40] = 100; // at 4.05
+    const wide = spreadByFactor({ lo: 0, hi: 5, counts }, 2);
+    expect(shareWithin(wide, 0, 4.05)).toBeCloseTo(0.5, 2);
+    expect(shareWithin(wide, 4.05 / Math.SQRT2, 4.05)).toBeCloseTo(0.25, 2);
   });
 
   it('says which part is within a range', () => {

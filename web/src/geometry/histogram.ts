@@ -32,7 +32,7 @@ export function spreadByFactor(source: Histogram, factor: number): Histogram {
   const [lo, hi] = [source.lo / factor, source.hi * factor];
   const bins = 2 * source.counts.length;
   const counts = new Array<number>(bins).fill(0);
-  if (!(lo > 0 && hi > lo)) return source;
+  if (!(lo >= 0 && hi > lo)) return source;
   const width = (hi - lo) / bins;
   const sourceWidth = (source.hi - source.lo) / source.counts.length;
   source.counts.forEach((count, i) => {

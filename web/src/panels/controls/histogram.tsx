@@ -43,6 +43,8 @@ export function HistogramChart(props: HistogramProps) {
   const plot = useRef<uPlot | null>(null);
   const select = useRef(onSelect);
   select.current = onSelect;
+  const shown = useRef(selected);
+  shown.current = selected;
   const isDark = dark.value;
 
   const draw = (element: HTMLElement): (() => void) => {
@@ -106,8 +108,10 @@ export function HistogramChart(props: HistogramProps) {
       element,
     );
     plot.current = chart;
-    if (selected) showSelection(chart, selected);
-    const observer = new ResizeObserver(() => chart.setSize({ width: element.clientWidth, height }));
+    const observer = new ResizeObserver(() => {
+      chart.setSize({ width: element.clientWidth, height });
+      showSelection(chart, shown.current);
+    });
     observer.observe(element);
     return () => {
       observer.disconnect();

@@ -39,7 +39,7 @@ function Drawing({ corners, marks }: { corners: Corners; marks: Marks }) {
       ? []
       : edgesOfTet[5 - marks.hinge].map((id) => [...edgesOfTet[marks.hinge!], id]);
   return (
-    <svg class="tet-drawing" viewBox="-1.75 -1.45 3.5 2.9" aria-hidden="true">
+    <svg class="tet-drawing" viewBox="-1.35 -1.3 2.7 2.6" aria-hidden="true">
       {marks.spheres?.map(({ centre, radius }) => {
         const [x, y] = projected(centre);
         return <circle key={radius} cx={x} cy={y} r={radius} />;
@@ -95,7 +95,7 @@ const measures: readonly Measure[] = [
   },
   {
     name: 'Mean ratio',
-    means: 'Its volume against the mean of its squared edges: 12 (3V)^⅔ over their sum.',
+    means: 'Its volume against the mean of its squared edges: 12 (3V)^(2/3) over their sum.',
     good: '1 is regular, 0 is flat',
     value: ({ meanRatio }) => short(meanRatio),
     marks: () => ({ edges: [0, 1, 2, 3, 4, 5] }),

@@ -46,7 +46,7 @@ function Threshold({ asked }: { asked: Asked }) {
         />
       )}
       <div class="dialog-row">
-        <span>Voxels with values from</span>
+        <span>Values from</span>
         <NumberInput label="Smallest value" value={lower} onChange={setLower} />
         <span>to</span>
         <NumberInput label="Largest value" value={upper} onChange={setUpper} />

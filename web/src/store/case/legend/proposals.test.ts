@@ -38,6 +38,14 @@ describe('walls', () => {
     expect(likelyWall(heart, [1, 2, 5], [4])).toEqual({ wall: [1, 5], inner: [3] });
   });
 
+  it('never takes the background for what is inside', () => {
+    const boxed = {
+      labels: [label(1, 90), label(4, 20), label(2, 10)],
+      surroundings: [around(1, { 4: 1 }, 0.9), around(4, { 1: 0.7, 2: 0.3 }), around(2, { 4: 1 })],
+    };
+    expect(likelyWall(boxed, [2, 4])).toEqual({ wall: [4], inner: [2] });
+  });
+
   it('goes by size where all labels are meshed', () => {
     expect(likelyWall(heart, [])).toEqual({ wall: [2], inner: [4] });
   });

@@ -30,13 +30,16 @@ export function likelyWall(
 ) {
   const meshed = chosen.length > 0 ? chosen : labels.map(({ label }) => label);
   const around = new Map(surroundings.map((one) => [one.label, one]));
-  const bySize = [...labels].sort((a, b) => b.voxels - a.voxels).map(({ label }) => label);
+  const mayBeInside = ({ label }: { label: number }) =>
+    (around.get(label)?.border_share ?? 0) <= mostOfBorder && !taken.includes(label);
+  const sorted = [...labels].sort((a, b) => b.voxels - a.voxels);
+  const bySize = sorted.filter(mayBeInside).map(({ label }) => label);
   const left = bySize.filter((label) => !meshed.includes(label));
   const ownerOf = (label: number): number | null => {
     const contact = around.get(label)?.contacts.find((one) => one.label !== 0 && meshed.includes(one.label));
     return contact && contact.share >= enclosed ? contact.label : null;
   };
-  for (const inner of (left.length > 0 ? left : bySize).filter((label) => !taken.includes(label))) {
+  for (const inner of left.length > 0 ? left : bySize) {
     const owner = ownerOf(inner);
     if (owner === null || owner === inner) continue;
     const within = meshed.filter(
@@ -44,8 +47,8 @@ export function likelyWall(
     );
     return { wall: [owner, ...within].sort((a, b) => a - b), inner: [inner] };
   }
-  const largest = bySize.find((label) => meshed.includes(label)) ?? 1;
-  return { wall: [largest], inner: [] as number[] };
+  const largest = sorted.find(({ label }) => meshed.includes(label));
+  return { wall: [largest?.label ?? 1], inner: [] as number[] };
 }
 
 /** Leaves a label out of the mesh. */
