@@ -22,6 +22,7 @@
 #include "pipeline/report.h"
 #include "pipeline/results/stage_arrays.h"
 #include "pipeline/session.h"
+#include "pipeline/sources/source_volume.h"
 #include "pipeline/version/engine_version.h"
 
 namespace voxtet {
@@ -115,6 +116,15 @@ class SessionBinding {
     if (!recipe) return reply(recipe.error());
     if (Status set = session_.set_recipe(*recipe); !set) return reply(set.error());
     return reply({{"recipe", recipe_to_json(*recipe)}, {"minimal", recipe_to_json(*recipe, true)}});
+  }
+
+  /// The case with its volume within it: the recipe, all fields and without defaults.
+  std::string inline_case() {
+    const LabelVolume* volume = session_.files().volume.get();
+    if (!volume) return reply(usage_error("inline_case", "no label volume has been loaded"));
+    const Result<Recipe> inlined = with_inline_volume(session_.recipe(), *volume);
+    if (!inlined) return reply(inlined.error());
+    return reply({{"recipe", recipe_to_json(*inlined)}, {"minimal", recipe_to_json(*inlined, true)}});
   }
 
   /// Plans a run up to a stage; advance() works on it, end() gives it up and keeps what is complete.
@@ -321,6 +331,7 @@ EMSCRIPTEN_BINDINGS(voxtet) {
       .function("loadVolume", &SessionBinding::load_volume)
       .function("loadSideVolume", &SessionBinding::load_side_volume)
       .function("setRecipe", &SessionBinding::set_recipe)
+      .function("inlineCase", &SessionBinding::inline_case)
       .function("begin", &SessionBinding::begin)
       .function("advance", &SessionBinding::advance)
       .function("end", &SessionBinding::end)

@@ -12,7 +12,7 @@
 #include "cli/words/label_words.h"
 #include "cli/words/option_texts.h"
 #include "io/bytes/files.h"
-#include "phantom/make_phantom.h"
+#include "pipeline/sources/source_volume.h"
 #include "recipe/link.h"
 #include "volume/clean/clean_volume.h"
 
@@ -131,13 +131,13 @@ bool names_labels(const CaseOptions& options) {
          !options.edge_labels.empty() || !options.cut.empty();
 }
 
-/// The volume in which names of labels are looked up: what was loaded, else the phantom of the recipe.
+/// The volume in which names of labels are looked up: what was loaded, else what the recipe itself gives.
 Result<std::shared_ptr<const LabelVolume>> volume_of(const Recipe& recipe, const Session& session) {
   if (session.files().volume) return session.files().volume;
-  if (!recipe.source.phantom) return std::shared_ptr<const LabelVolume>();  // a run says what is missing
-  Result<LabelVolume> phantom = make_phantom(*recipe.source.phantom);
-  if (!phantom) return phantom.error();
-  return std::make_shared<const LabelVolume>(std::move(phantom).value());
+  if (needs_file(recipe.source)) return std::shared_ptr<const LabelVolume>();  // a run says what is missing
+  Result<LabelVolume> made = make_volume(recipe.source);
+  if (!made) return made.error();
+  return std::make_shared<const LabelVolume>(std::move(made).value());
 }
 
 /// Puts the options for labels into a recipe.

@@ -20,6 +20,7 @@
 #include "pipeline/exports/field_volume.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
+#include "pipeline/sources/source_volume.h"
 #include "pipeline/version/engine_version.h"
 #include "recipe/link.h"
 
@@ -113,13 +114,26 @@ int run_phantom(const std::string& name, const std::vector<std::string>& set, co
   return kExitOk;
 }
 
-int run_url(const std::string& input, const std::string& base) {
-  if (!is_link(input) && !input.ends_with(".json"))
-    return fail(
-        {ErrorCode::kUsage, "cli", input + ": expected a case file (.json) or a link with #c1= or #j=", {}});
-  Result<Recipe> recipe = read_case(input);
+/// A case with its volume within it.
+Result<Recipe> inlined_case(const CaseOptions& options) {
+  Session session;
+  if (Status opened = open_case(options, session); !opened) return opened.error();
+  if (!session.files().volume)
+    return Error{
+        ErrorCode::kUsage, "cli", options.input + ": --inline expects a label volume, or a case of one", {}};
+  return with_inline_volume(session.recipe(), *session.files().volume);
+}
+
+int run_url(const CaseOptions& options, const std::string& base, bool inlined) {
+  const std::string& input = options.input;
+  if (!inlined && !is_link(input) && !input.ends_with(".json"))
+    return fail({ErrorCode::kUsage,
+                 "cli",
+                 input + ": expected a case file (.json), a link with #c1= or #j=, or a volume and --inline",
+                 {}});
+  Result<Recipe> recipe = inlined ? inlined_case(options) : read_case(input);
   if (!recipe) return fail(recipe.error());
-  if (is_link(input))
+  if (is_link(input) && !inlined)
     print_json(recipe_to_json(*recipe, true));
   else
     std::printf("%s%s\n", base.c_str(), link_fragment(*recipe).c_str());
@@ -218,9 +232,11 @@ int run_cli(int argc, const char* const* argv) {
   convert->callback([&] { code = run_convert(converted, output); });
 
   CLI::App* url = app.add_subcommand("url", "the link of a case, or the case of a link");
-  url->add_option("CASE.json", in)->required();
+  url->add_option("CASE.json", options.input)->required();
   url->add_option("--base", base, "address of the app, put before the link's fragment");
-  url->callback([&] { code = run_url(in, base); });
+  bool inlined = false;
+  url->add_flag("--inline", inlined, "with the volume itself in the link; of a volume the case by default");
+  url->callback([&] { code = run_url(options, base, inlined); });
 
   CLI::App* schema = app.add_subcommand("schema", "the fields of a case, as JSON");
   schema->callback([&] { print_json(schema_json()); });

@@ -150,7 +150,7 @@ json volume_json(const Session& session) {
   json out = volume_json(*session.source_volume(), session.source_digest());
   const Source& source = session.recipe().source;
   out["warnings"] = session.record(Stage::kVolume).warnings;
-  out["name"] = source.file ? source.file->name : "phantom";
+  out["name"] = source.file ? source.file->name : source.inlined ? source.inlined->name : "phantom";
   if (const OpenedMesh* opened = session.opened_mesh())
     out["mesh"] = {{"points", opened->mesh.points.size()},
                    {"tets", opened->mesh.tets.size()},

@@ -10,7 +10,7 @@
 #include "io/volume/read_volume.h"
 #include "pipeline/result_store.h"
 #include "pipeline/results/stage_results.h"
-#include "pipeline/stages/loaded_files.h"
+#include "pipeline/sources/loaded_files.h"
 #include "pipeline/stages/stage.h"
 #include "recipe/recipe.h"
 #include "types/result.h"
@@ -40,7 +40,7 @@ class Session {
   explicit Session(std::size_t spare_bytes = kSpareBytes) : store_(spare_bytes) {}
 
   /// Takes the volume of a file, read by these options; the recipe's source becomes that file with them. Or a
-  /// mesh of tetrahedra that was made elsewhere (stages/opened_mesh.h): then kOptimise gives that mesh, with
+  /// mesh of tetrahedra that was made elsewhere (sources/opened_mesh.h): then kOptimise gives that mesh, with
   /// the labels that the recipe keeps, the stages that would make one have no place, and the evidence is of
   /// the mesh alone. Nothing changes on failure.
   Status load_volume(const VolumeFile& file, const ReadOptions& options = {});

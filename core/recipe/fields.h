@@ -49,6 +49,12 @@ void visit_fields(V& v, PhantomParams& p) {
 }
 
 template <class V>
+void visit_fields(V& v, InlineSource& p) {
+  v.field({"name", "", 0, 0, "Name of the file that it was read from."}, p.name);
+  v.field({"data", "", 0, 0, "The labels and their affine, coded, as base64url."}, p.data);
+}
+
+template <class V>
 void visit_fields(V& v, FileSource& p) {
   v.field({"name", "", 0, 0, "Name of the file that holds the volume, or a mesh that was made elsewhere."},
           p.name);
@@ -86,6 +92,7 @@ void visit_fields(V& v, ReadOptions& p) {
 template <class V>
 void visit_fields(V& v, Source& p) {
   v.optional_group({"phantom", "", 0, 0, "A parametric body, generated."}, p.phantom);
+  v.optional_group({"inline", "", 0, 0, "A label volume within the recipe."}, p.inlined);
   v.optional_group({"file", "", 0, 0, "A file that the user holds."}, p.file);
   visit_fields(v, p.read);
 }

@@ -1,6 +1,7 @@
 #include "recipe/legend.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 
 namespace voxtet {
@@ -30,6 +31,22 @@ std::string fault_of(const std::vector<LegendEntry>& legend) {
       return at + "colour: found \"" + legend[i].colour + "\", expected #rrggbb as #c83232, or nothing";
   }
   return "";
+}
+
+std::string colour_text(const std::array<float, 3>& colour) {
+  const auto byte = [](float part) { return static_cast<unsigned>(part * 255 + 0.5F) & 255U; };
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(colour[0]), byte(colour[1]), byte(colour[2]));
+  return text;
+}
+
+std::vector<LegendEntry> legend_of(const std::vector<LabelInfo>& infos) {
+  std::vector<LegendEntry> legend;
+  for (const LabelInfo& info : infos) {
+    LegendEntry entry{info.label, info.name, info.colour[0] < 0 ? "" : colour_text(info.colour)};
+    if (!entry.name.empty() || !entry.colour.empty()) legend.push_back(std::move(entry));
+  }
+  return legend;
 }
 
 std::vector<LabelInfo> with_legend(std::vector<LabelInfo> infos, const std::vector<LegendEntry>& legend) {

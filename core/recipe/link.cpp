@@ -5,12 +5,13 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/base64url.h"
+
 namespace voxtet {
 namespace {
 
 constexpr std::string_view kCompressed = "#c1=";
 constexpr std::string_view kPlain = "#j=";
-constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr std::size_t kMaxInflated = 1 << 20;
 
 std::string deflate_raw(const std::string& text) {
@@ -48,37 +49,6 @@ Result<std::string> inflate_raw(const std::string& bytes) {
   return out;
 }
 
-std::string base64url(const std::string& bytes) {
-  std::string out;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const unsigned char byte : bytes) {
-    bits = bits << 8 | byte;
-    for (count += 8; count >= 6; count -= 6) out += kAlphabet[(bits >> (count - 6)) & 63];
-  }
-  if (count > 0) out += kAlphabet[(bits << (6 - count)) & 63];
-  return out;
-}
-
-Result<std::string> from_base64url(std::string_view text) {
-  std::string out;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    const std::size_t value = kAlphabet.find(c);
-    if (value == std::string_view::npos)
-      return usage_error("link",
-                         std::string("the link holds the character '") + c + "', which base64url does not");
-    bits = bits << 6 | static_cast<std::uint32_t>(value);
-    count += 6;
-    if (count >= 8) {
-      count -= 8;
-      out += static_cast<char>(bits >> count & 255);
-    }
-  }
-  return out;
-}
-
 int hex_value(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -113,7 +83,7 @@ bool is_link(std::string_view text) {
 
 Result<Recipe> recipe_of_link(std::string_view text) {
   if (const std::size_t at = text.find(kCompressed); at != std::string_view::npos) {
-    Result<std::string> bytes = from_base64url(text.substr(at + kCompressed.size()));
+    Result<std::string> bytes = from_base64url(text.substr(at + kCompressed.size()), "link", "the link");
     if (!bytes) return bytes.error();
     Result<std::string> json = inflate_raw(*bytes);
     if (!json) return json.error();

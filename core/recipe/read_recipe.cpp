@@ -231,8 +231,10 @@ Result<Recipe> parse_recipe(const json& value) {
   Recipe recipe;
   try {
     Reader::read_object(value, "", recipe);
-    if (recipe.source.phantom && recipe.source.file)
-      throw FieldError("source: found phantom and file, expected one of them");
+    const Source& source = recipe.source;
+    if (source.phantom.has_value() + source.inlined.has_value() + source.file.has_value() > 1)
+      throw FieldError(std::string("source: found ") + (source.phantom ? "phantom" : "inline") + " and " +
+                       (source.file ? "file" : "inline") + ", expected one of them");
     if (const std::string fault = fault_of(recipe.legend); !fault.empty()) throw FieldError(fault);
   } catch (const FieldError& error) {
     return usage_error("recipe", error.what());

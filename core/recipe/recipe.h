@@ -37,9 +37,16 @@ struct FileSource {
   std::string sha256;  ///< empty: any file of that name
 };
 
-/// Where the labels come from. At most one of phantom and file is set.
+/// A label volume within the recipe, so that a link brings it along.
+struct InlineSource {
+  std::string name;  ///< of the file that it was read from
+  std::string data;  ///< base64url of code_volume() (io/volume/coded)
+};
+
+/// Where the labels come from. At most one of phantom, inlined and file is set.
 struct Source {
   std::optional<PhantomParams> phantom;
+  std::optional<InlineSource> inlined;  ///< `inline` of the recipe
   std::optional<FileSource> file;
   ReadOptions read;  ///< how the file is read; of its fields each is one of `source`
 };

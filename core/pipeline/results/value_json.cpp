@@ -1,7 +1,6 @@
 #include "pipeline/results/value_json.h"
 
-#include <cstdio>
-
+#include "recipe/legend.h"
 #include "volume/select_labels.h"
 
 namespace voxtet {
@@ -11,11 +10,7 @@ using nlohmann::json;
 
 json colour_json(const LabelInfo& info) {
   if (info.colour[0] < 0) return nullptr;
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", static_cast<unsigned>(info.colour[0] * 255 + 0.5F) & 255U,
-                static_cast<unsigned>(info.colour[1] * 255 + 0.5F) & 255U,
-                static_cast<unsigned>(info.colour[2] * 255 + 0.5F) & 255U);
-  return text;
+  return colour_text(info.colour);
 }
 
 }  // namespace

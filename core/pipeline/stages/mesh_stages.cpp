@@ -1,4 +1,5 @@
 #include "pipeline/stages/mesh_stages.h"
+#include "pipeline/sources/source_volume.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -8,7 +9,6 @@
 #include "geometry/cut/clip_surface.h"
 #include "geometry/cut/cut_faces.h"
 #include "geometry/repair/undo_intersections.h"
-#include "phantom/make_phantom.h"
 #include "pipeline/results/stage_results.h"
 #include "pipeline/stages/side_sizes.h"
 #include "pipeline/stages/stage.h"
@@ -142,7 +142,7 @@ void warn_about_coarse_layers(const QualityReport& report, double allowed_mm, co
 
 /// Another file may have the same labels, but other names, colours and remarks.
 void add_volume(const LoadedFiles& files, const Recipe& recipe, std::string& key) {
-  if (recipe.source.phantom || !files.volume) return;
+  if (!needs_file(recipe.source) || !files.volume) return;
   key += files.digest;
   for (const LabelInfo& info : files.volume->infos) {
     key += "\n" + std::to_string(info.label) + " " + info.name;
@@ -154,8 +154,8 @@ void add_volume(const LoadedFiles& files, const Recipe& recipe, std::string& key
 
 Status run_volume(const StageInputs& in, const Recipe& recipe, StageOutput& out, RunContext& ctx) {
   VolumeResult result;
-  if (recipe.source.phantom) {
-    Result<LabelVolume> made = make_phantom(*recipe.source.phantom);
+  if (!needs_file(recipe.source)) {
+    Result<LabelVolume> made = make_volume(recipe.source);
     if (!made) return made.error();
     result.source = std::make_shared<const LabelVolume>(std::move(made).value());
     result.digest = digest_of(*result.source);

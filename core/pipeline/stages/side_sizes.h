@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pipeline/results/stage_results.h"
-#include "pipeline/stages/loaded_files.h"
+#include "pipeline/sources/loaded_files.h"
 #include "sizing/build_sizing_field.h"
 #include "types/sizing_field.h"
 

@@ -12,7 +12,8 @@
 
 #include "io/bytes/bytes.h"
 #include "pipeline/results/stage_arrays.h"
-#include "pipeline/stages/loaded_files.h"
+#include "pipeline/sources/loaded_files.h"
+#include "pipeline/sources/source_volume.h"
 #include "recipe/recipe.h"
 #include "types/result.h"
 #include "types/run_context.h"
@@ -135,7 +136,7 @@ inline std::string name_of(Stage stage) {
 
 /// The mesh that a recipe's source is; null where it is an image.
 inline const OpenedMesh* opened_mesh(const Recipe& recipe, const LoadedFiles& files) {
-  return recipe.source.phantom ? nullptr : files.mesh.get();
+  return needs_file(recipe.source) ? files.mesh.get() : nullptr;
 }
 /// Whether a stage has a place in a case: where its source is a mesh, no stage makes one.
 bool has_place(Stage stage, const Recipe& recipe, const LoadedFiles& files);

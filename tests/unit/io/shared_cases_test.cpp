@@ -43,7 +43,9 @@ TEST(SharedCases, AreReadWithTheirRemarks) {
     ASSERT_TRUE(volume) << volume.error().message;
     EXPECT_EQ(volume->size, (std::array<int, 3>{24, 24, 24}));
     const bool scaled = std::string(c.name) == "int16_scaled4.nii.gz";
-    if (!scaled) EXPECT_EQ(bodies(*volume), (std::array<std::size_t, 2>{1896, 280}));
+    if (!scaled) {
+      EXPECT_EQ(bodies(*volume), (std::array<std::size_t, 2>{1896, 280}));
+    }
     EXPECT_EQ(remarks.warnings.empty(), *c.warning == '\0');
     EXPECT_EQ(remarks.notes.empty(), *c.note == '\0');
     if (*c.warning != '\0') expect_remark(remarks.warnings, c.warning);

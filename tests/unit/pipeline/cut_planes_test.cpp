@@ -183,8 +183,9 @@ TEST(CutPlanes, CutOneLabelAndLeaveTheOthers) {
   std::map<Label, double> voxels;
   for (const Label label : volume.labels) voxels[label] += 1;
   for (const LabelFidelity& label : session.quality()->labels)
-    if (label.label == 2 || label.label == 4)
+    if (label.label == 2 || label.label == 4) {
       EXPECT_NEAR(label.mesh_mm3, 0.729 * voxels[label.label], 0.003 * label.mesh_mm3) << label.label;
+    }
 }
 
 TEST(CutPlanes, GiveAHeartAFlatBase) {

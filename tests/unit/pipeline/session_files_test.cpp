@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "base/digest.h"
 #include "io/volume/write_volume.h"
+#include "phantom/make_phantom.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
+#include "pipeline/sources/source_volume.h"
+#include "recipe/link.h"
 #include "unit/pipeline/small_case.h"
 
 namespace voxtet {
@@ -160,6 +164,52 @@ TEST(Session, AnotherSizeImageOfTheSameNameIsANewField) {
     ASSERT_TRUE(session.run(Stage::kSizing, ctx).ok());
     EXPECT_NEAR(session.sizing()->at({0, 0, 0}), size, 1e-6);
   }
+}
+
+TEST(InlineSource, GivesTheMeshOfItsFile) {
+  const Bytes file = *write_nifti(*make_phantom(*test::small_case().source.phantom), true);
+  Session from_file;
+  ASSERT_TRUE(from_file.load_volume({"body.nii.gz", file, {}}).ok());
+  Recipe recipe = from_file.recipe();
+  recipe.sizing.edge_mm = 4;
+  recipe.legend = {{2, "outer", ""}};
+  ASSERT_TRUE(from_file.set_recipe(recipe).ok());
+  RunContext ctx;
+  ASSERT_TRUE(from_file.run(Stage::kOptimise, ctx).ok());
+
+  LabelVolume volume = *from_file.source_volume();
+  volume.infos = {{1, "inner", {0.5F, 0, 1}}};
+  const Result<Recipe> inlined = with_inline_volume(recipe, volume);
+  ASSERT_TRUE(inlined.ok());
+  EXPECT_EQ(inlined->source.inlined->name, "body.nii.gz");
+  EXPECT_FALSE(inlined->source.file);
+  ASSERT_EQ(inlined->legend.size(), 2U);
+  EXPECT_EQ(inlined->legend[0].name, "inner");
+  EXPECT_EQ(inlined->legend[0].colour, "#8000ff");
+  const Result<Recipe> linked = recipe_of_link(link_fragment(*inlined));
+  ASSERT_TRUE(linked.ok()) << linked.error().message;
+  Session from_link;
+  ASSERT_TRUE(from_link.set_recipe(*linked).ok());
+  const Status done = from_link.run(Stage::kOptimise, ctx);
+  ASSERT_TRUE(done.ok()) << done.error().message;
+  EXPECT_EQ(digest_of(*from_link.mesh()), digest_of(*from_file.mesh()));
+  EXPECT_EQ(from_link.source_digest(), from_file.source_digest());
+  EXPECT_EQ(report_json(from_link)["source"]["name"], "body.nii.gz");
+}
+
+TEST(InlineSource, SaysWhatIsWrongWithItsData) {
+  const auto message = [](const std::string& data) {
+    Recipe recipe;
+    recipe.source.inlined = InlineSource{"body", data};
+    Session session;
+    EXPECT_TRUE(session.set_recipe(recipe).ok());
+    RunContext ctx;
+    const Status done = session.run(Stage::kVolume, ctx);
+    return done.ok() ? std::string("read") : done.error().message;
+  };
+  EXPECT_EQ(message("AB*"), "source.inline.data holds the character '*', which base64url does not");
+  EXPECT_EQ(message("AQ"), "source.inline.data: the coded volume is damaged: its size is out of range");
+  EXPECT_NE(message("").find("damaged"), std::string::npos);
 }
 
 }  // namespace

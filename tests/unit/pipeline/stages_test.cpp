@@ -44,6 +44,7 @@ TEST(StageTable, NamesOnlyStagesThatComeBefore) {
 TEST(StageTable, ReadsFieldsThatTheRecipeHas) {
   Recipe recipe = diffusing_ball();
   recipe.source.read.threshold.emplace();
+  recipe.source.inlined.emplace();
   recipe.sizing.thickness.resize(1);
   recipe.physics->anatomy.emplace();
   recipe.physics->fibres.emplace().septum.emplace();

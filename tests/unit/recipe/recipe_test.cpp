@@ -168,8 +168,9 @@ TEST(RecipeSchema, DescribesEveryFieldOfTheRecipe) {
   std::vector<std::string> paths;
   const json schema = recipe_schema();
   EXPECT_EQ(schema["optional_groups"],
-            json({"source.phantom", "source.file", "source.threshold", "physics", "physics.anatomy",
-                  "physics.fibres", "physics.fibres.septum", "physics.monodomain", "physics.diffusion"}));
+            json({"source.phantom", "source.inline", "source.file", "source.threshold", "physics",
+                  "physics.anatomy", "physics.fibres", "physics.fibres.septum", "physics.monodomain",
+                  "physics.diffusion"}));
   for (const json& field : schema["fields"]) {
     EXPECT_FALSE(field["description"].get<std::string>().empty()) << field;
     paths.push_back(field["path"]);

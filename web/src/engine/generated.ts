@@ -39,6 +39,12 @@ export interface RecipeFields {
       /** Biventricle: seed of the roughness. Atlas: seed of the regions. */
       seed: number;
     };
+    inline?: {
+      /** Name of the file that it was read from. */
+      name: string;
+      /** The labels and their affine, coded, as base64url. */
+      data: string;
+    };
     file?: {
       /** Name of the file that holds the volume, or a mesh that was made elsewhere. */
       name: string;
@@ -537,6 +543,10 @@ export const optionalDefaults = {
     "regions": 300,
     "seed": 1
   },
+  "source.inline": {
+    "name": "",
+    "data": ""
+  },
   "source.file": {
     "name": "",
     "sha256": ""
@@ -595,6 +605,7 @@ export const stageSpecs = [
     "inputs": [],
     "reads": [
       "source.phantom",
+      "source.inline",
       "source.unit",
       "source.precedence",
       "source.background",

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "pipeline/stages/opened_mesh.h"
+#include "pipeline/sources/opened_mesh.h"
 #include "types/label_volume.h"
 #include "types/read_options.h"
 #include "types/scalar_volume.h"

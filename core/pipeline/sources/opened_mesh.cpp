@@ -1,4 +1,4 @@
-#include "pipeline/stages/opened_mesh.h"
+#include "pipeline/sources/opened_mesh.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
