@@ -2,6 +2,7 @@
 import { batch, computed, effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
 import type { StageName, Vec3 } from '../engine/contract';
+import { freeSide } from '../geometry/free_side';
 import { toIndex } from '../geometry/orientation';
 import { pinned, pinnedArrays } from '../store/run/compare';
 import { bodiesOf } from '../store/case/bodies';
@@ -15,8 +16,10 @@ import {
   command,
   cut,
   dark,
+  explode,
   fibreStyle,
   focusTet,
+  hiddenLabels,
   layout,
   legend,
   marked,
@@ -41,7 +44,7 @@ import { takePicture } from './frame/picture';
 import { addSlices } from './slices/slices_view';
 import type { Plane } from './mesh/tet_model';
 import { arrayTexture } from './frame/textures';
-import { followTets, tetCentre, type TetSource } from './mesh/tets_view';
+import { followTets, isOnTets, tetCentre, type TetSource } from './mesh/tets_view';
 import { Twin } from './frame/twin';
 import { Viewer } from './frame/viewer';
 import { WarmUp } from './warm_up';
@@ -66,7 +69,7 @@ function isSurface(stage: StageName): stage is 'surface' | 'smooth' | 'remesh' {
   return stage === 'surface' || stage === 'smooth' || stage === 'remesh';
 }
 
-const onTets = () => stageShown.value === 'optimise' || stageShown.value === 'quality';
+const onTets = () => isOnTets(stageShown.value);
 
 function tetsShown(): TetSource | null {
   const mesh = onTets() ? shownResult('optimise') : undefined;
@@ -146,6 +149,13 @@ export function mountScene(container: HTMLElement): () => void {
         return () => addFibres(viewer, body.group, planeNow, onTets);
       },
     ),
+    whenNeeded(
+      () => picked.value !== null,
+      async () => {
+        const { addOutline } = await import('./mesh/outline');
+        return () => addOutline(viewer);
+      },
+    ),
     effect(() => {
       body.setSeeThrough(fibreStyle.value !== 'none' && seeThrough.value);
       canvas.invalidate();
@@ -209,10 +219,11 @@ export function mountScene(container: HTMLElement): () => void {
       const tet = focusTet.value;
       const mesh = untracked(() => shownResult('optimise'));
       if (tet === null || !mesh || 4 * tet >= mesh.tets.length) return;
-      const { centre, size } = tetCentre(mesh, tet);
-      viewer.flyTo(centre, 2.6 * size);
       untracked(() => {
-        picked.value = describe(stageShown.value, tet, centre.toArray());
+        const { centre, size } = tetCentre(mesh, tet);
+        const direction = new Vector3(...freeSide(mesh, tet, hiddenLabels.value));
+        viewer.flyTo(tetCentre(mesh, tet, explode.value).centre, 2.8 * size, direction);
+        tell(tet, centre, viewer.element.clientWidth / 2);
         aimAt(centre);
       });
     }),
@@ -273,6 +284,14 @@ export function mountScene(container: HTMLElement): () => void {
     import('../store/case/physics').then(({ stimulateAt }) => stimulateAt(place), tellError);
   }
 
+  /** Shows the numbers of an element that is seen so many pixels from the left of the 3-D view. */
+  function tell(element: number, place: Vector3, x: number): void {
+    const found = describe(stageShown.value, element, place.toArray());
+    const middle = container.clientWidth / 2;
+    const left = main.offsetLeft + x < middle;
+    picked.value = found && { ...found, side: left ? 'left' : 'right' };
+  }
+
   /** Shows the numbers of what is seen at a place of the 3-D view, and puts the crosshair there. */
   function pick(x: number, y: number): void {
     const { clientWidth: width, clientHeight: height } = viewer.element;
@@ -283,10 +302,11 @@ export function mountScene(container: HTMLElement): () => void {
       return;
     }
     batch(() => {
-      const element = hit && (body.owners ? body.owners[hit.element] : hit.element);
-      picked.value =
-        hit && element !== null ? describe(stageShown.value, element, hit.point.toArray()) : null;
-      if (hit) aimAt(hit.point);
+      if (!hit) picked.value = null;
+      else {
+        tell(body.owners ? body.owners[hit.element] : hit.element, hit.point, x);
+        aimAt(hit.point);
+      }
     });
   }
 

@@ -50,9 +50,15 @@ export interface Legend {
 export const bandSteps = (count: number): number | undefined =>
   [6, 5, 4, 3].find((parts) => count % parts === 0);
 
+/** An element and its numbers. */
 export interface Picked {
   title: string;
   lines: [string, string][];
+  /** A tetrahedron, or a triangle of a surface stage. */
+  stage: StageName;
+  element: number;
+  /** The half of the view in which it is seen. */
+  side: 'left' | 'right';
 }
 
 export type ViewDirection = 'R' | 'L' | 'A' | 'P' | 'S' | 'I';
