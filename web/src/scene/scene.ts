@@ -20,6 +20,7 @@ import {
   fibreStyle,
   focusTet,
   hiddenLabels,
+  labelsShown,
   layout,
   legend,
   marked,
@@ -176,6 +177,7 @@ export function mountScene(container: HTMLElement): () => void {
       body.clear();
       slices.showSections(null);
       legend.value = null;
+      labelsShown.value = [];
       const surface = isSurface(stage) && shownResult(stage);
       if (surface) {
         const made = surfaceBody(surface);
@@ -186,9 +188,13 @@ export function mountScene(container: HTMLElement): () => void {
           return () => contourOf(triangles, owners.length);
         });
         legend.value = made.legend;
+        labelsShown.value = made.labels;
       } else if (stage === 'sizing') {
         const smooth = shownResult('smooth');
         if (smooth) body.showSurface(surfaceBody(smooth), true);
+      } else if (stage === 'volume') {
+        const labels = volume.value?.labels.map(({ label }) => label) ?? [];
+        labelsShown.value = labels.filter((label) => !hiddenLabels.value.has(label));
       }
     }),
     followTets(canvas, body, {

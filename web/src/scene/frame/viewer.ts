@@ -62,13 +62,13 @@ export class Viewer {
     this.pane = {
       element: this.element,
       resized: (width, height) => {
-        const before = this.share * Math.min(1, this.camera.aspect);
+        const before = this.room();
         this.share = this.shareFor(height);
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
         // What was in sight stays in sight when the pane becomes narrow or low.
         const { target } = this.controls;
-        const nearer = before / (this.share * Math.min(1, this.camera.aspect));
+        const nearer = before / this.room();
         this.camera.position.sub(target).multiplyScalar(nearer).add(target);
       },
       draw: (renderer) => {
@@ -140,8 +140,9 @@ export class Viewer {
     const centre = this.bounds.getCenter(new Vector3());
     const right = new Vector3().crossVectors(this.camera.up, direction).normalize();
     const up = new Vector3().crossVectors(direction, right);
-    const tall = Math.tan((this.camera.fov * Math.PI) / 360) * this.share;
-    const wide = tall * this.camera.aspect;
+    const half = Math.tan((this.camera.fov * Math.PI) / 360);
+    const tall = half * this.share;
+    const wide = half * fitShare * this.camera.aspect;
     const step = 3 * Math.max(1, Math.floor(this.outline.length / 3 / 4000));
     const point = new Vector3();
     let distance = this.outline.length > 0 ? 0 : this.distanceFor(this.bounds.getSize(point).length() / 2);
@@ -151,6 +152,11 @@ export class Viewer {
       distance = Math.max(distance, point.dot(direction) + reach);
     }
     this.moveTo(centre, direction, distance, animated);
+  }
+
+  /** How much of the view's height a body may take, or of its width where that is less. */
+  private room(): number {
+    return Math.min(this.share, fitShare * this.camera.aspect);
   }
 
   /** Above and below, what lies over a pane may ask for room: `--cards` of its style, in pixels. */

@@ -138,9 +138,11 @@ export class TetModel {
     if (paint.kind !== 'label') this.replace('values', arrayTexture(paint.values, 1));
     if ('legend' in paint) {
       this.replace('scale', scaleTexture(paint.legend.map));
-      this.shared.range.value.set(paint.legend.lo, paint.legend.hi);
-      this.shared.bands.value = paint.legend.bands ?? 0;
-      this.shared.period.value = paint.legend.map === 'cycle' ? paint.legend.hi - paint.legend.lo : 0;
+      const { lo, hi, bands, map } = paint.legend;
+      // Of a single value there is one colour.
+      this.shared.range.value.set(lo, hi > lo ? hi : lo + 1);
+      this.shared.bands.value = bands ?? 0;
+      this.shared.period.value = map === 'cycle' ? hi - lo : 0;
     }
     for (const one of [this.solid, this.cap, this.veil])
       one.material.uniforms.paint.value = paintCodes[paint.kind];

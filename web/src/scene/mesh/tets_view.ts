@@ -2,11 +2,20 @@ import { effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
 import type { StageArrays, StageName, TetArrays } from '../../engine/contract';
 import { tetMask } from '../../geometry/tet_faces';
-import { brush, colourBy, explode, focusTet, hiddenLabels, legend, type Brush } from '../../store/view';
+import {
+  brush,
+  colourBy,
+  explode,
+  focusTet,
+  hiddenLabels,
+  labelsShown,
+  legend,
+  type Brush,
+} from '../../store/view';
 import { pinnedValues, simulatedValues } from '../../store/run/simulated_fields';
 import type { BodyView } from './body_view';
 import type { Canvas } from '../frame/canvas';
-import { simulatedPaint, tetPaint } from './colouring';
+import { paintedLabels, simulatedPaint, tetPaint } from './colouring';
 import type { Plane, TetModel } from './tet_model';
 import { colourOf } from '../../store/case/legend/legend';
 
@@ -90,7 +99,10 @@ export function followTets(
       if (!shown || !body.model) return;
       const paint = simulatedPaint(valuesOf) ?? tetPaint(shown.measures);
       const scaled = 'legend' in paint;
-      if (leads) legend.value = scaled ? paint.legend : null;
+      if (leads) {
+        legend.value = scaled ? paint.legend : null;
+        labelsShown.value = paintedLabels(paint, shown.mesh);
+      }
       // Two runs are compared on one scale: that of the run that leads.
       else if (scaled && legend.value) paint.legend = legend.value;
       body.model.setPaint(paint, colourOf.value);
