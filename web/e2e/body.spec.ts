@@ -1,4 +1,5 @@
 /** The 3-D view: the element that is singled out, what colours mean, tools that leave the view where it is. */
+import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
 import { countColour, expect, openAndRun, slice, smallHeart, stage, test } from './support';
 
@@ -13,6 +14,13 @@ async function outlined(page: Page): Promise<number> {
 async function brushAngles(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'give a range of angle' }).click();
   await expect(page.getByTestId('brush-count')).toHaveText(/[1-9][\d,]* elements/);
+}
+
+const rgbOf = (hex: string) => [1, 3, 5].map((at) => Number.parseInt(hex.slice(at, at + 2), 16));
+
+/** The colour of an entry of the key of labels. */
+async function keyColour(page: Page, entry: number): Promise<number[]> {
+  return rgbOf((await page.locator('.label-key rect').nth(entry).getAttribute('fill'))!);
 }
 
 test('an element that is flown to is outlined through everything, with and without a brushed range', async ({
@@ -76,7 +84,8 @@ test('a scale has round ticks, says where values lie beyond it, and the bad end 
   for (const tick of ticks) expect(tick % 5).toBe(0);
   await expect(legend.locator('.legend-clip').first()).toHaveText('<');
   // The least angle of all is told by the evidence and by the legend.
-  const least = (await page.locator('.facts, .panel.right').last().innerText()).match(/([\d.]+)°/)![1];
+  const told = await page.locator('.panel.right').innerText();
+  const least = /Smallest angle\s+([\d.]+)°/.exec(told)![1];
   await expect(legend.locator('.legend-range')).toContainText(new RegExp(`^${least}`));
   await expect(legend).toHaveAttribute('aria-label', new RegExp(`values from ${least}`));
   await expect(legend.locator('.legend-spread')).toHaveCount(1);
@@ -84,7 +93,7 @@ test('a scale has round ticks, says where values lie beyond it, and the bad end 
     .locator('stop')
     .evaluateAll((all) => all.map((stop) => stop.getAttribute('stop-color')!));
   const chroma = (hex: string) => {
-    const parts = [1, 3, 5].map((at) => Number.parseInt(hex.slice(at, at + 2), 16));
+    const parts = rgbOf(hex);
     return Math.max(...parts) - Math.min(...parts);
   };
   expect(Math.max(...stops.map(chroma))).toBe(chroma(stops[0]));
@@ -95,7 +104,7 @@ test('labels are named below the body, but for hidden ones and where there is no
   const key = page.getByRole('list', { name: 'Labels', exact: true });
   await expect(key).toContainText('LV myocardium');
   await expect(key.locator('li')).toHaveCount(4);
-  await page.getByRole('button', { name: /^Hide LV myocardium/ }).click();
+  await page.getByRole('button', { name: 'Show LV myocardium in the view' }).click();
   await expect(key).not.toContainText('LV myocardium');
   await page.getByLabel('Colour by').selectOption('edge_mm');
   await expect(key).toHaveCount(0);
@@ -129,9 +138,24 @@ test('layers of a wall are told apart, from the inner one outwards', async ({ pa
     .locator('.legend-box')
     .evaluateAll((all) => all.map((box) => box.getAttribute('fill')!));
   for (const hex of boxes) {
-    const rgb = [1, 3, 5].map((at) => Number.parseInt(hex.slice(at, at + 2), 16));
-    expect(await countColour(page, picture, rgb, 6)).toBeGreaterThan(2000);
+    expect(await countColour(page, picture, rgbOf(hex), 6)).toBeGreaterThan(2000);
   }
+});
+
+test('the face of a flat cut has the colours of its labels, and what lies behind it is darker', async ({
+  page,
+}) => {
+  await openAndRun(page, smallHeart);
+  await page.getByRole('button', { name: 'Edges', exact: true }).click();
+  await page.getByRole('button', { name: 'Cut', exact: true }).click();
+  await page.getByRole('button', { name: 'Flat', exact: true }).click();
+  await page.getByRole('button', { name: "View from the patient's front" }).click();
+  await page.waitForTimeout(1500);
+  const picture = await slice(page, 'model').screenshot();
+  const wall = await keyColour(page, 0);
+  expect(await countColour(page, picture, wall, 2)).toBeGreaterThan(5000);
+  const shaded = wall.map((part) => 0.65 * part);
+  expect(await countColour(page, picture, shaded, 18)).toBeGreaterThan(5000);
 });
 
 test('neither a cut nor a pinned run moves the view or a tool', async ({ page }) => {
@@ -153,4 +177,54 @@ test('neither a cut nor a pinned run moves the view or a tool', async ({ page })
   await page.getByRole('button', { name: 'Pin this run' }).click();
   await expect(page.getByRole('button', { name: 'Compare', exact: true })).toBeEnabled();
   expect(await places()).toEqual(before);
+});
+
+test('a double click on the body or on a slice puts a sphere there, with its fields in sight', async ({
+  page,
+}) => {
+  await openAndRun(page, smallHeart);
+  const surface = slice(page, 'model').locator('.pane-surface');
+  const { width, height } = (await surface.boundingBox())!;
+  const position = { x: 0.5 * width, y: 0.6 * height };
+  await surface.click({ position });
+  const at = page.locator('.picked dl > div', { hasText: /^At/ }).locator('dd');
+  const hit = (await at.innerText()).replaceAll('−', '-').split(',').map(Number.parseFloat);
+  await surface.dblclick({ position });
+  await expect(page.getByLabel('Region name')).toHaveValue('Region 1');
+  const card = page.locator('.region.open');
+  await expect(card).toBeInViewport({ ratio: 0.95 });
+  const centre = page.getByLabel(/^Centre/);
+  const first = await centre.evaluateAll((all) => all.map((one) => (one as HTMLInputElement).value));
+  expect(first.map(Number)).toEqual(hit);
+  await page.getByRole('button', { name: 'Slices', exact: true }).click();
+  const axial = slice(page, 'axial').locator('.pane-surface');
+  const box = (await axial.boundingBox())!;
+  await axial.dblclick({ position: { x: 0.3 * box.width, y: 0.4 * box.height } });
+  await expect(page.getByLabel('Region name')).toHaveValue('Region 2');
+  await expect(card).toBeInViewport({ ratio: 0.95 });
+  const second = await centre.evaluateAll((all) => all.map((one) => (one as HTMLInputElement).value));
+  expect(second).not.toEqual(first);
+});
+
+test('a saved picture has the directions of the patient and what the colours mean', async ({ page }) => {
+  await openAndRun(page, smallHeart);
+  const save = async () => {
+    const downloading = page.waitForEvent('download');
+    await page.getByRole('button', { name: 'Save a picture of the view' }).click();
+    return readFile(await (await downloading).path());
+  };
+  const labelled = await save();
+  const discs = await page
+    .locator('.triad-end.plus circle')
+    .evaluateAll((all) => all.map((disc) => getComputedStyle(disc).fill.match(/\d+/g)!.map(Number)));
+  // Of some 900 pixels of a disc the letter and the rim are others.
+  for (const disc of discs) expect(await countColour(page, labelled, disc, 1)).toBeGreaterThan(200);
+  // The scar lies inside: its colour is in the key alone.
+  const scar = await keyColour(page, 2);
+  expect(await countColour(page, labelled, scar, 1)).toBeGreaterThan(200);
+  await page.getByLabel('Colour by').selectOption('radius_ratio');
+  const bad = rgbOf((await page.locator('.legend stop').first().getAttribute('stop-color'))!);
+  const scaled = await save();
+  expect(await countColour(page, scaled, bad, 8)).toBeGreaterThan(200);
+  expect(await countColour(page, scaled, scar, 1)).toBe(0);
 });

@@ -5,7 +5,7 @@ import type { StageName, Vec3 } from '../engine/contract';
 import { freeSide } from '../geometry/free_side';
 import { toIndex } from '../geometry/orientation';
 import { pinned, pinnedArrays } from '../store/run/compare';
-import { bodiesOf } from '../store/case/bodies';
+import { addRegion, bodiesOf } from '../store/case/bodies';
 import { volume } from '../store/case/input';
 import { recipe } from '../store/case/recipe';
 import { tellError } from '../store/run/engine';
@@ -40,8 +40,8 @@ import { describe } from './describe';
 import { buildMarkers, disposeMarkers, sightOf } from './mesh/markers';
 import { addScaleBar, addTriad } from './frame/overlay';
 import { surfaceBody } from './mesh/colouring';
-import { pickAt } from './mesh/pick';
-import { takePicture } from './frame/picture';
+import { pickAt, type Hit } from './mesh/pick';
+import { forgetSurroundings, setSurroundings } from './frame/surroundings';
 import { addSlices } from './slices/slices_view';
 import type { Plane } from './mesh/tet_model';
 import { arrayTexture } from './frame/textures';
@@ -197,6 +197,17 @@ export function mountScene(container: HTMLElement): () => void {
         labelsShown.value = labels.filter((label) => !hiddenLabels.value.has(label));
       }
     }),
+    effect(() => {
+      const labels = shownResult('volume')?.labels;
+      const image = untracked(() => volume.value);
+      const voxels = image?.size.reduce((product, n) => product * n, 1);
+      const meshed = new Set(recipe.value?.labels);
+      const hidden = hiddenLabels.value;
+      const counts = (label: number) => (meshed.size === 0 || meshed.has(label)) && !hidden.has(label);
+      if (image && labels?.length === voxels) setSurroundings(labels!, image, counts);
+      else forgetSurroundings();
+      canvas.invalidate();
+    }),
     followTets(canvas, body, {
       source: tetsShown,
       plane: planeNow,
@@ -276,7 +287,12 @@ export function mountScene(container: HTMLElement): () => void {
         }
         break;
       case 'picture':
-        order.take(takePicture(canvas, container, bodyLegend.value ?? sliceLegend.value));
+        // Few pictures are taken: its code comes with the first one.
+        order.take(
+          import('./frame/picture').then(({ takePicture }) =>
+            takePicture(canvas, container, bodyLegend.value ?? sliceLegend.value),
+          ),
+        );
         break;
       case 'cut_facing_me': {
         const towards = viewer.camera.position.clone().sub(viewer.controls.target).normalize();
@@ -298,11 +314,17 @@ export function mountScene(container: HTMLElement): () => void {
     picked.value = found && { ...found, side: left ? 'left' : 'right' };
   }
 
-  /** Shows the numbers of what is seen at a place of the 3-D view, and puts the crosshair there. */
-  function pick(x: number, y: number): void {
+  /** What is seen at a place of the 3-D view. */
+  function hitAt(x: number, y: number): Hit | null {
     const { clientWidth: width, clientHeight: height } = viewer.element;
     const hit = pickAt(canvas.renderer, viewer.camera, body.pickable, { width, height }, { x, y });
     canvas.invalidate();
+    return hit;
+  }
+
+  /** Shows the numbers of what is seen at a place, and puts the crosshair there. */
+  function pick(x: number, y: number): void {
+    const hit = hitAt(x, y);
     if (stimulating.value && mayStimulate.value) {
       if (hit) excite(hit.point.toArray());
       return;
@@ -324,6 +346,15 @@ export function mountScene(container: HTMLElement): () => void {
     const box = viewer.element.getBoundingClientRect();
     if (still) pick(event.clientX - box.left, event.clientY - box.top);
   });
+  viewer.element.addEventListener('dblclick', (event) => {
+    const box = viewer.element.getBoundingClientRect();
+    const hit = hitAt(event.clientX - box.left, event.clientY - box.top);
+    if (!hit || (stimulating.value && mayStimulate.value)) return;
+    batch(() => {
+      picked.value = null;
+      addRegion('sphere', hit.point.toArray());
+    });
+  });
   viewer.element.addEventListener('keydown', (event) => {
     if (event.key === 'Enter' && !event.ctrlKey && !event.metaKey)
       pick(viewer.element.clientWidth / 2, viewer.element.clientHeight / 2);
@@ -335,6 +366,7 @@ export function mountScene(container: HTMLElement): () => void {
     sceneMounted.value = false;
     for (const stop of stops) stop();
     slices.dispose();
+    forgetSurroundings();
     body.dispose();
     other.dispose();
     twin.dispose();

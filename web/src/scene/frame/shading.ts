@@ -1,10 +1,17 @@
-/** The fragment stage that every body shares: soft light from the viewer's shoulder, crisp element edges. */
+/** The fragment stage that every body shares: soft light from the viewer's shoulder, less in cavities; crisp element edges. */
 export const shadingFragment = /* glsl */ `
 precision highp float;
+precision highp sampler3D;
 uniform vec4 clipPlane;
 uniform float edgeStrength;
 uniform vec3 edgeColour;
 uniform float opacity;
+/** 1: sheltered places are darker; 0: lit evenly; -1: not lit at all. */
+uniform float shelter;
+uniform sampler3D full;
+uniform mat4 toFull, viewMatrix;
+uniform float cell;
+uniform vec4 kept;
 in vec3 vColour;
 flat in uint vElement;
 in vec3 vView;
@@ -34,7 +41,13 @@ float edgeLine() {
   vec3 near = smoothstep(vec3(0.0), width * 1.1, vCorner);
   // Edges closer together than a few pixels would turn the body black; let them fade out.
   float crowd = max(max(width.x, width.y), width.z);
-  return (1.0 - min(min(near.x, near.y), near.z)) * (1.0 - smoothstep(0.12, 0.45, crowd));
+#ifdef SMOOTH
+  // The triangles of a dense surface are all about as large: some with edges and some without would be patches.
+  float fade = 1.0 - smoothstep(0.05, 0.16, crowd);
+#else
+  float fade = 1.0 - smoothstep(0.12, 0.45, crowd);
+#endif
+  return (1.0 - min(min(near.x, near.y), near.z)) * fade;
 }
 
 #ifdef FIELD
@@ -57,6 +70,28 @@ vec3 fieldColour() {
 vec3 fieldColour() { return vColour; }
 #endif
 
+/** How much of the light from all around comes to a place: what is full along four cones about its normal is in the way. */
+float openness(vec3 normal) {
+  if (cell == 0.0 || shelter <= 0.0) return 1.0;
+  vec3 side = normalize(cross(normal, abs(normal.z) < 0.8 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
+  vec3 up = cross(normal, side);
+  float sum = 0.0;
+  for (int cone = 0; cone < 4; cone++) {
+    vec3 way = 0.7 * normal + 0.7 * (cone < 2 ? side : up) * (cone % 2 == 0 ? 1.0 : -1.0);
+    float free = 1.0;
+    for (int i = 0; i < 4; i++) {
+      float away = 3.0 * cell * float(1 << i);
+      vec3 p = vWorld + away * way;
+      vec3 place = (toFull * vec4(p, 1.0)).xyz;
+      if (any(lessThan(place, vec3(0.0))) || any(greaterThan(place, vec3(1.0)))) break;
+      float cut = smoothstep(-0.3, 0.3, (dot(kept.xyz, p) - kept.w) / away);
+      free *= 1.0 - min(1.0, 1.8 * textureLod(full, place, 0.6 + 0.9 * float(i)).r) * (1.0 - cut);
+    }
+    sum += 0.25 * free;
+  }
+  return sum;
+}
+
 vec3 shaded() {
 #ifdef SMOOTH
   vec3 n = normalize(vNormal);
@@ -65,13 +100,21 @@ vec3 shaded() {
 #endif
   vec3 toEye = normalize(-vView);
   if (dot(n, toEye) < 0.0) n = -n;
-  float key = max(dot(n, normalize(vec3(0.35, 0.55, 0.75))), 0.0);
+  float key = dot(n, normalize(vec3(0.35, 0.55, 0.75)));
+#ifdef SMOOTH
+  // Light that reaches around: terraces of voxels stay soft.
+  key = mix(max(key, 0.0), 0.5 + 0.5 * key, 0.6);
+#else
+  key = max(key, 0.0);
+#endif
   float fill = max(dot(n, normalize(vec3(-0.6, -0.1, 0.5))), 0.0);
   float sky = 0.5 + 0.5 * n.y;
   vec3 base = fieldColour();
   base *= base;
-  vec3 lit = base * (0.3 + 0.16 * sky + 0.66 * key + 0.22 * fill);
-  lit += 0.05 * pow(max(dot(n, normalize(toEye + vec3(0.35, 0.55, 0.75))), 0.0), 24.0);
+  if (shelter < 0.0) return sqrt(base);
+  float open = openness(n * mat3(viewMatrix));
+  vec3 lit = base * ((0.36 + 0.2 * sky) * open + (0.58 * key + 0.2 * fill) * mix(0.3, 1.0, open));
+  lit += 0.05 * open * pow(max(dot(n, normalize(toEye + vec3(0.35, 0.55, 0.75))), 0.0), 24.0);
   return sqrt(clamp(lit, 0.0, 1.0));
 }
 

@@ -15,7 +15,8 @@ import {
 } from 'three';
 import type { TetArrays } from '../../engine/contract';
 import { chosenBit, nearBit, shownBit } from '../../geometry/tet_faces';
-import { noClip, shadingUniforms } from './element_material';
+import { noClip } from '../frame/surroundings';
+import { shadingUniforms } from './element_material';
 import type { TetPaint } from './colouring';
 import { nextTask } from '../frame/tasks';
 import { shadingFragment } from '../frame/shading';
@@ -93,6 +94,8 @@ export class TetModel {
     this.cap = this.drawing(sectionVertex, { need: chosenBit });
     this.ghost = this.drawing(facesVertex, { need: shownBit, ghost: true });
     this.veil = this.drawing(facesVertex, { need: nearBit, ghost: true });
+    // The face of a cut is no surface of the body.
+    this.cap.material.uniforms.shelter.value = -1;
     this.cap.geometry.setDrawRange(0, 6 * mesh.labels.length);
     this.ghost.geometry.setDrawRange(0, 3 * extents[0]);
     this.veil.geometry.setDrawRange(0, 3 * faces.length);
@@ -232,6 +235,8 @@ export class TetModel {
     const some = this.hides || this.shared.apart.value;
     const count = every ? faces.length : some ? extents[1] : extents[0];
     this.solid.geometry.setDrawRange(0, 3 * count);
+    // What stands alone is sheltered by nothing.
+    this.solid.material.uniforms.shelter.value = partly || this.shared.apart.value ? 0 : 1;
     this.solid.material.uniforms.cutPlane.value.copy(plane && !plane.flat ? at : noClip);
     this.solid.material.uniforms.clipPlane.value.copy(plane?.flat ? at : noClip);
     this.cap.visible = plane?.flat ?? false;
