@@ -39,6 +39,8 @@ export class Viewer {
   private readonly afterDraw = new Set<() => void>();
   private outline: Float32Array = new Float32Array(0);
   private share = fitShare;
+  /** The view is that of the whole body, which nobody has turned or zoomed. */
+  private fitted = false;
   private flight: { begin: number; from: Sight; to: Sight } | null = null;
 
   constructor(canvas: Canvas, parent: HTMLElement) {
@@ -57,7 +59,10 @@ export class Viewer {
     this.controls = new OrbitControls(this.camera, this.element);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => this.invalidate());
-    this.controls.addEventListener('start', () => (this.flight = null));
+    this.controls.addEventListener('start', () => {
+      this.flight = null;
+      this.fitted = false;
+    });
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.pane = {
       element: this.element,
@@ -66,6 +71,10 @@ export class Viewer {
         this.share = this.shareFor(height);
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
+        if (this.fitted) {
+          this.fit(false);
+          return;
+        }
         // What was in sight stays in sight when the pane becomes narrow or low.
         const { target } = this.controls;
         const nearer = before / this.room();
@@ -152,6 +161,7 @@ export class Viewer {
       distance = Math.max(distance, point.dot(direction) + reach);
     }
     this.moveTo(centre, direction, distance, animated);
+    this.fitted = true;
   }
 
   /** How much of the view's height a body may take, or of its width where that is less. */
@@ -178,6 +188,7 @@ export class Viewer {
   }
 
   private moveTo(target: Vector3, direction: Vector3, distance: number, animated: boolean): void {
+    this.fitted = false;
     const still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
     if (animated && !still) {
       this.flight = {
@@ -250,6 +261,7 @@ export class Viewer {
       return;
     }
     event.preventDefault();
+    this.fitted = false;
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
     this.invalidate();
