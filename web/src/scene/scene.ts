@@ -95,6 +95,9 @@ function whenNeeded(isNeeded: () => boolean, load: () => Promise<() => () => voi
   };
 }
 
+/** As text, so that other edits of the recipe do not count. */
+const meshedLabels = computed(() => recipe.value?.labels.join() ?? '');
+
 export function mountScene(container: HTMLElement): () => void {
   const canvas = new Canvas(container);
   const panes = document.createElement('div');
@@ -201,9 +204,10 @@ export function mountScene(container: HTMLElement): () => void {
       const labels = shownResult('volume')?.labels;
       const image = untracked(() => volume.value);
       const voxels = image?.size.reduce((product, n) => product * n, 1);
-      const meshed = new Set(recipe.value?.labels);
+      const meshed = new Set(meshedLabels.value.split(','));
       const hidden = hiddenLabels.value;
-      const counts = (label: number) => (meshed.size === 0 || meshed.has(label)) && !hidden.has(label);
+      const all = meshed.has('');
+      const counts = (label: number) => (all || meshed.has(String(label))) && !hidden.has(label);
       if (image && labels?.length === voxels) setSurroundings(labels!, image, counts);
       else forgetSurroundings();
       canvas.invalidate();

@@ -16,7 +16,7 @@ import { playedFields } from '../../store/run/frames';
 import { report } from '../../store/run/report';
 import { shownKeys } from '../../store/run/results';
 import { simulatedFields, simulatedValues } from '../../store/run/simulated_fields';
-import { sizingFields } from '../../store/run/sizing_fields';
+import { sizingFields, thicknessRange } from '../../store/run/sizing_fields';
 import { colourBy, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
 import { colourOf, nameOf } from '../../store/case/legend/legend';
 
@@ -204,6 +204,8 @@ export function surfaceBody(mesh: SurfaceArrays): SurfaceBody {
   if (known && from.every((part, i) => part === known.from[i])) return known.body;
   const values = triangleValues(mesh);
   const legend = values && scaled(values, surfaceScales[by]).legend;
+  // What was measured, not only where triangles are.
+  if (legend && by === 'thickness_mm') legend.values = thicknessRange() ?? legend.values;
   const seen = new Set<number>();
   const paint = values && legend ? scalePainter(values, legend) : labelPainter(seen);
   const faces = surfaceFaces(mesh, hiddenLabels.value, paint);
