@@ -1,7 +1,7 @@
 import type { Vec3 } from '../engine/contract';
 
 /** Cells along the longest side of the image, about; and places that are looked at in each, along each axis. */
-const cellCount = 48;
+const cellCount = 40;
 const looks = 3;
 
 export interface Fullness {
@@ -50,4 +50,41 @@ export function fullness(
     }
   }
   return { data, size, voxels };
+}
+
+/**
+ * How open each cell is to its surroundings: 255 where nothing is in the way along any of the 26 directions to its
+ * neighbours and on to the end of the grid. Each direction is one sweep, in which a cell asks the one before it.
+ */
+export function openness(
+  { data, size }: Fullness,
+  isGone: (cell: Vec3) => boolean = () => false,
+): Uint8Array {
+  const [nx, ny, nz] = size;
+  const clear = Float32Array.from(data, (full) => 1 - full / 255);
+  for (let z = 0, at = 0; z < nz; z++)
+    for (let y = 0; y < ny; y++)
+      for (let x = 0; x < nx; x++, at++) if (clear[at] < 1 && isGone([x, y, z])) clear[at] = 1;
+  const sum = new Float32Array(data.length);
+  const free = new Float32Array(data.length);
+  for (let way = 0; way < 27; way++) {
+    const [dx, dy, dz] = [(way % 3) - 1, (Math.floor(way / 3) % 3) - 1, Math.floor(way / 9) - 1];
+    const step = dx + nx * (dy + ny * dz);
+    if (step === 0) continue;
+    for (let k = 0; k < nz; k++) {
+      const z = dz > 0 ? nz - 1 - k : k;
+      for (let j = 0; j < ny; j++) {
+        const y = dy > 0 ? ny - 1 - j : j;
+        const inside = z + dz >= 0 && z + dz < nz && y + dy >= 0 && y + dy < ny;
+        const row = nx * (y + ny * z);
+        for (let i = 0; i < nx; i++) {
+          const x = dx > 0 ? nx - 1 - i : i;
+          const at = row + x;
+          free[at] = inside && x + dx >= 0 && x + dx < nx ? free[at + step] * clear[at + step] : 1;
+          sum[at] += free[at];
+        }
+      }
+    }
+  }
+  return Uint8Array.from(sum, (ways) => Math.round((255 * ways) / 26));
 }

@@ -41,7 +41,7 @@ import { buildMarkers, disposeMarkers, sightOf } from './mesh/markers';
 import { addScaleBar, addTriad } from './frame/overlay';
 import { surfaceBody } from './mesh/colouring';
 import { pickAt, type Hit } from './mesh/pick';
-import { forgetSurroundings, setSurroundings } from './frame/surroundings';
+import { cutSurroundings, forgetSurroundings, setSurroundings } from './frame/surroundings';
 import { addSlices } from './slices/slices_view';
 import type { Plane } from './mesh/tet_model';
 import { arrayTexture } from './frame/textures';
@@ -210,8 +210,10 @@ export function mountScene(container: HTMLElement): () => void {
       const counts = (label: number) => (all || meshed.has(String(label))) && !hidden.has(label);
       if (image && labels?.length === voxels) setSurroundings(labels!, image, counts);
       else forgetSurroundings();
+      cutSurroundings(untracked(planeNow));
       canvas.invalidate();
     }),
+    effect(() => cutSurroundings(planeNow())),
     followTets(canvas, body, {
       source: tetsShown,
       plane: planeNow,

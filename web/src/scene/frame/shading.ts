@@ -8,10 +8,9 @@ uniform vec3 edgeColour;
 uniform float opacity;
 /** 1: sheltered places are darker; 0: lit evenly; -1: not lit at all. */
 uniform float shelter;
-uniform sampler3D full;
-uniform mat4 toFull, viewMatrix;
+uniform sampler3D open;
+uniform mat4 toOpen, viewMatrix;
 uniform float cell;
-uniform vec4 kept;
 in vec3 vColour;
 flat in uint vElement;
 in vec3 vView;
@@ -70,26 +69,13 @@ vec3 fieldColour() {
 vec3 fieldColour() { return vColour; }
 #endif
 
-/** How much of the light from all around comes to a place: what is full along four cones about its normal is in the way. */
+/** How much of the light from all around comes to a place: 1 where no more than the body's own flat side is in the way. */
 float openness(vec3 normal) {
   if (cell == 0.0 || shelter <= 0.0) return 1.0;
-  vec3 side = normalize(cross(normal, abs(normal.z) < 0.8 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0)));
-  vec3 up = cross(normal, side);
-  float sum = 0.0;
-  for (int cone = 0; cone < 4; cone++) {
-    vec3 way = 0.7 * normal + 0.7 * (cone < 2 ? side : up) * (cone % 2 == 0 ? 1.0 : -1.0);
-    float free = 1.0;
-    for (int i = 0; i < 4; i++) {
-      float away = 3.0 * cell * float(1 << i);
-      vec3 p = vWorld + away * way;
-      vec3 place = (toFull * vec4(p, 1.0)).xyz;
-      if (any(lessThan(place, vec3(0.0))) || any(greaterThan(place, vec3(1.0)))) break;
-      float cut = smoothstep(-0.3, 0.3, (dot(kept.xyz, p) - kept.w) / away);
-      free *= 1.0 - min(1.0, 1.8 * textureLod(full, place, 0.6 + 0.9 * float(i)).r) * (1.0 - cut);
-    }
-    sum += 0.25 * free;
-  }
-  return sum;
+  vec3 place = (toOpen * vec4(vWorld + 1.5 * cell * normal, 1.0)).xyz;
+  // Beyond the image there is nothing.
+  if (place != clamp(place, 0.0, 1.0)) return 1.0;
+  return smoothstep(0.0, 0.5, texture(open, place).r);
 }
 
 vec3 shaded() {
@@ -112,9 +98,9 @@ vec3 shaded() {
   vec3 base = fieldColour();
   base *= base;
   if (shelter < 0.0) return sqrt(base);
-  float open = openness(n * mat3(viewMatrix));
-  vec3 lit = base * ((0.36 + 0.2 * sky) * open + (0.58 * key + 0.2 * fill) * mix(0.3, 1.0, open));
-  lit += 0.05 * open * pow(max(dot(n, normalize(toEye + vec3(0.35, 0.55, 0.75))), 0.0), 24.0);
+  float free = openness(n * mat3(viewMatrix));
+  vec3 lit = base * ((0.36 + 0.2 * sky) * free + (0.58 * key + 0.2 * fill) * mix(0.3, 1.0, free));
+  lit += 0.05 * free * pow(max(dot(n, normalize(toEye + vec3(0.35, 0.55, 0.75))), 0.0), 24.0);
   return sqrt(clamp(lit, 0.0, 1.0));
 }
 

@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, Group, Mesh, type RawShaderMaterial } from 'three';
 import type { TetArrays } from '../../engine/contract';
 import type { Faces } from '../../geometry/faces';
-import { noClip, surroundings } from '../frame/surroundings';
+import { noClip } from '../frame/surroundings';
 import { elementMaterial } from './element_material';
 import type { SurfaceBody } from './colouring';
 import { TetModel, type Plane } from './tet_model';
@@ -79,11 +79,11 @@ export class BodyView {
 
   setPlane(plane: Plane | null): void {
     this.model?.setPlane(plane);
-    const { kept } = surroundings;
-    if (plane) kept.value.set(plane.normal[0], plane.normal[1], plane.normal[2], plane.offset);
-    else kept.value.copy(noClip);
-    for (const material of [this.opaque.flat, this.opaque.smooth])
-      material.uniforms.clipPlane.value.copy(kept.value);
+    for (const material of [this.opaque.flat, this.opaque.smooth]) {
+      const clip = material.uniforms.clipPlane.value as typeof noClip;
+      if (plane) clip.set(plane.normal[0], plane.normal[1], plane.normal[2], plane.offset);
+      else clip.copy(noClip);
+    }
   }
 
   setLook(edges: boolean, ghostOpacity: number): void {
