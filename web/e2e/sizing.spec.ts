@@ -30,7 +30,10 @@ test('a wall is sized by its thickness, which is seen on slices and surface befo
   await inside.getByRole('button', { name: 'RV blood' }).click();
   await page.getByLabel('Colour by').selectOption('thickness_mm');
   await expect(page.locator('.legend')).toContainText('Wall thickness mm');
-  await expect(page.getByText(/Measured: .* mm/)).toBeVisible();
+  const measured = page.getByText(/Measured: .* mm/);
+  await expect(measured).toBeVisible();
+  const [, range] = /Measured: (.*) mm/.exec(await measured.innerText())!;
+  await expect(page.locator('.legend-range')).toHaveText(range);
   const thickness = await sampled(page, 'model');
   expect(thickness).not.toEqual(before);
   await page.getByLabel('Colour by').selectOption('target_mm');

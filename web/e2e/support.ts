@@ -97,6 +97,24 @@ export async function pixels(page: Page, places: { x: number; y: number }[]): Pr
   );
 }
 
+/** How many pixels of a picture have a colour, or one within so much of each of its parts. */
+export async function countColour(page: Page, png: Buffer, rgb: number[], within = 0): Promise<number> {
+  return page.evaluate(
+    async ([base64, wanted, tolerance]) => {
+      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+      const image = await createImageBitmap(new Blob([bytes], { type: 'image/png' }));
+      const context = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
+      context.drawImage(image, 0, 0);
+      const { data } = context.getImageData(0, 0, image.width, image.height);
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4)
+        if (wanted.every((part, c) => Math.abs(data[i + c] - part) <= tolerance)) count++;
+      return count;
+    },
+    [png.toString('base64'), rgb, within] as const,
+  );
+}
+
 export const slice = (page: Page, name: string) => page.locator(`.pane.${name}`);
 
 /** Colours at a lattice of places of a pane, away from its head line, crosshair and letters. */

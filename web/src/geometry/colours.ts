@@ -1,3 +1,16 @@
+const alarm = [
+  '#e7e4dd',
+  '#e1dcd5',
+  '#d8d1c7',
+  '#d0c3b5',
+  '#cab39e',
+  '#c7a085',
+  '#c68969',
+  '#c66e4c',
+  '#c74b2d',
+  '#c70009',
+];
+
 /** Colour maps that stay readable in every common colour vision; stops from the published tables of matplotlib and Crameri. */
 const stops = {
   viridis: [
@@ -24,6 +37,15 @@ const stops = {
     '#e1cc55',
     '#fee838',
   ],
+  /** Viridis without its darkest end, on which edges would not be seen: for few whole numbers. */
+  layers: ['#3b528b', '#2c718e', '#21918c', '#5ec962', '#fde725'],
+  /**
+   * From a plain good end to a loud bad one: in OKLab (Ottosson 2020) from pale sand to red, ever darker, so that the bad
+   * end is told from the rest without red and green; most of the chroma is at that end.
+   */
+  alarm: alarm,
+  /** The same where what is small is bad. */
+  alarm_low: alarm.toReversed(),
   /** Diverging: for what has a middle. */
   vik: [
     '#001261',
@@ -60,7 +82,7 @@ const stops = {
     '#5177bf',
     '#43629d',
   ],
-} as const;
+} as const satisfies Record<string, readonly string[]>;
 export type ColourMapName = keyof typeof stops;
 
 /** Labels 1 to 8 follow the heart scheme: left and right wall, left and right pool, scar, border zone. */

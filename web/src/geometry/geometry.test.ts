@@ -3,9 +3,10 @@ import { describe, expect, it } from 'vitest';
 import createVoxtet from '../engine/testing/mock_engine.mjs';
 import { colourTable, labelColour } from './colours';
 import { robustRange, surfaceFaces } from './faces';
+import { freeSide } from './free_side';
 import { coveringRange, rebin, shareWithin, spreadByFactor } from './histogram';
 import { smoothNormals } from './smooth_normals';
-import { chosenBit, shownBit, tetFaces, tetMask } from './tet_faces';
+import { chosenBit, nearBit, shownBit, tetFaces, tetMask } from './tet_faces';
 import { oppositeFace, tetNeighbours } from './tet_neighbours';
 
 /** The ball of the mock engine: 2,760 tetrahedra of two labels. */
@@ -120,12 +121,39 @@ describe('tetMask', () => {
     expect(count).toBe(mask.reduce((sum, bits) => sum + (bits & chosenBit ? 1 : 0), 0));
   });
 
-  it('chooses the elements near a place by their centroid', () => {
-    const { mask } = tetMask(drawn.centres, { hidden: none, ball: { centre: [0, 0, 0], radius: 6 } });
-    mask.forEach((bits, t) => {
-      const [x, y, z] = drawn.centres.subarray(4 * t, 4 * t + 3);
-      expect((bits & chosenBit) > 0).toBe(Math.hypot(x, y, z) <= 6);
-    });
+  it('chooses one element, even of a hidden label, and knows those near it by their centroid', () => {
+    const tet = mesh.labels.indexOf(1);
+    const [x0, y0, z0] = drawn.centres.subarray(4 * tet, 4 * tet + 3);
+    for (const hidden of [none, new Set([1])]) {
+      const { mask, count } = tetMask(drawn.centres, { hidden, single: { tet, radius: 6 } });
+      expect(count).toBe(1);
+      mask.forEach((bits, t) => {
+        const [x, y, z] = drawn.centres.subarray(4 * t, 4 * t + 3);
+        const near = Math.hypot(x - x0, y - y0, z - z0) <= 6 && !hidden.has(mesh.labels[t]);
+        expect([bits & chosenBit, bits & nearBit]).toEqual([t === tet ? chosenBit : 0, near ? nearBit : 0]);
+      });
+    }
+  });
+});
+
+describe('freeSide', () => {
+  it('looks at an element of the surface from outside', () => {
+    // Of the outermost elements each is free away from the middle of the ball.
+    const outer = drawn.faces.subarray(0, drawn.extents[0]).filter((_, i) => i % 40 === 0);
+    for (const half of outer) {
+      const tet = half >> 2;
+      const way = freeSide({ ...mesh, ...drawn }, tet, none);
+      const centre = drawn.centres.subarray(4 * tet, 4 * tet + 3);
+      const out = way.reduce((sum, part, i) => sum + part * centre[i], 0) / Math.hypot(...centre);
+      expect(out).toBeGreaterThan(0);
+    }
+  });
+
+  it('looks at the broad side of a flat element that stands alone', () => {
+    const points = Float32Array.from([0, 0, 0, 4, 0, 0, 4, 4, 0.1, 0, 4, 0.2]);
+    const tets = Uint32Array.from([0, 1, 2, 3]);
+    const alone = { points, tets, centres: Float32Array.from([2, 2, 0.1, 1]) };
+    expect(Math.abs(freeSide(alone, 0, none)[2])).toBeGreaterThan(0.9);
   });
 });
 

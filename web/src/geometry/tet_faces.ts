@@ -81,31 +81,45 @@ function waysApart(centres: Float32Array): Float32Array {
 /** Bits of a tet's mask. */
 export const shownBit = 1;
 export const chosenBit = 2;
+export const nearBit = 4;
 
 export interface TetChoice {
   hidden: ReadonlySet<number>;
   /** Choose tets within a range of these values, any of the arrays. */
   ranges?: { values: readonly Float32Array[]; lo: number; hi: number };
-  /** Choose tets whose centroid lies within a ball. */
-  ball?: { centre: readonly number[]; radius: number };
+  /** Choose this one tet, whatever the ranges; those whose centroid is within a radius of its own are near. */
+  single?: { tet: number; radius: number };
 }
 
-/** One byte a tet: whether its label is shown, and whether it is shown and chosen; and how many are chosen. */
+/** One byte a tet: whether its label is shown, whether it is chosen, and whether it is near; and how many are chosen. */
 export function tetMask(centres: Float32Array, choice: TetChoice): { mask: Uint8Array; count: number } {
   const mask = new Uint8Array(centres.length / 4);
-  const { hidden, ranges, ball } = choice;
+  const { hidden, ranges, single } = choice;
+  if (single) return { mask: maskAround(centres, hidden, single), count: 1 };
   let count = 0;
   for (let t = 0; t < mask.length; t++) {
     if (hidden.has(centres[4 * t + 3])) continue;
     mask[t] = shownBit;
     if (ranges && !ranges.values.some((values) => values[t] >= ranges.lo && values[t] <= ranges.hi)) continue;
-    if (ball) {
-      const [x, y, z] = ball.centre;
-      const away = (centres[4 * t] - x) ** 2 + (centres[4 * t + 1] - y) ** 2 + (centres[4 * t + 2] - z) ** 2;
-      if (away > ball.radius ** 2) continue;
-    }
     mask[t] |= chosenBit;
     count++;
   }
   return { mask, count };
+}
+
+function maskAround(
+  centres: Float32Array,
+  hidden: ReadonlySet<number>,
+  { tet, radius }: NonNullable<TetChoice['single']>,
+): Uint8Array {
+  const mask = new Uint8Array(centres.length / 4);
+  const [x, y, z] = centres.subarray(4 * tet);
+  for (let t = 0; t < mask.length; t++) {
+    if (hidden.has(centres[4 * t + 3])) continue;
+    const away = (centres[4 * t] - x) ** 2 + (centres[4 * t + 1] - y) ** 2 + (centres[4 * t + 2] - z) ** 2;
+    mask[t] = away > radius ** 2 ? shownBit : shownBit | nearBit;
+  }
+  // Even where its label is hidden.
+  mask[tet] |= chosenBit;
+  return mask;
 }

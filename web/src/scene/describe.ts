@@ -84,13 +84,20 @@ function simulatedLines({ tets }: TetArrays, tet: number): [string, string][] {
   });
 }
 
-export function describe(stage: StageName, element: number, point?: readonly number[]): Picked | null {
+/** All of what is shown of an element but where in the view it is. */
+export function describe(
+  stage: StageName,
+  element: number,
+  point?: readonly number[],
+): Omit<Picked, 'side'> | null {
   const at: [string, string][] = point ? [['At', `${point.map(coordinate).join(', ')} mm`]] : [];
   if (stage === 'optimise' || stage === 'quality') {
     const mesh = shownResult('optimise');
     const measures = shownResult('quality');
     if (!mesh) return null;
     return {
+      stage,
+      element,
       title: `Tetrahedron ${element.toLocaleString('en')}`,
       lines: [
         ['Label', nameOf(mesh.labels[element])],
@@ -106,6 +113,8 @@ export function describe(stage: StageName, element: number, point?: readonly num
   if (!mesh) return null;
   const [behind, front] = [mesh.sides[2 * element], mesh.sides[2 * element + 1]];
   return {
+    stage,
+    element,
     title: `Triangle ${element.toLocaleString('en')}`,
     lines: [['Between', `${nameOf(behind)} and ${nameOf(front)}`], ...at],
   };

@@ -121,7 +121,7 @@ export function addRegions(viewer: Viewer): () => void {
   const root = new Group();
   viewer.add(root);
   const gizmo = new TransformControls(viewer.camera, viewer.element);
-  gizmo.size = 0.8;
+  gizmo.size = 1.1;
   gizmo.setColors('#c9473f', '#2f8f57', '#3570c4', '#e0a100');
   viewer.add(gizmo.getHelper());
   let dragCount = 0;

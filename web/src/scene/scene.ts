@@ -2,9 +2,10 @@
 import { batch, computed, effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
 import type { StageName, Vec3 } from '../engine/contract';
+import { freeSide } from '../geometry/free_side';
 import { toIndex } from '../geometry/orientation';
 import { pinned, pinnedArrays } from '../store/run/compare';
-import { bodiesOf } from '../store/case/bodies';
+import { addRegion, bodiesOf } from '../store/case/bodies';
 import { volume } from '../store/case/input';
 import { recipe } from '../store/case/recipe';
 import { tellError } from '../store/run/engine';
@@ -15,8 +16,11 @@ import {
   command,
   cut,
   dark,
+  explode,
   fibreStyle,
   focusTet,
+  hiddenLabels,
+  labelsShown,
   layout,
   legend,
   marked,
@@ -36,12 +40,12 @@ import { describe } from './describe';
 import { buildMarkers, disposeMarkers, sightOf } from './mesh/markers';
 import { addScaleBar, addTriad } from './frame/overlay';
 import { surfaceBody } from './mesh/colouring';
-import { pickAt } from './mesh/pick';
-import { takePicture } from './frame/picture';
+import { pickAt, type Hit } from './mesh/pick';
+import { cutSurroundings, forgetSurroundings, setSurroundings } from './frame/surroundings';
 import { addSlices } from './slices/slices_view';
 import type { Plane } from './mesh/tet_model';
 import { arrayTexture } from './frame/textures';
-import { followTets, tetCentre, type TetSource } from './mesh/tets_view';
+import { followTets, isOnTets, tetCentre, type TetSource } from './mesh/tets_view';
 import { Twin } from './frame/twin';
 import { Viewer } from './frame/viewer';
 import { WarmUp } from './warm_up';
@@ -66,7 +70,7 @@ function isSurface(stage: StageName): stage is 'surface' | 'smooth' | 'remesh' {
   return stage === 'surface' || stage === 'smooth' || stage === 'remesh';
 }
 
-const onTets = () => stageShown.value === 'optimise' || stageShown.value === 'quality';
+const onTets = () => isOnTets(stageShown.value);
 
 function tetsShown(): TetSource | null {
   const mesh = onTets() ? shownResult('optimise') : undefined;
@@ -90,6 +94,9 @@ function whenNeeded(isNeeded: () => boolean, load: () => Promise<() => () => voi
     stopPart?.();
   };
 }
+
+/** As text, so that other edits of the recipe do not count. */
+const meshedLabels = computed(() => recipe.value?.labels.join() ?? '');
 
 export function mountScene(container: HTMLElement): () => void {
   const canvas = new Canvas(container);
@@ -146,6 +153,13 @@ export function mountScene(container: HTMLElement): () => void {
         return () => addFibres(viewer, body.group, planeNow, onTets);
       },
     ),
+    whenNeeded(
+      () => picked.value !== null,
+      async () => {
+        const { addOutline } = await import('./mesh/outline');
+        return () => addOutline(viewer);
+      },
+    ),
     effect(() => {
       body.setSeeThrough(fibreStyle.value !== 'none' && seeThrough.value);
       canvas.invalidate();
@@ -166,6 +180,7 @@ export function mountScene(container: HTMLElement): () => void {
       body.clear();
       slices.showSections(null);
       legend.value = null;
+      labelsShown.value = [];
       const surface = isSurface(stage) && shownResult(stage);
       if (surface) {
         const made = surfaceBody(surface);
@@ -176,11 +191,29 @@ export function mountScene(container: HTMLElement): () => void {
           return () => contourOf(triangles, owners.length);
         });
         legend.value = made.legend;
+        labelsShown.value = made.labels;
       } else if (stage === 'sizing') {
         const smooth = shownResult('smooth');
         if (smooth) body.showSurface(surfaceBody(smooth), true);
+      } else if (stage === 'volume') {
+        const labels = volume.value?.labels.map(({ label }) => label) ?? [];
+        labelsShown.value = labels.filter((label) => !hiddenLabels.value.has(label));
       }
     }),
+    effect(() => {
+      const labels = shownResult('volume')?.labels;
+      const image = untracked(() => volume.value);
+      const voxels = image?.size.reduce((product, n) => product * n, 1);
+      const meshed = new Set(meshedLabels.value.split(','));
+      const hidden = hiddenLabels.value;
+      const all = meshed.has('');
+      const counts = (label: number) => (all || meshed.has(String(label))) && !hidden.has(label);
+      if (image && labels?.length === voxels) setSurroundings(labels!, image, counts);
+      else forgetSurroundings();
+      cutSurroundings(untracked(planeNow));
+      canvas.invalidate();
+    }),
+    effect(() => cutSurroundings(planeNow())),
     followTets(canvas, body, {
       source: tetsShown,
       plane: planeNow,
@@ -209,10 +242,11 @@ export function mountScene(container: HTMLElement): () => void {
       const tet = focusTet.value;
       const mesh = untracked(() => shownResult('optimise'));
       if (tet === null || !mesh || 4 * tet >= mesh.tets.length) return;
-      const { centre, size } = tetCentre(mesh, tet);
-      viewer.flyTo(centre, 2.6 * size);
       untracked(() => {
-        picked.value = describe(stageShown.value, tet, centre.toArray());
+        const { centre, size } = tetCentre(mesh, tet);
+        const direction = new Vector3(...freeSide(mesh, tet, hiddenLabels.value));
+        viewer.flyTo(tetCentre(mesh, tet, explode.value).centre, 2.8 * size, direction);
+        tell(tet, centre, viewer.element.clientWidth / 2);
         aimAt(centre);
       });
     }),
@@ -259,7 +293,12 @@ export function mountScene(container: HTMLElement): () => void {
         }
         break;
       case 'picture':
-        order.take(takePicture(canvas, container, bodyLegend.value ?? sliceLegend.value));
+        // Few pictures are taken: its code comes with the first one.
+        order.take(
+          import('./frame/picture').then(({ takePicture }) =>
+            takePicture(canvas, container, bodyLegend.value ?? sliceLegend.value),
+          ),
+        );
         break;
       case 'cut_facing_me': {
         const towards = viewer.camera.position.clone().sub(viewer.controls.target).normalize();
@@ -273,20 +312,35 @@ export function mountScene(container: HTMLElement): () => void {
     import('../store/case/physics').then(({ stimulateAt }) => stimulateAt(place), tellError);
   }
 
-  /** Shows the numbers of what is seen at a place of the 3-D view, and puts the crosshair there. */
-  function pick(x: number, y: number): void {
+  /** Shows the numbers of an element that is seen so many pixels from the left of the 3-D view. */
+  function tell(element: number, place: Vector3, x: number): void {
+    const found = describe(stageShown.value, element, place.toArray());
+    const middle = container.clientWidth / 2;
+    const left = main.offsetLeft + x < middle;
+    picked.value = found && { ...found, side: left ? 'left' : 'right' };
+  }
+
+  /** What is seen at a place of the 3-D view. */
+  function hitAt(x: number, y: number): Hit | null {
     const { clientWidth: width, clientHeight: height } = viewer.element;
     const hit = pickAt(canvas.renderer, viewer.camera, body.pickable, { width, height }, { x, y });
     canvas.invalidate();
+    return hit;
+  }
+
+  /** Shows the numbers of what is seen at a place, and puts the crosshair there. */
+  function pick(x: number, y: number): void {
+    const hit = hitAt(x, y);
     if (stimulating.value && mayStimulate.value) {
       if (hit) excite(hit.point.toArray());
       return;
     }
     batch(() => {
-      const element = hit && (body.owners ? body.owners[hit.element] : hit.element);
-      picked.value =
-        hit && element !== null ? describe(stageShown.value, element, hit.point.toArray()) : null;
-      if (hit) aimAt(hit.point);
+      if (!hit) picked.value = null;
+      else {
+        tell(body.owners ? body.owners[hit.element] : hit.element, hit.point, x);
+        aimAt(hit.point);
+      }
     });
   }
 
@@ -297,6 +351,15 @@ export function mountScene(container: HTMLElement): () => void {
     pressed = null;
     const box = viewer.element.getBoundingClientRect();
     if (still) pick(event.clientX - box.left, event.clientY - box.top);
+  });
+  viewer.element.addEventListener('dblclick', (event) => {
+    const box = viewer.element.getBoundingClientRect();
+    const hit = hitAt(event.clientX - box.left, event.clientY - box.top);
+    if (!hit || (stimulating.value && mayStimulate.value)) return;
+    batch(() => {
+      picked.value = null;
+      addRegion('sphere', hit.point.toArray());
+    });
   });
   viewer.element.addEventListener('keydown', (event) => {
     if (event.key === 'Enter' && !event.ctrlKey && !event.metaKey)
@@ -309,6 +372,7 @@ export function mountScene(container: HTMLElement): () => void {
     sceneMounted.value = false;
     for (const stop of stops) stop();
     slices.dispose();
+    forgetSurroundings();
     body.dispose();
     other.dispose();
     twin.dispose();

@@ -1,6 +1,6 @@
 import { computed, signal } from '@preact/signals';
 import { stageNames, type ErrorPlace, type StageName, type Vec3 } from '../engine/contract';
-import type { ColourMapName } from '../geometry/colours';
+import type { Legend } from '../geometry/scale';
 
 /** 'label', the name of a field of the mesh, or what the label surface can be coloured by. */
 export type ColourBy = string;
@@ -32,27 +32,17 @@ export interface Brush {
   shown: number | null;
 }
 
-export interface Legend {
-  title: string;
-  unit: string;
-  lo: number;
-  hi: number;
-  map: ColourMapName;
-  /** Of few whole numbers. */
-  whole?: boolean;
-  /** Words beside the scale in place of numbers, from its top in even steps. */
-  words?: string[];
-  /** Colours change at multiples of this, with a line: isochrones. */
-  bands?: number;
-}
+export type { Legend } from '../geometry/scale';
 
-/** Into how many equal parts so many bands can be cut; undefined where no few will do. */
-export const bandSteps = (count: number): number | undefined =>
-  [6, 5, 4, 3].find((parts) => count % parts === 0);
-
+/** An element and its numbers. */
 export interface Picked {
   title: string;
   lines: [string, string][];
+  /** A tetrahedron, or a triangle of a surface stage. */
+  stage: StageName;
+  element: number;
+  /** The half of the view in which it is seen. */
+  side: 'left' | 'right';
 }
 
 export type ViewDirection = 'R' | 'L' | 'A' | 'P' | 'S' | 'I';
@@ -77,6 +67,8 @@ export const brush = signal<Brush | null>(null);
 /** One element singled out: its id, or nothing. */
 export const focusTet = signal<number | null>(null);
 export const legend = signal<Legend | null>(null);
+/** What a body is coloured by where there is no scale: its labels that are shown. */
+export const labelsShown = signal<readonly number[]>([]);
 /** Of the fibres where the body is an outline around them, else of the body. */
 export const bodyLegend = computed(() =>
   seeThrough.value ? (fibreLegend.value ?? legend.value) : (legend.value ?? fibreLegend.value),

@@ -1,14 +1,13 @@
 import { useState } from 'preact/hooks';
 import type { Report } from '../../engine/contract';
 import { shownResult } from '../../store/run/results';
-import { brush, focusTet, stageShown } from '../../store/view';
+import { focusTet, stageShown } from '../../store/view';
 import { SelectField } from '../controls/fields';
 import { sentence, short, unitSign } from '../controls/format';
 import { colourOf, nameOf } from '../../store/case/legend/legend';
 
 function flyTo(tet: number): void {
   if (stageShown.value !== 'optimise') stageShown.value = 'quality';
-  brush.value = null;
   focusTet.value = tet;
 }
 

@@ -11,6 +11,11 @@ const keys: [string, string][] = [
   ['?', 'This list'],
 ];
 
+const byPointer: [string, string][] = [
+  ['Click', 'Numbers of the element; the crosshair goes there'],
+  ['Double click', 'A region of its own edge length there: a sphere'],
+];
+
 const inTime: [string, string][] = [
   ['S', 'While a wave is computed: clicks on the mesh excite it'],
   ['K', 'Play, pause'],
@@ -45,6 +50,7 @@ export function KeyList() {
   return (
     <>
       <List title="Everywhere" rows={keys} />
+      <List title="On the body or a slice" rows={byPointer} />
       <List title="While something is played" rows={inTime} />
       <List title="In a view that has the focus" rows={inViews} />
     </>

@@ -1,7 +1,8 @@
-import { colourStops, colourTable, hexOf } from '../../geometry/colours';
-import { bandSteps, focusTet, layout, picked, type Legend } from '../../store/view';
+import { colourStops } from '../../geometry/colours';
+import { colourOf, nameOf } from '../../store/case/legend/legend';
+import { bodyLegend, labelsShown, layout, picked, sliceLegend, type Legend } from '../../store/view';
+import { fetched } from '../controls/fetched';
 import { short } from '../controls/format';
-import { Icon } from '../controls/icons';
 
 /** A scale on its side, for narrow panes. */
 export function ScaleStrip({ shown }: { shown: Legend }) {
@@ -13,7 +14,7 @@ export function ScaleStrip({ shown }: { shown: Legend }) {
       <svg width="90" height="9" aria-hidden="true">
         <linearGradient id={`strip-${shown.map}`}>
           {stops.map((colour, i) => (
-            <stop key={colour} offset={i / (stops.length - 1)} stop-color={colour} />
+            <stop key={i} offset={i / (stops.length - 1)} stop-color={colour} />
           ))}
         </linearGradient>
         <rect width="90" height="9" rx="2" fill={`url(#strip-${shown.map})`} />
@@ -26,112 +27,46 @@ export function ScaleStrip({ shown }: { shown: Legend }) {
   );
 }
 
-/** The height of the scale, px. */
-const scaleHeight = 120;
+/** The most labels that a key names. */
+const mostNames = 8;
 
-/** Bands from bottom to top: where each begins and ends, in px from the top, and its colour. */
-function bandsOf({ lo, hi, map, bands = 1 }: Legend): { y: number; height: number; colour: string }[] {
-  const table = colourTable(map);
-  const place = (value: number) => Math.max(0, Math.min(1, (value - lo) / (hi - lo)));
-  const first = Math.floor(lo / bands);
-  const count = Math.max(1, Math.ceil(hi / bands) - first);
-  return Array.from({ length: count }, (_, i) => {
-    const [from, to] = [place((first + i) * bands), place((first + i + 1) * bands)];
-    const at = 3 * Math.round(255 * place((first + i + 0.5) * bands));
-    const colour = hexOf([table[at], table[at + 1], table[at + 2]]);
-    return { y: scaleHeight * (1 - to), height: scaleHeight * (to - from), colour };
-  });
-}
-
-export function LegendCard({ shown }: { shown: Legend | null }) {
-  if (!shown) return null;
-  if (layout.value !== 'model') {
-    return (
-      <div class="legend flat">
-        <span class="legend-title">{shown.title}</span>
-        <ScaleStrip shown={shown} />
-      </div>
-    );
-  }
-  const stops = colourStops(shown.map);
-  const count = shown.bands ? Math.round((shown.hi - shown.lo) / shown.bands) : 0;
-  const bandParts = count > 0 ? bandSteps(count) : undefined;
-  const steps = shown.whole ? Math.min(8, shown.hi - shown.lo) : (bandParts ?? 4);
-  const ticks = Array.from({ length: steps + 1 }, (_, i) => 1 - i / steps);
+function LabelKey({ labels }: { labels: readonly number[] }) {
+  const named = labels.length > mostNames ? labels.slice(0, mostNames - 1) : labels;
   return (
-    <div
-      class="legend"
-      role="img"
-      aria-label={`${shown.title} from ${short(shown.lo)} to ${short(shown.hi)} ${shown.unit}`}
-    >
-      <span class="legend-title">
-        {shown.title}
-        {shown.unit && <span class="unit"> {shown.unit}</span>}
-        {shown.bands && <span class="unit">, lines every {short(shown.bands)}</span>}
-      </span>
-      <div class="legend-body">
-        <svg width="14" height="120" aria-hidden="true">
-          <defs>
-            <linearGradient id="legend-scale" x1="0" y1="1" x2="0" y2="0">
-              {stops.map((colour, i) => (
-                <stop key={colour} offset={i / (stops.length - 1)} stop-color={colour} />
-              ))}
-            </linearGradient>
-          </defs>
-          {shown.bands ? (
-            bandsOf(shown).map(({ y, height, colour }) => (
-              <rect
-                key={y}
-                y={y}
-                width="14"
-                height={height}
-                fill={colour}
-                stroke="#0008"
-                stroke-width="0.5"
-              />
-            ))
-          ) : (
-            <rect width="14" height={scaleHeight} rx="2" fill="url(#legend-scale)" />
-          )}
-        </svg>
-        <div class={shown.words ? 'legend-ticks words' : 'legend-ticks'}>
-          {shown.words?.map((word) => <span key={word}>{word}</span>) ??
-            ticks.map((t) => (
-              <span key={t}>{short(Number((shown.lo + t * (shown.hi - shown.lo)).toPrecision(3)))}</span>
-            ))}
-        </div>
-      </div>
-    </div>
+    <ul class="label-key" aria-label="Labels">
+      {named.map((label) => (
+        <li key={label}>
+          <svg class="dot" viewBox="0 0 8 8" aria-hidden="true">
+            <rect width="8" height="8" rx="1.5" fill={colourOf.value(label)} />
+          </svg>
+          <span>{nameOf(label)}</span>
+        </li>
+      ))}
+      {named.length < labels.length && <li class="muted">and {labels.length - named.length} more</li>}
+    </ul>
   );
 }
 
-export function PickedCard() {
+const LegendCard = fetched(() => import('./legend_card').then((part) => part.LegendCard));
+const PickedCard = fetched(() => import('./picked_card').then((part) => part.PickedCard));
+
+/** What colours mean, and the element that was picked. */
+export function ViewCards() {
+  const alone = layout.value === 'model';
+  const shown = bodyLegend.value ?? (alone ? sliceLegend.value : null);
+  const labels = labelsShown.value;
   const found = picked.value;
-  if (!found) return null;
   return (
-    <div class="picked" role="status">
-      <div class="picked-head">
-        <strong>{found.title}</strong>
-        <button
-          type="button"
-          class="icon-button small"
-          aria-label="Close"
-          onClick={() => {
-            picked.value = null;
-            focusTet.value = null;
-          }}
-        >
-          <Icon name="cross" size={13} />
-        </button>
-      </div>
-      <dl>
-        {found.lines.map(([name, value]) => (
-          <div key={name}>
-            <dt>{name}</dt>
-            <dd>{value}</dd>
-          </div>
-        ))}
-      </dl>
-    </div>
+    <>
+      {shown && alone && <LegendCard shown={shown} />}
+      {shown && !alone && (
+        <div class="legend flat">
+          <span class="legend-title">{shown.title}</span>
+          <ScaleStrip shown={shown} />
+        </div>
+      )}
+      {!shown && alone && labels.length > 0 && <LabelKey labels={labels} />}
+      {found && <PickedCard found={found} />}
+    </>
   );
 }

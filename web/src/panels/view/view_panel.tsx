@@ -2,11 +2,11 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { volume } from '../../store/case/input';
 import { simulation } from '../../store/run/frames';
 import { activity } from '../../store/run/stages';
-import { bodyLegend, layout, sliceLegend } from '../../store/view';
+import { layout } from '../../store/view';
 import { EmptyState } from '../case/empty_state';
 import { fetched } from '../controls/fetched';
-import { LegendCard, PickedCard } from './view_cards';
-import { ShowAll, SliceChoice, ViewToolbar } from './view_tools';
+import { ViewCards } from './view_cards';
+import { ShowAll, SliceChoice, ToolOptions, ViewButtons, ViewToolbar } from './view_tools';
 
 const PlayerBar = fetched(() => import('./player_bar').then((part) => part.PlayerBar));
 
@@ -49,9 +49,10 @@ export function ViewPanel() {
         {opened && trouble && <p class="view-trouble">{trouble}</p>}
         {opened && (
           <>
-            <LegendCard shown={bodyLegend.value ?? (layout.value === 'model' ? sliceLegend.value : null)} />
+            <ToolOptions />
+            <ViewButtons />
+            <ViewCards />
             <SliceChoice />
-            <PickedCard />
             <ShowAll />
           </>
         )}

@@ -43,9 +43,8 @@ function fieldOptions(): [ColourBy, string][] {
 }
 
 function ColourChoice() {
-  const onTets = stageShown.value === 'optimise' || stageShown.value === 'quality';
   const options: [ColourBy, string][] = [['label', 'Label']];
-  if (onTets) options.push(...fieldOptions());
+  if (onTets()) options.push(...fieldOptions());
   else {
     options.push(['edge_mm', 'Mean edge length'], ['target_mm', 'Target edge length']);
     if (recipe.value?.sizing.thickness.length) options.push(['thickness_mm', 'Wall thickness']);
@@ -80,23 +79,18 @@ function BeatTool() {
   );
 }
 
-const CutFields = fetched(() => import('./cut_fields').then((part) => part.CutFields));
-
-function CutTools({ onTets }: { onTets: boolean }) {
+function CutTool() {
   const { on } = cut.value;
   return (
-    <>
-      <button
-        type="button"
-        class="tool"
-        aria-pressed={on}
-        title="Cut the body open (C)"
-        onClick={() => (cut.value = { ...cut.value, on: !on })}
-      >
-        Cut
-      </button>
-      {on && <CutFields onTets={onTets} />}
-    </>
+    <button
+      type="button"
+      class="tool"
+      aria-pressed={on}
+      title="Cut the body open (C)"
+      onClick={() => (cut.value = { ...cut.value, on: !on })}
+    >
+      Cut
+    </button>
   );
 }
 
@@ -137,7 +131,7 @@ function PlaneTools() {
   );
 }
 
-/** The way back from single elements, over the view: the toolbar keeps its height. */
+/** The way back from single elements. */
 export function ShowAll() {
   if ((focusTet.value === null && brush.value === null) || !report.value) return null;
   return (
@@ -156,13 +150,11 @@ export function ShowAll() {
   );
 }
 
-const FibreTool = fetched(() => import('./fibre_tool').then((part) => part.FibreTool));
+const onTets = () => stageShown.value === 'optimise' || stageShown.value === 'quality';
+const onPlanes = () => stageShown.value === 'volume' || stageShown.value === 'sizing';
 
 export function ViewToolbar() {
-  const stage = stageShown.value;
-  const planes = stage === 'volume' || stage === 'sizing';
-  const onTets = stage === 'optimise' || stage === 'quality';
-  const sliced = layout.value === 'slices';
+  const planes = onPlanes();
   return (
     <div class="toolbar" role="toolbar" aria-label="View tools">
       <Segments
@@ -171,12 +163,12 @@ export function ViewToolbar() {
         options={[
           ['model', '3-D', 'One view (1)'],
           ['slices', 'Slices', 'Three slices of the image beside it (2)'],
-          ...(pinned.value ? [['compare', 'Compare', 'The pinned run beside it (3)'] as const] : []),
+          ['compare', 'Compare', 'The pinned run beside it (3)'],
         ]}
+        disabled={pinned.value ? [] : ['compare']}
         onChange={(next) => (layout.value = next)}
       />
       {!planes && <ColourChoice />}
-      {onTets && <BeatTool />}
       <button
         type="button"
         class="tool"
@@ -186,10 +178,33 @@ export function ViewToolbar() {
       >
         Edges
       </button>
-      {!planes && <CutTools onTets={onTets} />}
-      {onTets && (recipe.value?.physics?.fibres || fibresAreGiven.value) && report.value && <FibreTool />}
-      {onTets && <ExplodeTool />}
-      {planes && !sliced && <PlaneTools />}
+      {!planes && <CutTool />}
+      {onTets() && <ExplodeTool />}
+    </div>
+  );
+}
+
+const FibreTool = fetched(() => import('./fibre_tool').then((part) => part.FibreTool));
+const CutFields = fetched(() => import('./cut_fields').then((part) => part.CutFields));
+
+/** What belongs to a tool that is on. It lies over the view, which keeps its place. */
+export function ToolOptions() {
+  const planes = onPlanes();
+  const tets = onTets();
+  return (
+    <div class="tool-options">
+      {!planes && cut.value.on && <CutFields onTets={tets} />}
+      {tets && <BeatTool />}
+      {tets && (recipe.value?.physics?.fibres || fibresAreGiven.value) && report.value && <FibreTool />}
+      {planes && layout.value !== 'slices' && <PlaneTools />}
+    </div>
+  );
+}
+
+/** In the corner of the view. */
+export function ViewButtons() {
+  return (
+    <div class="view-buttons">
       <button
         type="button"
         class="tool icon-only"

@@ -1,10 +1,16 @@
-/** The fragment stage that every body shares: soft light from the viewer's shoulder, crisp element edges. */
+/** The fragment stage that every body shares: soft light from the viewer's shoulder, less in cavities; crisp element edges. */
 export const shadingFragment = /* glsl */ `
 precision highp float;
+precision highp sampler3D;
 uniform vec4 clipPlane;
 uniform float edgeStrength;
 uniform vec3 edgeColour;
 uniform float opacity;
+/** 1: sheltered places are darker; 0: lit evenly; -1: not lit at all. */
+uniform float shelter;
+uniform sampler3D open;
+uniform mat4 toOpen, viewMatrix;
+uniform float cell;
 in vec3 vColour;
 flat in uint vElement;
 in vec3 vView;
@@ -34,7 +40,13 @@ float edgeLine() {
   vec3 near = smoothstep(vec3(0.0), width * 1.1, vCorner);
   // Edges closer together than a few pixels would turn the body black; let them fade out.
   float crowd = max(max(width.x, width.y), width.z);
-  return (1.0 - min(min(near.x, near.y), near.z)) * (1.0 - smoothstep(0.12, 0.45, crowd));
+#ifdef SMOOTH
+  // The triangles of a dense surface are all about as large: some with edges and some without would be patches.
+  float fade = 1.0 - smoothstep(0.05, 0.16, crowd);
+#else
+  float fade = 1.0 - smoothstep(0.12, 0.45, crowd);
+#endif
+  return (1.0 - min(min(near.x, near.y), near.z)) * fade;
 }
 
 #ifdef FIELD
@@ -57,6 +69,15 @@ vec3 fieldColour() {
 vec3 fieldColour() { return vColour; }
 #endif
 
+/** How much of the light from all around comes to a place: 1 where no more than the body's own flat side is in the way. */
+float openness(vec3 normal) {
+  if (cell == 0.0 || shelter <= 0.0) return 1.0;
+  vec3 place = (toOpen * vec4(vWorld + 1.5 * cell * normal, 1.0)).xyz;
+  // Beyond the image there is nothing.
+  if (place != clamp(place, 0.0, 1.0)) return 1.0;
+  return smoothstep(0.0, 0.5, texture(open, place).r);
+}
+
 vec3 shaded() {
 #ifdef SMOOTH
   vec3 n = normalize(vNormal);
@@ -65,13 +86,21 @@ vec3 shaded() {
 #endif
   vec3 toEye = normalize(-vView);
   if (dot(n, toEye) < 0.0) n = -n;
-  float key = max(dot(n, normalize(vec3(0.35, 0.55, 0.75))), 0.0);
+  float key = dot(n, normalize(vec3(0.35, 0.55, 0.75)));
+#ifdef SMOOTH
+  // Light that reaches around: terraces of voxels stay soft.
+  key = mix(max(key, 0.0), 0.5 + 0.5 * key, 0.6);
+#else
+  key = max(key, 0.0);
+#endif
   float fill = max(dot(n, normalize(vec3(-0.6, -0.1, 0.5))), 0.0);
   float sky = 0.5 + 0.5 * n.y;
   vec3 base = fieldColour();
   base *= base;
-  vec3 lit = base * (0.3 + 0.16 * sky + 0.66 * key + 0.22 * fill);
-  lit += 0.05 * pow(max(dot(n, normalize(toEye + vec3(0.35, 0.55, 0.75))), 0.0), 24.0);
+  if (shelter < 0.0) return sqrt(base);
+  float free = openness(n * mat3(viewMatrix));
+  vec3 lit = base * ((0.36 + 0.2 * sky) * free + (0.58 * key + 0.2 * fill) * mix(0.3, 1.0, free));
+  lit += 0.05 * free * pow(max(dot(n, normalize(toEye + vec3(0.35, 0.55, 0.75))), 0.0), 24.0);
   return sqrt(clamp(lit, 0.0, 1.0));
 }
 

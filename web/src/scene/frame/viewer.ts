@@ -1,4 +1,4 @@
-import { Box3, PerspectiveCamera, Scene, Sphere, Vector3, type Object3D } from 'three';
+import { Box3, PerspectiveCamera, Quaternion, Scene, Sphere, Vector3, type Object3D } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { ViewDirection } from '../../store/view';
 import type { Canvas, Pane } from './canvas';
@@ -18,6 +18,13 @@ const fitShare = 0.84;
 /** From the patient's left front and a little above, as hearts are drawn. */
 const threeQuarters = new Vector3(-0.62, 1, 0.4).normalize();
 
+/** What the camera looks at, from which direction and how far away. */
+interface Sight {
+  target: Vector3;
+  direction: Vector3;
+  distance: number;
+}
+
 /** A pane that is looked into from any side: scene, camera and controls. */
 export class Viewer {
   readonly scene = new Scene();
@@ -32,7 +39,9 @@ export class Viewer {
   private readonly afterDraw = new Set<() => void>();
   private outline: Float32Array = new Float32Array(0);
   private share = fitShare;
-  private flight: { begin: number; from: Vector3[]; to: Vector3[] } | null = null;
+  /** The view is that of the whole body, which nobody has turned or zoomed. */
+  private fitted = false;
+  private flight: { begin: number; from: Sight; to: Sight } | null = null;
 
   constructor(canvas: Canvas, parent: HTMLElement) {
     this.canvas = canvas;
@@ -50,18 +59,25 @@ export class Viewer {
     this.controls = new OrbitControls(this.camera, this.element);
     this.controls.zoomToCursor = true;
     this.controls.addEventListener('change', () => this.invalidate());
-    this.controls.addEventListener('start', () => (this.flight = null));
+    this.controls.addEventListener('start', () => {
+      this.flight = null;
+      this.fitted = false;
+    });
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.pane = {
       element: this.element,
       resized: (width, height) => {
-        const before = this.share * Math.min(1, this.camera.aspect);
+        const before = this.room();
         this.share = this.shareFor(height);
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
+        if (this.fitted) {
+          this.fit(false);
+          return;
+        }
         // What was in sight stays in sight when the pane becomes narrow or low.
         const { target } = this.controls;
-        const nearer = before / (this.share * Math.min(1, this.camera.aspect));
+        const nearer = before / this.room();
         this.camera.position.sub(target).multiplyScalar(nearer).add(target);
       },
       draw: (renderer) => {
@@ -113,8 +129,8 @@ export class Viewer {
     this.moveTo(this.controls.target.clone(), direction, distance, true);
   }
 
-  flyTo(point: Vector3, radius: number): void {
-    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
+  /** So much around a point, from where the camera is or from a direction. */
+  flyTo(point: Vector3, radius: number, direction = this.sight().direction): void {
     this.moveTo(point, direction, this.distanceFor(radius), true);
   }
 
@@ -133,8 +149,9 @@ export class Viewer {
     const centre = this.bounds.getCenter(new Vector3());
     const right = new Vector3().crossVectors(this.camera.up, direction).normalize();
     const up = new Vector3().crossVectors(direction, right);
-    const tall = Math.tan((this.camera.fov * Math.PI) / 360) * this.share;
-    const wide = tall * this.camera.aspect;
+    const half = Math.tan((this.camera.fov * Math.PI) / 360);
+    const tall = half * this.share;
+    const wide = half * fitShare * this.camera.aspect;
     const step = 3 * Math.max(1, Math.floor(this.outline.length / 3 / 4000));
     const point = new Vector3();
     let distance = this.outline.length > 0 ? 0 : this.distanceFor(this.bounds.getSize(point).length() / 2);
@@ -144,6 +161,12 @@ export class Viewer {
       distance = Math.max(distance, point.dot(direction) + reach);
     }
     this.moveTo(centre, direction, distance, animated);
+    this.fitted = true;
+  }
+
+  /** How much of the view's height a body may take, or of its width where that is less. */
+  private room(): number {
+    return Math.min(this.share, fitShare * this.camera.aspect);
   }
 
   /** Above and below, what lies over a pane may ask for room: `--cards` of its style, in pixels. */
@@ -158,19 +181,25 @@ export class Viewer {
     return (1.08 * radius) / (Math.sin(half) * narrow);
   }
 
+  private sight(): Sight {
+    const { target } = this.controls;
+    const away = this.camera.position.clone().sub(target);
+    return { target: target.clone(), direction: away.clone().normalize(), distance: away.length() };
+  }
+
   private moveTo(target: Vector3, direction: Vector3, distance: number, animated: boolean): void {
-    const position = target.clone().addScaledVector(direction, distance);
+    this.fitted = false;
     const still = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
     if (animated && !still) {
       this.flight = {
         begin: performance.now(),
-        from: [this.camera.position.clone(), this.controls.target.clone()],
-        to: [position, target.clone()],
+        from: this.sight(),
+        to: { target: target.clone(), direction, distance },
       };
     } else {
       this.flight = null;
-      this.camera.position.copy(position);
       this.controls.target.copy(target);
+      this.camera.position.copy(target).addScaledVector(direction, distance);
       this.controls.update();
       this.fitDepth();
     }
@@ -182,8 +211,18 @@ export class Viewer {
     const { begin, from, to } = this.flight;
     const t = Math.min(1, (performance.now() - begin) / flightMs);
     const eased = t * t * (3 - 2 * t);
-    this.camera.position.lerpVectors(from[0], to[0], eased);
-    this.controls.target.lerpVectors(from[1], to[1], eased);
+    // Around the body, not through it.
+    const turn = new Quaternion().slerp(
+      new Quaternion().setFromUnitVectors(from.direction, to.direction),
+      eased,
+    );
+    const distance = from.distance * (to.distance / from.distance) ** eased;
+    this.controls.target.lerpVectors(from.target, to.target, eased);
+    this.camera.position
+      .copy(from.direction)
+      .applyQuaternion(turn)
+      .multiplyScalar(distance)
+      .add(this.controls.target);
     this.camera.lookAt(this.controls.target);
     if (t >= 1) {
       this.flight = null;
@@ -222,6 +261,7 @@ export class Viewer {
       return;
     }
     event.preventDefault();
+    this.fitted = false;
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
     this.invalidate();

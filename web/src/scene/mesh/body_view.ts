@@ -1,7 +1,8 @@
 import { BufferAttribute, BufferGeometry, Group, Mesh, type RawShaderMaterial } from 'three';
 import type { TetArrays } from '../../engine/contract';
 import type { Faces } from '../../geometry/faces';
-import { elementMaterial, noClip } from './element_material';
+import { noClip } from '../frame/surroundings';
+import { elementMaterial } from './element_material';
 import type { SurfaceBody } from './colouring';
 import { TetModel, type Plane } from './tet_model';
 

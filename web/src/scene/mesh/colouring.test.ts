@@ -1,9 +1,10 @@
 import { afterEach, describe, expect, it } from 'vitest';
-import type { FieldInfo, StageArrays } from '../../engine/contract';
+import type { FieldInfo, Report, StageArrays } from '../../engine/contract';
 import { colourStops } from '../../geometry/colours';
 import { colourBy } from '../../store/view';
+import { report } from '../../store/run/report';
 import { forgetFound, forgetFrames, keepFound, keepFrame } from '../../store/run/frames';
-import { bandWidth, roundEnds, simulatedPaint, tetPaint } from './colouring';
+import { bandEnds, roundEnds, simulatedPaint, tetPaint } from './colouring';
 
 function field(name: string, values: Float32Array, told: Partial<FieldInfo> = {}): StageArrays['quality'] {
   const info = { name, title: name, unit: '1', on: 'tets', scale: 'sequential', components: 1 } as const;
@@ -27,6 +28,21 @@ describe('colours of tetrahedra', () => {
     expect(paint.kind === 'scale' && paint.legend).toMatchObject({ title: 'A new measure', unit: '°' });
   });
 
+  it('are loud at the bad end of what elements are ranked by, whichever that is', () => {
+    for (const [worst, map] of [
+      [0, 'alarm_low'],
+      [99, 'alarm'],
+    ] as const) {
+      const metrics = [{ name: 'radius_ratio', elements: 'tets', worst: [worst], median: 0.5 }];
+      report.value = { quality: { metrics } } as unknown as Report;
+      colourBy.value = 'radius_ratio';
+      expect(tetPaint(field('radius_ratio', parts))).toMatchObject({ legend: { map } });
+      colourBy.value = 'edge_mm';
+      expect(tetPaint(field('edge_mm', parts, { unit: 'mm' }))).toMatchObject({ legend: { map: 'viridis' } });
+    }
+    report.value = null;
+  });
+
   it('have ratios around nothing in the middle of their scale', () => {
     colourBy.value = 'size_log2';
     const ratios = new Float32Array(100).fill(-1).fill(0.25, 50);
@@ -47,7 +63,7 @@ describe('colours of tetrahedra', () => {
     const paint = tetPaint(field('layer', Float32Array.from([-1, 1, 3, 2]), { scale: 'whole' }));
     expect(paint.kind === 'parts' && paint.legend).toMatchObject({ lo: 1, hi: 3, whole: true });
     const same = tetPaint(field('layer', Float32Array.from([-1, 3, 3, 3]), { scale: 'whole' }));
-    expect(same.kind === 'parts' && same.legend).toMatchObject({ lo: 2, hi: 4 });
+    expect(same.kind === 'parts' && same.legend).toMatchObject({ lo: 3, hi: 3 });
   });
 
   it('show values of points from nothing up, and none inside', () => {
@@ -124,5 +140,5 @@ describe('colours of what a simulation found', () => {
     [0, 135, 20],
     [10, 22, 1],
     [0, 1, 0.1],
-  ])('from %f to %f are %f wide', (lo, hi, width) => expect(bandWidth({ lo, hi })).toBeCloseTo(width));
+  ])('from %f to %f are %f wide', (lo, hi, width) => expect(bandEnds([lo, hi]).bands).toBeCloseTo(width));
 });

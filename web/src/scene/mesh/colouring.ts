@@ -1,6 +1,6 @@
 /** From what the store shows to colours: pure choices, no three.js. */
 import { untracked } from '@preact/signals';
-import type { FieldInfo, StageArrays, SurfaceArrays } from '../../engine/contract';
+import type { FieldInfo, StageArrays, SurfaceArrays, TetArrays } from '../../engine/contract';
 import { colourTable, rgbOf } from '../../geometry/colours';
 import {
   robustRange,
@@ -11,11 +11,13 @@ import {
   type Painter,
 } from '../../geometry/faces';
 import { valuesAt } from '../../geometry/grid_values';
+import { endsAround, roundStep, withCounts } from '../../geometry/scale';
 import { playedFields } from '../../store/run/frames';
+import { report } from '../../store/run/report';
 import { shownKeys } from '../../store/run/results';
 import { simulatedFields, simulatedValues } from '../../store/run/simulated_fields';
-import { sizingFields } from '../../store/run/sizing_fields';
-import { bandSteps, colourBy, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
+import { sizingFields, thicknessRange } from '../../store/run/sizing_fields';
+import { colourBy, fractionLabel, hiddenLabels, type Legend } from '../../store/view';
 import { colourOf, nameOf } from '../../store/case/legend/legend';
 
 export type TetPaint =
@@ -45,26 +47,44 @@ function scaleOf({ title, unit, scale }: FieldInfo): Scale {
   if (scale === 'cyclic') return { title, unit: '', map: 'cycle' };
   const map = scale === 'diverging' ? 'vik' : unit === 'deg' || unit === '1' ? 'cividis' : 'viridis';
   const sign = unitSigns[unit] ?? unit;
-  return scale === 'whole' ? { title, unit: sign, map: 'viridis', whole: true } : { title, unit: sign, map };
+  return scale === 'whole' ? { title, unit: sign, map: 'layers', whole: true } : { title, unit: sign, map };
 }
 
-function scaled(values: Float32Array, scale: Scale): TetPaint {
-  let [lo, hi] = robustRange(values);
-  // Ratios are read from their middle: as much above the target as below it.
-  if (scale.map === 'vik') [lo, hi] = [-Math.max(-lo, hi), Math.max(-lo, hi)];
-  return { kind: 'scale', values, legend: { ...scale, lo, hi } };
+/** The map on which the bad end of a measure is loud, where the engine ranks elements by it. */
+function alarmOf(name: string, values: Float32Array): 'alarm' | 'alarm_low' | null {
+  const metric = report.value?.quality.metrics.find((one) => one.name === name && one.elements === 'tets');
+  const worst = metric?.worst[0];
+  if (!metric || worst === undefined) return null;
+  return values[worst] < metric.median ? 'alarm_low' : 'alarm';
 }
+
+function scaled(values: Float32Array, scale: Scale): TetPaint & { kind: 'scale' } {
+  let ends = endsAround(robustRange(values));
+  // Ratios are read from their middle: as much above the target as below it.
+  if (scale.map === 'vik') ends = { lo: -Math.max(-ends.lo, ends.hi), hi: Math.max(-ends.lo, ends.hi) };
+  return { kind: 'scale', values, legend: withCounts({ ...scale, ...ends }, values) };
+}
+
+const notBelow0 = (value: number) => value >= 0;
 
 function pointPaint(values: Float32Array, scale: Scale): TetPaint {
-  const [, hi] = robustRange(values, (point) => values[point] >= 0);
-  return { kind: 'points', values, legend: { ...scale, lo: 0, hi } };
+  const [, most] = robustRange(values, (point) => values[point] >= 0);
+  const legend = { ...scale, lo: 0, hi: endsAround([0, most]).hi };
+  return { kind: 'points', values, legend: withCounts(legend, values, notBelow0) };
 }
 
 function wholePaint(values: Float32Array, scale: Scale): TetPaint {
   const most = values.reduce((known, value) => Math.max(known, value), 1);
   const fewest = values.reduce((known, value) => (value < 0 ? known : Math.min(known, value)), most);
-  const [lo, hi] = most > fewest ? [fewest, most] : [most - 1, most + 1];
-  return { kind: 'parts', values, legend: { ...scale, lo, hi } };
+  return { kind: 'parts', values, legend: withCounts({ ...scale, lo: fewest, hi: most }, values, notBelow0) };
+}
+
+/** The labels of which tets have the colours, of those that are shown. */
+export function paintedLabels(paint: TetPaint, mesh: TetArrays): number[] {
+  if (paint.kind !== 'label' && paint.kind !== 'given') return [];
+  const labels = paint.kind === 'given' ? paint.values : mesh.ways.filter((_, i) => i % 4 === 0);
+  const hidden = paint.kind === 'label' ? hiddenLabels.value : new Set<number>();
+  return [...new Set(labels)].filter((label) => label > 0 && !hidden.has(label)).sort((a, b) => a - b);
 }
 
 export function tetPaint(measures: StageArrays['quality'] | undefined): TetPaint {
@@ -76,9 +96,13 @@ export function tetPaint(measures: StageArrays['quality'] | undefined): TetPaint
   if (field.on === 'points') return pointPaint(values, scaleOf(field));
   if (field.scale === 'whole') return wholePaint(values, scaleOf(field));
   const label = fractionLabel(by);
-  if (label === null) return scaled(values, scaleOf(field));
+  if (label === null) {
+    const scale = scaleOf(field);
+    const alarm = field.scale === 'sequential' ? alarmOf(by, values) : null;
+    return scaled(values, alarm ? { ...scale, map: alarm } : scale);
+  }
   const legend: Legend = { title: `Share of ${nameOf(label)}`, unit: '', map: 'viridis', lo: 0, hi: 1 };
-  return { kind: 'scale', values, legend };
+  return { kind: 'scale', values, legend: withCounts(legend, values) };
 }
 
 /** Ends of a scale in round numbers, moved by no more than a fortieth of its length. */
@@ -91,28 +115,20 @@ export function roundEnds([least, most]: readonly [number, number]): { lo: numbe
   return { lo: rounded(least), hi: rounded(most) };
 }
 
-/** The width of bands, in round numbers, of which there are about twelve. */
-export function bandWidth({ lo, hi }: { lo: number; hi: number }): number {
-  const about = (hi - lo) / 12;
-  const power = 10 ** Math.floor(Math.log10(about));
-  return power * ([1, 2, 5, 10].find((step) => step * power >= about * 0.999) ?? 10);
-}
-
-/** Whole bands over a range, so many that some of their borders cut the scale into equal parts (`bandSteps`). */
+/** Whole bands over a range, about twelve, at least three. */
 export function bandEnds([least, most]: readonly [number, number]): {
   lo: number;
   hi: number;
   bands: number;
 } {
-  const bands = bandWidth({ lo: least, hi: most > least ? most : least + 1 });
+  const bands = roundStep(((most > least ? most : least + 1) - least) / 12);
   const first = Math.floor(least / bands);
-  let count = Math.max(3, Math.ceil(most / bands) - first);
-  while (!bandSteps(count)) count++;
+  const count = Math.max(3, Math.ceil(most / bands) - first);
   return { lo: first * bands, hi: (first + count) * bands, bands };
 }
 
-/** What the phase is called at 135, 45, -45 and -135 degrees. */
-const phaseWords = ['recovery', 'excited', 'front', 'rest'];
+/** What the phase is called at -135, -45, 45 and 135 degrees. */
+const phaseWords = ['rest', 'front', 'excited', 'recovery'];
 
 /** A field of a simulation, on the scale of all its frames; nothing where it is not what is coloured by. */
 export function simulatedPaint(valuesOf = simulatedValues): TetPaint | null {
@@ -127,16 +143,22 @@ export function simulatedPaint(valuesOf = simulatedValues): TetPaint | null {
   const range: [number, number] = field.info.scale === 'diverging' ? [-most, most] : field.range;
   const cyclic = field.info.scale === 'cyclic';
   const ends = banded ? bandEnds(range) : cyclic ? { lo: range[0], hi: range[1] } : roundEnds(range);
-  const legend: Legend = { ...scaleOf(field.info), ...ends, ...(cyclic && { words: phaseWords }) };
+  const legend: Legend = {
+    ...scaleOf(field.info),
+    ...ends,
+    values: field.range,
+    ...(cyclic && { words: phaseWords }),
+  };
   return { kind: field.info.on === 'points' ? 'nodal' : 'scale', values, legend };
 }
 
-function labelPainter(): Painter {
+function labelPainter(seen: Set<number>): Painter {
   const colour = colourOf.value;
   const cache = new Map<number, [number, number, number]>([[0, [150, 150, 150]]]);
   return (_, label, out, at) => {
     let rgb = cache.get(label);
     if (!rgb) cache.set(label, (rgb = rgbOf(colour(label))));
+    seen.add(label);
     out[at] = rgb[0];
     out[at + 1] = rgb[1];
     out[at + 2] = rgb[2];
@@ -157,6 +179,8 @@ function scalePainter(values: Float32Array, { lo, hi, map }: Legend): Painter {
 export interface SurfaceBody {
   faces: Faces;
   legend: Legend | null;
+  /** Where there is no legend: the labels that it has the colours of. */
+  labels: readonly number[];
 }
 
 /** What a surface's triangles are coloured by, where that is a number. */
@@ -179,10 +203,13 @@ export function surfaceBody(mesh: SurfaceArrays): SurfaceBody {
   const known = bodies.get(mesh);
   if (known && from.every((part, i) => part === known.from[i])) return known.body;
   const values = triangleValues(mesh);
-  const painted = values && scaled(values, surfaceScales[by]);
-  const legend = painted?.kind === 'scale' ? painted.legend : null;
-  const paint = values && legend ? scalePainter(values, legend) : labelPainter();
-  const body = { faces: surfaceFaces(mesh, hiddenLabels.value, paint), legend };
+  const legend = values && scaled(values, surfaceScales[by]).legend;
+  // What was measured, not only where triangles are.
+  if (legend && by === 'thickness_mm') legend.values = thicknessRange() ?? legend.values;
+  const seen = new Set<number>();
+  const paint = values && legend ? scalePainter(values, legend) : labelPainter(seen);
+  const faces = surfaceFaces(mesh, hiddenLabels.value, paint);
+  const body = { faces, legend, labels: [...seen].sort((a, b) => a - b) };
   bodies.set(mesh, { from, body });
   return body;
 }

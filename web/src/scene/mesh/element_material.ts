@@ -1,5 +1,6 @@
-import { Color, DoubleSide, GLSL3, RawShaderMaterial, Vector4 } from 'three';
+import { Color, DoubleSide, GLSL3, RawShaderMaterial } from 'three';
 import { shadingFragment } from '../frame/shading';
+import { noClip, surroundings } from '../frame/surroundings';
 
 const vertexShader = /* glsl */ `
 precision highp float;
@@ -30,13 +31,12 @@ void main() {
   gl_Position = projectionMatrix * view;
 }`;
 
-/** A plane that clips nothing: what lies on its side of normal . p <= offset stays. */
-export const noClip = new Vector4(0, 0, 0, 1);
-
 /** Uniforms of the shared fragment stage. */
 export function shadingUniforms(ghost: boolean) {
   return {
+    ...surroundings,
     clipPlane: { value: noClip.clone() },
+    shelter: { value: ghost ? 0 : 1 },
     edgeStrength: { value: ghost ? 0 : 0.55 },
     edgeColour: { value: new Color(0.05, 0.07, 0.1) },
     opacity: { value: ghost ? 0.1 : 1 },

@@ -9,7 +9,8 @@ import {
 } from 'three';
 import type { Pieces } from '../../geometry/fibres';
 import { shadingFragment } from '../frame/shading';
-import { noClip, shadingUniforms } from './element_material';
+import { noClip } from '../frame/surroundings';
+import { shadingUniforms } from './element_material';
 
 /** Each piece is a tube with pointed ends; whole pieces lie on one side of a cut. */
 const vertexShader = /* glsl */ `
@@ -110,6 +111,7 @@ export function fibreDrawing(
     uniforms: {
       ...shadingUniforms(false),
       edgeStrength: { value: 0 },
+      shelter: { value: 0 },
       edgeColour: { value: new Color(0, 0, 0) },
       cutPlane: { value: noClip.clone() },
       radius: { value: radius },

@@ -16,7 +16,7 @@ import { explode, fibreLegend, fibreStyle, hiddenLabels, seeThrough, type Legend
 import type { Viewer } from '../frame/viewer';
 import { nextTask } from '../frame/tasks';
 import { fibreDrawing, type FibreDrawing } from './fibre_drawing';
-import { noClip } from './element_material';
+import { noClip } from '../frame/surroundings';
 import type { Plane } from './tet_model';
 
 /** How many glyphs there are at once, about; and cubes of which each has one line. */

@@ -11,7 +11,9 @@ import {
 } from 'three';
 import type { ErrorPlace, SurfaceArrays } from '../../engine/contract';
 
-const marking = { color: 0xff00b8, depthTest: false, transparent: true, opacity: 0.85 };
+/** Of no colour map and no palette of labels. */
+export const markColour = 0xff00b8;
+const marking = { color: markColour, depthTest: false, transparent: true, opacity: 0.85 };
 
 function corners(surface: SurfaceArrays, triangle: number): Vector3[] {
   return [0, 1, 2].map((c) =>

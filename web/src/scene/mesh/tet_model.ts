@@ -14,8 +14,9 @@ import {
   type WebGLRenderer,
 } from 'three';
 import type { TetArrays } from '../../engine/contract';
-import { chosenBit, shownBit } from '../../geometry/tet_faces';
-import { noClip, shadingUniforms } from './element_material';
+import { chosenBit, nearBit, shownBit } from '../../geometry/tet_faces';
+import { noClip } from '../frame/surroundings';
+import { shadingUniforms } from './element_material';
 import type { TetPaint } from './colouring';
 import { nextTask } from '../frame/tasks';
 import { shadingFragment } from '../frame/shading';
@@ -41,6 +42,9 @@ export interface Plane {
 const paintCodes = { label: 0, scale: 1, given: 2, points: 4, parts: 5, nodal: 6 } as const;
 const plainCode = 3;
 
+/** All that is shown; some of it, with an outline of the rest; or one tet, with a veil of those near it. */
+export type Choice = 'all' | 'some' | 'one';
+
 /**
  * A tetrahedral mesh on the graphics card. Its arrays are uploaded once; cuts, choices, colours and pulling apart
  * change uniforms, or one byte or number a tet.
@@ -53,8 +57,9 @@ export class TetModel {
   private readonly solid: TetDrawing;
   private readonly cap: TetDrawing;
   private readonly ghost: TetDrawing;
+  private readonly veil: TetDrawing;
   private plane: Plane | null = null;
-  private partly = false;
+  private choice: Choice = 'all';
   private seeThrough = false;
   private hides = false;
   private disposed = false;
@@ -83,17 +88,19 @@ export class TetModel {
       period: { value: 0 },
       explode: { value: 0 },
       apart: { value: false },
-      singled: { value: -1 },
-      singledColour: { value: new Color(1, 0.77, 0) },
       plain: { value: new Color(0.59, 0.59, 0.59) },
     };
     this.solid = this.drawing(facesVertex, { need: chosenBit });
     this.cap = this.drawing(sectionVertex, { need: chosenBit });
     this.ghost = this.drawing(facesVertex, { need: shownBit, ghost: true });
+    this.veil = this.drawing(facesVertex, { need: nearBit, ghost: true });
+    // The face of a cut is no surface of the body.
+    this.cap.material.uniforms.shelter.value = -1;
     this.cap.geometry.setDrawRange(0, 6 * mesh.labels.length);
     this.ghost.geometry.setDrawRange(0, 3 * extents[0]);
-    this.ghost.renderOrder = 1;
-    this.group.add(this.solid, this.cap, this.ghost);
+    this.veil.geometry.setDrawRange(0, 3 * faces.length);
+    this.ghost.renderOrder = this.veil.renderOrder = 1;
+    this.group.add(this.solid, this.cap, this.ghost, this.veil);
     this.update();
   }
 
@@ -111,7 +118,7 @@ export class TetModel {
 
   /** What a click may hit. */
   get pickable(): TetDrawing[] {
-    return this.group.visible ? [this.solid, this.cap].filter((one) => one.visible) : [];
+    return this.group.visible ? [this.solid, this.cap, this.veil].filter((one) => one.visible) : [];
   }
 
   /** Another section of the mesh, for a slice: edges only, its plane the uniform `cutPlane`. */
@@ -122,10 +129,9 @@ export class TetModel {
     return made;
   }
 
-  /** `partly`: not every shown tet is chosen, so that an outline of the others helps. */
-  setMask(mask: Uint8Array, partly: boolean, hides: boolean): void {
+  setMask(mask: Uint8Array, choice: Choice, hides: boolean): void {
     this.replace('mask', arrayTexture(mask, 1));
-    this.partly = partly;
+    this.choice = choice;
     this.hides = hides;
     this.update();
   }
@@ -135,11 +141,14 @@ export class TetModel {
     if (paint.kind !== 'label') this.replace('values', arrayTexture(paint.values, 1));
     if ('legend' in paint) {
       this.replace('scale', scaleTexture(paint.legend.map));
-      this.shared.range.value.set(paint.legend.lo, paint.legend.hi);
-      this.shared.bands.value = paint.legend.bands ?? 0;
-      this.shared.period.value = paint.legend.map === 'cycle' ? paint.legend.hi - paint.legend.lo : 0;
+      const { lo, hi, bands, map } = paint.legend;
+      // Of a single value there is one colour.
+      this.shared.range.value.set(lo, hi > lo ? hi : lo + 1);
+      this.shared.bands.value = bands ?? 0;
+      this.shared.period.value = map === 'cycle' ? hi - lo : 0;
     }
-    for (const one of [this.solid, this.cap]) one.material.uniforms.paint.value = paintCodes[paint.kind];
+    for (const one of [this.solid, this.cap, this.veil])
+      one.material.uniforms.paint.value = paintCodes[paint.kind];
   }
 
   /** Other values of the same elements, as the paint that is set has them. */
@@ -164,19 +173,17 @@ export class TetModel {
     this.update();
   }
 
-  single(tet: number | null): void {
-    this.shared.singled.value = tet ?? -1;
-  }
-
   setLook(edgeStrength: number, ghostOpacity: number): void {
     for (const one of [this.solid, this.cap]) one.material.uniforms.edgeStrength.value = edgeStrength;
     this.ghost.material.uniforms.opacity.value = ghostOpacity;
+    this.veil.material.uniforms.opacity.value = 2.2 * ghostOpacity;
+    this.veil.material.uniforms.edgeStrength.value = edgeStrength;
   }
 
   dispose(): void {
     this.disposed = true;
     for (const { value } of Object.values(this.shared)) (value as Partial<Texture>).dispose?.();
-    for (const one of [this.solid, this.cap, this.ghost]) {
+    for (const one of [this.solid, this.cap, this.ghost, this.veil]) {
       one.geometry.dispose();
       one.material.dispose();
     }
@@ -223,15 +230,19 @@ export class TetModel {
     const { extents, faces } = this.mesh;
     const { plane } = this;
     const at = plane ? new Vector4(...new Vector3(...plane.normal).toArray(), plane.offset) : noClip;
-    const every = this.partly || (plane !== null && !plane.flat);
+    const partly = this.choice !== 'all';
+    const every = partly || (plane !== null && !plane.flat);
     const some = this.hides || this.shared.apart.value;
     const count = every ? faces.length : some ? extents[1] : extents[0];
     this.solid.geometry.setDrawRange(0, 3 * count);
+    // What stands alone is sheltered by nothing.
+    this.solid.material.uniforms.shelter.value = partly || this.shared.apart.value ? 0 : 1;
     this.solid.material.uniforms.cutPlane.value.copy(plane && !plane.flat ? at : noClip);
     this.solid.material.uniforms.clipPlane.value.copy(plane?.flat ? at : noClip);
     this.cap.visible = plane?.flat ?? false;
     this.cap.material.uniforms.cutPlane.value.copy(at);
-    this.ghost.visible = this.partly || this.seeThrough;
+    this.ghost.visible = partly || this.seeThrough;
+    this.veil.visible = this.choice === 'one';
     for (const one of [this.solid, this.cap]) one.material.visible = !this.seeThrough;
   }
 }

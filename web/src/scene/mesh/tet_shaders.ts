@@ -14,8 +14,6 @@ uniform int paint;
 uniform vec2 range;
 uniform float period;
 uniform float explode;
-uniform int singled;
-uniform vec3 singledColour;
 uniform vec3 plain;
 out vec3 vColour;
 flat out uint vElement;
@@ -41,7 +39,6 @@ float nearTo(float other, float value) {
 }
 
 vec3 colourOf(int tet, int label) {
-  if (tet == singled) return singledColour;
   if (paint == 0) return texelFetch(palette, ofLabel(label), 0).rgb;
   if (paint == 3) return plain;
   float value = paint == 4 ? faceValue : paint == 6 ? vertexValue : texelFetch(values, at(tet), 0).r;

@@ -1,12 +1,21 @@
 import { effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
-import type { StageArrays, TetArrays } from '../../engine/contract';
+import type { StageArrays, StageName, TetArrays } from '../../engine/contract';
 import { tetMask } from '../../geometry/tet_faces';
-import { brush, colourBy, explode, focusTet, hiddenLabels, legend, type Brush } from '../../store/view';
+import {
+  brush,
+  colourBy,
+  explode,
+  focusTet,
+  hiddenLabels,
+  labelsShown,
+  legend,
+  type Brush,
+} from '../../store/view';
 import { pinnedValues, simulatedValues } from '../../store/run/simulated_fields';
 import type { BodyView } from './body_view';
 import type { Canvas } from '../frame/canvas';
-import { simulatedPaint, tetPaint } from './colouring';
+import { paintedLabels, simulatedPaint, tetPaint } from './colouring';
 import type { Plane, TetModel } from './tet_model';
 import { colourOf } from '../../store/case/legend/legend';
 
@@ -25,8 +34,18 @@ interface Follower {
   onModel?(model: TetModel): void;
 }
 
-export function tetCentre(mesh: TetArrays, tet: number): { centre: Vector3; size: number } {
-  const corners = [0, 1, 2, 3].map((k) => new Vector3().fromArray(mesh.points, 3 * mesh.tets[4 * tet + k]));
+export const isOnTets = (stage: StageName): boolean => stage === 'optimise' || stage === 'quality';
+
+/** Corners of a tet, moved with its label where the labels are pulled apart. */
+export function tetCorners(mesh: TetArrays, tet: number, apart = 0): Vector3[] {
+  const { points, tets, labels, ways } = mesh;
+  const at = ways.findIndex((label, i) => i % 4 === 0 && label === labels[tet]);
+  const shift = new Vector3().fromArray(ways, at + 1).multiplyScalar(apart);
+  return [0, 1, 2, 3].map((k) => new Vector3().fromArray(points, 3 * tets[4 * tet + k]).add(shift));
+}
+
+export function tetCentre(mesh: TetArrays, tet: number, apart = 0): { centre: Vector3; size: number } {
+  const corners = tetCorners(mesh, tet, apart);
   const centre = corners.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(4);
   return { centre, size: Math.max(...corners.map((p) => p.distanceTo(corners[0]))) };
 }
@@ -40,11 +59,10 @@ function brushed(range: Brush | null, measures: TetSource['measures']) {
 }
 
 function chosenTets(mesh: TetArrays, measures: TetSource['measures'], focus: number | null) {
-  const near = focus === null ? null : tetCentre(mesh, focus);
-  const ball = near ? { centre: near.centre.toArray(), radius: 2.2 * near.size } : undefined;
+  const single = focus === null ? undefined : { tet: focus, radius: 2.2 * tetCentre(mesh, focus).size };
   const ranges = brushed(brush.value, measures);
-  const { mask, count } = tetMask(mesh.centres, { hidden: hiddenLabels.value, ranges, ball });
-  return { mask, count, partly: ranges !== undefined || ball !== undefined };
+  const { mask, count } = tetMask(mesh.centres, { hidden: hiddenLabels.value, ranges, single });
+  return { mask, count, show: single ? ('one' as const) : ranges ? ('some' as const) : ('all' as const) };
 }
 
 /** Shows a tetrahedral mesh with the cut, the colours and the choice of elements of the store. */
@@ -70,11 +88,10 @@ export function followTets(
       if (!shown || !body.model) return;
       const wanted = leads ? focusTet.value : null;
       const focus = wanted !== null && 4 * wanted < shown.mesh.tets.length ? wanted : null;
-      const { mask, count, partly } = chosenTets(shown.mesh, shown.measures, focus);
-      body.model.setMask(mask, partly, hiddenLabels.value.size > 0);
-      body.model.single(focus);
+      const { mask, count, show } = chosenTets(shown.mesh, shown.measures, focus);
+      body.model.setMask(mask, show, hiddenLabels.value.size > 0);
       const range = untracked(() => brush.value);
-      if (leads && range && range.shown !== count) brush.value = { ...range, shown: count };
+      if (leads && focus === null && range && range.shown !== count) brush.value = { ...range, shown: count };
       canvas.invalidate();
     }),
     effect(() => {
@@ -82,7 +99,10 @@ export function followTets(
       if (!shown || !body.model) return;
       const paint = simulatedPaint(valuesOf) ?? tetPaint(shown.measures);
       const scaled = 'legend' in paint;
-      if (leads) legend.value = scaled ? paint.legend : null;
+      if (leads) {
+        legend.value = scaled ? paint.legend : null;
+        labelsShown.value = paintedLabels(paint, shown.mesh);
+      }
       // Two runs are compared on one scale: that of the run that leads.
       else if (scaled && legend.value) paint.legend = legend.value;
       body.model.setPaint(paint, colourOf.value);

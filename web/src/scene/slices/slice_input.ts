@@ -1,6 +1,7 @@
 import { toIndex, type SliceFrame } from '../../geometry/orientation';
 import type { Grid } from '../../geometry/grid_values';
 import type { Vec3 } from '../../engine/contract';
+import { addRegion } from '../../store/case/bodies';
 import { slicePlaces } from '../../store/view';
 import type { SliceBrush } from './slice_brush';
 import type { SliceRegions } from './slice_regions';
@@ -87,7 +88,10 @@ export class SliceInput {
     surface.addEventListener('pointerup', release);
     surface.addEventListener('pointercancel', release);
     surface.addEventListener('contextmenu', (event) => event.preventDefault());
-    surface.addEventListener('dblclick', () => this.pane.reset());
+    surface.addEventListener('dblclick', (event) => {
+      if (!brush.on && !regions.cursorAt(...placeOf(event)))
+        addRegion('sphere', this.pane.mmAt(...placeOf(event)));
+    });
     surface.addEventListener(
       'wheel',
       (event) => {

@@ -2,13 +2,13 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { Recipe } from '../../engine/contract';
 import { simulation } from '../run/frames';
 import { bodyShown } from '../view';
-import { bodiesInView, bodiesOf, editBody } from './bodies';
+import { addRegion, bodiesInView, bodiesOf, editBody } from './bodies';
 import { recipe, startRecipe, undo, undoLabel } from './recipe';
 
 const ball = { shape: 'sphere', centre_mm: [0, 0, 0], radius_mm: 5 };
 const fresh = () =>
   ({
-    sizing: { regions: [{ ...ball, name: 'a', edge_mm: 1, band_mm: 3 }] },
+    sizing: { edge_mm: 4, regions: [{ ...ball, name: 'a', edge_mm: 1, band_mm: 3 }] },
     physics: {
       stimuli: [
         { ...ball, name: 'one', start_ms: 0 },
@@ -22,6 +22,21 @@ beforeEach(() => {
   startRecipe(fresh());
   simulation.value = 'none';
   bodyShown.value = null;
+});
+
+describe('a new region', () => {
+  it('has its middle where it is said, is finer than the rest, and is the one that is shown', () => {
+    addRegion('sphere', [1.234, -5.67, 8]);
+    expect(recipe.value?.sizing.regions[1]).toMatchObject({
+      name: 'Region 2',
+      shape: 'sphere',
+      centre_mm: [1.2, -5.7, 8],
+      edge_mm: 2,
+    });
+    expect(bodyShown.value).toEqual({ kind: 'region', index: 1 });
+    undo();
+    expect(recipe.value?.sizing.regions).toHaveLength(1);
+  });
 });
 
 describe('bodies', () => {

@@ -1,9 +1,10 @@
 /** What a case places in the patient: regions of sizes, stimuli, electrodes. Views draw them and drag them alike. */
-import type { Recipe, Vec3 } from '../../engine/contract';
+import type { Recipe, RegionShape, SizeRegion, Vec3 } from '../../engine/contract';
 import type { Region } from '../../geometry/regions';
 import { simulation } from '../run/frames';
-import { bodyShown, type BodyKind, type BodyName } from '../view';
-import { editRecipe } from './recipe';
+import { bodyShown, gizmoMode, type BodyKind, type BodyName } from '../view';
+import { meshIsGiven, volume } from './input';
+import { editRecipe, recipe } from './recipe';
 
 export interface Body extends BodyName {
   region: Region;
@@ -83,4 +84,36 @@ export function editBody(
     key,
     patienceMs,
   );
+}
+
+/** How long the image is, mm. */
+function imageExtent(): number {
+  const known = volume.value;
+  return known ? Math.max(...known.size.map((size, axis) => size * known.spacing_mm[axis])) : 60;
+}
+
+function newRegion(shape: RegionShape, centre: Vec3, { sizing }: Recipe): SizeRegion {
+  const radius = Math.max(1, Math.round(imageExtent() / 8));
+  return {
+    name: `Region ${sizing.regions.length + 1}`,
+    shape,
+    centre_mm: centre,
+    end_mm: [centre[0], centre[1], centre[2] + 2 * radius],
+    half_size_mm: [radius, radius, radius],
+    axes_deg: [0, 0, 0],
+    radius_mm: radius,
+    edge_mm: Number((sizing.edge_mm / 2).toPrecision(2)),
+    band_mm: 5,
+  };
+}
+
+/** Adds a region with an edge length of its own, its middle at a place, mm; its fields and handles are shown. */
+export function addRegion(shape: RegionShape, centre: Vec3): void {
+  const current = recipe.value;
+  // A mesh that was made elsewhere has no sizes.
+  if (!current || meshIsGiven.value) return;
+  const place = centre.map((x) => Math.round(10 * x) / 10) as Vec3;
+  editRecipe(`Add ${shape}`, (draft) => void draft.sizing.regions.push(newRegion(shape, place, current)));
+  bodyShown.value = { kind: 'region', index: current.sizing.regions.length };
+  gizmoMode.value = 'translate';
 }

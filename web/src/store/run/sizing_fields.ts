@@ -12,6 +12,17 @@ export interface Field {
 /** The engine puts this many points around the volume on each side. */
 const margin = 2;
 
+/** The least and the largest thickness that was measured, mm. */
+export function thicknessRange(): [number, number] | null {
+  let [least, most] = [Infinity, 0];
+  for (const value of sizingFields()?.thickness?.values ?? []) {
+    if (!(value > 0)) continue;
+    least = Math.min(least, value);
+    most = Math.max(most, value);
+  }
+  return most > 0 ? [least, most] : null;
+}
+
 /** What is shown of the stage; thickness only where the recipe names walls. Reading subscribes to the result. */
 export function sizingFields(): { size: Field; thickness: Field | null } | null {
   const found = shownResult('sizing');

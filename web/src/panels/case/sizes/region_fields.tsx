@@ -1,10 +1,22 @@
+import { useEffect, useRef } from 'preact/hooks';
 import type { SizeRegion } from '../../../engine/contract';
 import { editRecipe } from '../../../store/case/recipe';
 import { BodyFields, BodyHandles, BodyShape } from '../../controls/body_fields';
 import { NumberField } from '../../controls/fields';
 
+/** Scrolls a panel, and nothing else, until a card of it is in sight: its end, or its head where it is longer. */
+function bringIntoSight(card: Element | null | undefined): void {
+  const panel = card?.closest('.panel');
+  if (!card || !panel) return;
+  const [box, frame] = [card.getBoundingClientRect(), panel.getBoundingClientRect()];
+  const toHead = box.top - frame.top - 8;
+  panel.scrollTop += Math.min(toHead, Math.max(0, box.bottom - frame.bottom + 8));
+}
+
 export function RegionFields({ region, index }: { region: SizeRegion; index: number }) {
   const body = { kind: 'region', index } as const;
+  const first = useRef<HTMLDivElement>(null);
+  useEffect(() => bringIntoSight(first.current?.closest('.region')), []);
   const set = (label: string, change: Partial<SizeRegion>) =>
     editRecipe(
       label,
@@ -25,7 +37,7 @@ export function RegionFields({ region, index }: { region: SizeRegion; index: num
   return (
     <>
       <BodyHandles shape={region.shape} />
-      <div class="field">
+      <div class="field" ref={first}>
         <span class="field-label">Name</span>
         <span class="field-input wide">
           <input

@@ -1,13 +1,13 @@
 import type { ThicknessSize } from '../../../engine/contract';
 import { robustRange } from '../../../geometry/faces';
 import { editRecipe } from '../../../store/case/recipe';
-import { sizingFields } from '../../../store/run/sizing_fields';
+import { sizingFields, thicknessRange } from '../../../store/run/sizing_fields';
 import { CheckField, NumberField, Segments } from '../../controls/fields';
 import { short } from '../../controls/format';
 import { LabelChips } from '../../controls/label_chips';
 
-/** The thickness of all walls as it has been measured, mm. */
-function measuredRange(): [number, number] | null {
+/** Between which the middle 98 % of the thickness of all walls lies, mm. */
+function usualRange(): [number, number] | null {
   const values = sizingFields()?.thickness?.values;
   return values ? robustRange(values, (voxel) => values[voxel] > 0) : null;
 }
@@ -30,7 +30,7 @@ function RangeFields({ wall, name, set }: { wall: ThicknessSize; name: string; s
     />
   );
   const settle = (own: boolean) => {
-    const [lo, hi] = own ? (measuredRange() ?? [3, 12]) : [0, 0];
+    const [lo, hi] = own ? (usualRange() ?? [3, 12]) : [0, 0];
     set('Range of thickness', { thin_mm: Number(lo.toPrecision(2)), thick_mm: Number(hi.toPrecision(2)) });
   };
   return (
@@ -58,7 +58,7 @@ export function WallFields({ wall, index, name }: { wall: ThicknessSize; index: 
       (draft) => void Object.assign(draft.sizing.thickness[index], change),
       `wall ${index} ${label}`,
     );
-  const range = measuredRange();
+  const range = thicknessRange();
   return (
     <>
       <LabelChips
