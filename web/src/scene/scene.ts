@@ -3,6 +3,7 @@ import { batch, computed, effect, untracked } from '@preact/signals';
 import { Vector3 } from 'three';
 import type { StageName, Vec3 } from '../engine/contract';
 import { toIndex } from '../geometry/orientation';
+import { borderTriangles } from '../geometry/section';
 import { pinned, pinnedArrays } from '../store/run/compare';
 import { bodiesOf } from '../store/case/bodies';
 import { volume } from '../store/case/input';
@@ -17,6 +18,7 @@ import {
   dark,
   fibreStyle,
   focusTet,
+  hiddenLabels,
   layout,
   legend,
   marked,
@@ -31,7 +33,6 @@ import {
 } from '../store/view';
 import { BodyView } from './mesh/body_view';
 import { Canvas } from './frame/canvas';
-import { contourOf } from './slices/contour';
 import { describe } from './describe';
 import { buildMarkers, disposeMarkers, sightOf } from './mesh/markers';
 import { addScaleBar, addTriad } from './frame/overlay';
@@ -40,7 +41,6 @@ import { pickAt } from './mesh/pick';
 import { takePicture } from './frame/picture';
 import { addSlices } from './slices/slices_view';
 import type { Plane } from './mesh/tet_model';
-import { arrayTexture } from './frame/textures';
 import { followTets, tetCentre, type TetSource } from './mesh/tets_view';
 import { Twin } from './frame/twin';
 import { Viewer } from './frame/viewer';
@@ -164,17 +164,13 @@ export function mountScene(container: HTMLElement): () => void {
       canvas.invalidate();
       if (tetsShown()) return;
       body.clear();
-      slices.showSections(null);
+      slices.show(null);
       legend.value = null;
       const surface = isSurface(stage) && shownResult(stage);
       if (surface) {
         const made = surfaceBody(surface);
         body.showSurface(made);
-        const { positions, owners } = made.faces;
-        slices.showSections(() => {
-          const triangles = arrayTexture(positions, 1);
-          return () => contourOf(triangles, owners.length);
-        });
+        slices.show({ borders: () => made.faces.positions });
         legend.value = made.legend;
       } else if (stage === 'sizing') {
         const smooth = shownResult('smooth');
@@ -185,7 +181,11 @@ export function mountScene(container: HTMLElement): () => void {
       source: tetsShown,
       plane: planeNow,
       leads: true,
-      onModel: (model) => slices.showSections(() => () => model.section()),
+      onModel: (model, mesh) =>
+        slices.show({
+          borders: () => borderTriangles(mesh, hiddenLabels.value),
+          elements: { mesh, edges: (image) => model.section(image) },
+        }),
     }),
     followTets(canvas, other, {
       source: () => (layout.value === 'compare' ? pinnedArrays() : null),

@@ -8,6 +8,7 @@ import { shownResult } from '../../store/run/results';
 import { report } from '../../store/run/report';
 import {
   brush,
+  chooseLayout,
   colourBy,
   command,
   cut,
@@ -173,7 +174,7 @@ export function ViewToolbar() {
           ['slices', 'Slices', 'Three slices of the image beside it (2)'],
           ...(pinned.value ? [['compare', 'Compare', 'The pinned run beside it (3)'] as const] : []),
         ]}
-        onChange={(next) => (layout.value = next)}
+        onChange={chooseLayout}
       />
       {!planes && <ColourChoice />}
       {onTets && <BeatTool />}

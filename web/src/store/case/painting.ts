@@ -131,6 +131,14 @@ export function continueStroke(mm: readonly number[]): void {
   revision.value++;
 }
 
+/** Takes back the stroke under way. */
+export function dropStroke(): void {
+  if (!stroke || !painting) return;
+  applyRuns(painting.labels, runsOf(stroke), 'before');
+  stroke = null;
+  revision.value++;
+}
+
 export function endStroke(): void {
   if (!stroke) return;
   const done = stroke;
