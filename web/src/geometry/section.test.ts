@@ -14,7 +14,7 @@ function pair(): TetArrays {
 
 it('cuts triangles in lines between their edges, and leaves those alone that lie on one side', () => {
   const triangles = Float32Array.from([0, 0, 0, 4, 0, 0, 0, 0, 4, 0, 0, 1, 1, 0, 1, 0, 1, 1]);
-  expect([...sectionLines(triangles, [1, 0, 0], 1)]).toEqual([1, 0, 0, 1, 0, 3]);
+  expect([...sectionLines(triangles, [1, 0, 0], 1)]).toEqual([1, 0, 3, 1, 0, 0]);
   expect(sectionLines(triangles, [1, 0, 0], 9)).toHaveLength(0);
 });
 

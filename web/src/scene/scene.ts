@@ -160,6 +160,7 @@ export function mountScene(container: HTMLElement): () => void {
     effect(() => {
       const stage = stageShown.value;
       const points = pointsOf(stage);
+      main.dataset.body = String(points !== undefined);
       if (points && points.length > 0) viewer.setBounds(points);
       canvas.invalidate();
       if (tetsShown()) return;

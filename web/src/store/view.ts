@@ -151,6 +151,7 @@ export function resetView(): void {
   marked.value = null;
   hiddenLabels.value = new Set();
   colourBy.value = 'label';
+  sliceOverlay.value = 'labels';
   cut.value = { ...cut.value, on: false, place: 0.5 };
   slicePlaces.value = [0.5, 0.5, 0.5];
   explode.value = 0;

@@ -1,5 +1,5 @@
 import { exceeded, forecast } from '../../store/run/forecast';
-import { forecastParts, refusal } from './forecast_text';
+import { changeText, forecastParts, refusal } from './forecast_text';
 
 /** The engine's memory ends at 4295 MB, and forecasts of it hold within a quarter. */
 export const tightMemoryMb = 3300;
@@ -8,7 +8,7 @@ export const tightMemoryMb = 3300;
 export function ForecastNote() {
   const now = forecast.value;
   if (!now) return null;
-  const { numbers, problem, fresh } = now;
+  const { numbers, problem, fresh, was } = now;
   if (!numbers)
     return (
       <span class="forecast caution" title={problem}>
@@ -17,9 +17,10 @@ export function ForecastNote() {
     );
   const beyond = exceeded.value;
   const [first, ...others] = forecastParts(numbers, beyond);
+  const change = fresh ? changeText(numbers, was) : '';
   const caution = beyond.length > 0 || numbers.peak_mb > tightMemoryMb;
   const words = [
-    `Forecast: ${[first, ...others].join(', ')}.`,
+    `Forecast: ${[first + change, ...others].join(', ')}.`,
     ...beyond.map(refusal),
     beyond.length > 0 ? 'A run would be refused.' : '',
   ].join(' ');
@@ -33,6 +34,7 @@ export function ForecastNote() {
       <span class="sr">{words}</span>
       <span aria-hidden="true">
         {first}
+        {change}
         <span class="forecast-more"> · {others.join(' · ')}</span>
       </span>
     </span>

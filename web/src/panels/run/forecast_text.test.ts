@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { amount, forecastParts, refusal } from './forecast_text';
+import { amount, changeText, forecastParts, refusal } from './forecast_text';
 
 const numbers = { tets: 48_251, points: 1, triangles: 1, peak_mb: 67.1, seconds: 1.97 };
 
@@ -8,6 +8,12 @@ it('says what a run will take, no more exactly than is known', () => {
   expect(amount('seconds', 0.2)).toBe('1 s');
   expect(amount('seconds', 89.6)).toBe('90 s');
   expect(amount('seconds', 150)).toBe('3 min');
+});
+
+it('says what the last step has changed of the number of tetrahedra', () => {
+  expect(changeText(numbers, null)).toBe('');
+  expect(changeText(numbers, { ...numbers, tets: 40_000 })).toBe(' (was 40,000)');
+  expect(changeText(numbers, { ...numbers, tets: 48_300 })).toBe(' (as before)');
 });
 
 it('names the limit that would refuse a case, as it was set', () => {

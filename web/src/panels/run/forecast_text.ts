@@ -25,6 +25,13 @@ export function forecastParts(numbers: Forecast, exceeded: readonly Exceeded[]):
   ];
 }
 
+/** How the number of tetrahedra has changed with the last step: nothing where there was none. */
+export function changeText(numbers: Forecast, was: Forecast | null): string {
+  if (!was) return '';
+  const [now, before] = [about(numbers.tets), about(was.tets)];
+  return now === before ? ' (as before)' : ` (was ${before})`;
+}
+
 const units: Record<Limited, string> = { tets: '', memory_mb: ' MB', seconds: ' s' };
 
 /** As it was set: a limit is exact. */

@@ -16,7 +16,7 @@ import { indexMap, sliceFrames, toMm } from '../../geometry/orientation';
 import { volume } from '../../store/case/input';
 import { paintedVoxels } from '../../store/case/painting';
 import { meshedLabels } from '../../store/case/labels';
-import { shownResult } from '../../store/run/results';
+import { pointsOf, shownResult } from '../../store/run/results';
 import { sizingFields } from '../../store/run/sizing_fields';
 import {
   dark,
@@ -172,7 +172,7 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
     effect(() => {
       moveCross(slicePlaces.value);
       planes.visible = showsPlanes();
-      cross.visible = layout.value === 'slices';
+      cross.visible = layout.value === 'slices' && pointsOf(stageShown.value) !== undefined;
       canvas.invalidate();
     }),
     effect(() => {
