@@ -73,6 +73,7 @@ export class SlicePane implements SteeredSlice {
   readonly slider: HTMLInputElement;
   private readonly name: HTMLElement;
   private readonly place: HTMLElement;
+  private readonly number: HTMLElement;
   private readonly letters: HTMLElement[];
   private readonly lines: HTMLElement[];
   private readonly pane: Pane;
@@ -110,6 +111,7 @@ export class SlicePane implements SteeredSlice {
     this.slider.min = '0';
     this.slider.setAttribute('aria-label', `${titles[frame.name]} slice`);
     this.place = part('span', 'pane-place', head);
+    this.number = part('span', 'pane-number', this.place);
     this.addZoom();
     this.letters = ['left', 'right', 'top', 'bottom'].map((side) => part('span', `side ${side}`, this.root));
     this.quad = new Mesh(new BufferGeometry(), image.material);
@@ -221,8 +223,11 @@ export class SlicePane implements SteeredSlice {
     this.slider.value = String(this.index);
     const side = patientNames[name];
     const mm = centre[{ R: 0, A: 1, S: 2 }[side]];
-    this.place.textContent = `${axisNames[across]} ${this.index + 1}/${size[across]} · ${side} ${coordinate(mm)} mm`;
-    this.slider.setAttribute('aria-valuetext', this.place.textContent);
+    const number = `${axisNames[across]} ${this.index + 1}/${size[across]} · `;
+    const position = `${side} ${coordinate(mm)} mm`;
+    this.place.replaceChildren(this.number, position);
+    this.number.textContent = number;
+    this.slider.setAttribute('aria-valuetext', number + position);
     this.placeLines(centre);
     this.regions.draw();
     this.canvas.invalidate();
