@@ -108,10 +108,10 @@ async function freeEngine(surface: string): Promise<void> {
   else if (engine.busy) await engine.cancel();
 }
 
-/** Once the page is drawn, or cannot be: a hidden one is not. */
+/** Once the page is drawn; a hidden one is not. */
 const drawn = () =>
   new Promise<void>((done) => {
-    setTimeout(done, 400);
+    setTimeout(done, document.hidden ? 0 : 2000);
     requestAnimationFrame(() => requestAnimationFrame(() => done()));
   });
 
