@@ -159,7 +159,7 @@ export class EngineClient {
         if (stage === 'volume' && summary.counts.mesh) names = stagesOfMesh;
         const wanted = handlers.wants?.(summary) ?? true;
         const arrays = wanted ? await this.answer(generation, stage, generation.api.arrays(stage)) : null;
-        handlers.onStage?.(summary, arrays);
+        await handlers.onStage?.(summary, arrays);
       }
       const report =
         names.at(-1) === 'quality'

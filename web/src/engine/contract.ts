@@ -218,8 +218,11 @@ export interface Frame {
   values: Record<string, Float32Array>;
 }
 
+/** Of voxels; in bytes where they fit. */
+export type Labels = Uint8Array | Uint16Array;
+
 export interface StageArrays {
-  volume: { labels: Uint16Array };
+  volume: { labels: Labels };
   surface: SurfaceArrays;
   smooth: SurfaceArrays;
   /** Edge lengths on the field's grid; thickness of the walls on the prepared volume's, 0 outside of them. */

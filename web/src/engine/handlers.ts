@@ -5,8 +5,8 @@ export interface RunHandlers {
   onProgress?(stage: StageName, fraction: number): void;
   /** Whether the arrays of a stage that is done are to be copied out of the engine; else they are. */
   wants?(summary: StageSummary): boolean;
-  /** A stage is done; nothing is handed over that was not wanted. */
-  onStage?(summary: StageSummary, arrays: Partial<StageArrays[StageName]> | null): void;
+  /** A stage is done; nothing is handed over that was not wanted. The next stage waits where this gives a promise. */
+  onStage?(summary: StageSummary, arrays: Partial<StageArrays[StageName]> | null): unknown;
 }
 
 export interface SimulationHandlers {

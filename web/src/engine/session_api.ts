@@ -9,6 +9,7 @@ import type {
   FieldInfo,
   ExportedFile,
   Frame,
+  Labels,
   Reply,
   StageArrays,
   StageName,
@@ -22,7 +23,7 @@ import { frameOf, PartedRuns, type Snapshot } from './parts';
 
 type View = Float32Array | Uint32Array | Uint16Array;
 /** A view's copy, or what the worker made of some. */
-type Held = View | Int32Array | Float64Array;
+type Held = View | Uint8Array | Int32Array | Float64Array;
 
 /** The embind class, as its users see it. */
 export interface Session {
@@ -55,7 +56,6 @@ export interface EngineModule {
 
 /** Geometry, by name; a stage that is not here has fields only. */
 const arrayNames: Partial<Record<StageName, readonly string[]>> = {
-  volume: ['labels'],
   surface: ['points', 'triangles', 'sides'],
   smooth: ['points', 'triangles', 'sides'],
   sizing: ['h_mm'],
@@ -85,6 +85,12 @@ function isShownStage(name: string): name is StageName {
 
 function copied(view: View): View {
   return view.slice() as View;
+}
+
+/** The page holds the image for as long as the case is open: in bytes where its labels fit. */
+function copiedLabels(view: Uint16Array): Labels {
+  for (let i = 0; i < view.length; i++) if (view[i] > 255) return view.slice();
+  return new Uint8Array(view);
 }
 
 /** Numbers, one for each element; `none` stands for those that are missing. */
@@ -184,6 +190,8 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
           }
         };
         if (stage === 'quality') return { ok: true, value: fieldsOf(session, stagesOfEvidence, -1) as never };
+        const voxels = stage === 'volume' && session.array(stage, 'labels');
+        if (voxels) arrays.labels = copiedLabels(voxels as Uint16Array);
         keep(stage, arrayNames[stage] ?? []);
         const thickness = stage === 'sizing' && session.array('walls', 'thickness_mm');
         if (thickness) arrays.thickness_mm = withNone(thickness as Float32Array, 0);

@@ -1,4 +1,4 @@
-import type { Vec3 } from '../engine/contract';
+import type { Labels, Vec3 } from '../engine/contract';
 
 /** Cells along the longest side of the image, about; and places that are looked at in each, along each axis. */
 const cellCount = 40;
@@ -14,7 +14,7 @@ export interface Fullness {
 
 /** How full of some labels an image is, in cells that are about as long as wide. */
 export function fullness(
-  labels: Uint16Array,
+  labels: Labels,
   image: { size: Vec3; spacing_mm: Vec3 },
   counts: (label: number) => boolean,
 ): Fullness {

@@ -4,6 +4,7 @@ import { Vector3 } from 'three';
 import type { StageName, Vec3 } from '../engine/contract';
 import { freeSide } from '../geometry/free_side';
 import { toIndex } from '../geometry/orientation';
+import { borderTriangles } from '../geometry/section';
 import { pinned, pinnedArrays } from '../store/run/compare';
 import { addRegion, bodiesOf } from '../store/case/bodies';
 import { volume } from '../store/case/input';
@@ -35,7 +36,6 @@ import {
 } from '../store/view';
 import { BodyView } from './mesh/body_view';
 import { Canvas } from './frame/canvas';
-import { contourOf } from './slices/contour';
 import { describe } from './describe';
 import { buildMarkers, disposeMarkers, sightOf } from './mesh/markers';
 import { addScaleBar, addTriad } from './frame/overlay';
@@ -44,7 +44,6 @@ import { pickAt, type Hit } from './mesh/pick';
 import { cutSurroundings, forgetSurroundings, setSurroundings } from './frame/surroundings';
 import { addSlices } from './slices/slices_view';
 import type { Plane } from './mesh/tet_model';
-import { arrayTexture } from './frame/textures';
 import { followTets, isOnTets, tetCentre, type TetSource } from './mesh/tets_view';
 import { Twin } from './frame/twin';
 import { Viewer } from './frame/viewer';
@@ -174,22 +173,19 @@ export function mountScene(container: HTMLElement): () => void {
     effect(() => {
       const stage = stageShown.value;
       const points = pointsOf(stage);
+      main.dataset.body = String(points !== undefined);
       if (points && points.length > 0) viewer.setBounds(points);
       canvas.invalidate();
       if (tetsShown()) return;
       body.clear();
-      slices.showSections(null);
+      slices.show(null);
       legend.value = null;
       labelsShown.value = [];
       const surface = isSurface(stage) && shownResult(stage);
       if (surface) {
         const made = surfaceBody(surface);
         body.showSurface(made);
-        const { positions, owners } = made.faces;
-        slices.showSections(() => {
-          const triangles = arrayTexture(positions, 1);
-          return () => contourOf(triangles, owners.length);
-        });
+        slices.show({ borders: () => made.faces.positions });
         legend.value = made.legend;
         labelsShown.value = made.labels;
       } else if (stage === 'sizing') {
@@ -218,7 +214,11 @@ export function mountScene(container: HTMLElement): () => void {
       source: tetsShown,
       plane: planeNow,
       leads: true,
-      onModel: (model) => slices.showSections(() => () => model.section()),
+      onModel: (model, mesh) =>
+        slices.show({
+          borders: () => borderTriangles(mesh, hiddenLabels.value),
+          elements: { mesh, edges: (image) => model.section(image) },
+        }),
     }),
     followTets(canvas, other, {
       source: () => (layout.value === 'compare' ? pinnedArrays() : null),

@@ -4,18 +4,16 @@ import {
   OrthographicCamera,
   Scene,
   WebGLRenderTarget,
-  type LineSegments,
-  type Material,
+  type RawShaderMaterial,
   type WebGLRenderer,
 } from 'three';
 import type { TetArrays } from '../engine/contract';
 import { tetFaces } from '../geometry/tet_faces';
 import { tetNeighbours } from '../geometry/tet_neighbours';
-import { contourOf } from './slices/contour';
+import { Contour } from './slices/contour';
 import { elementMaterial } from './mesh/element_material';
 import { nextTask } from './frame/tasks';
 import { TetModel } from './mesh/tet_model';
-import { arrayTexture } from './frame/textures';
 
 function oneTet(): TetArrays {
   const points = Float32Array.from([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
@@ -35,7 +33,7 @@ export class WarmUp {
   private readonly renderer: WebGLRenderer;
   private readonly disposals: (() => void)[] = [];
 
-  constructor(renderer: WebGLRenderer, slices: Material) {
+  constructor(renderer: WebGLRenderer, slices: RawShaderMaterial) {
     this.renderer = renderer;
     const looks = [{ smooth: true }, { smooth: false }, { smooth: false, ghost: true }];
     const surfaces = looks.map((look) => elementMaterial(look));
@@ -43,18 +41,18 @@ export class WarmUp {
     this.ready = this.use(surfaces.map((material) => new Mesh(new BufferGeometry(), material)));
     void this.ready.then(() => {
       const model = new TetModel(oneTet());
-      const section = model.section();
-      const contour = contourOf(arrayTexture(new Float32Array(9), 1), 1);
+      const section = model.section(slices.uniforms);
+      const contour = new Contour();
       this.disposals.push(() => {
         model.dispose();
         section.material.dispose();
-        contour.material.dispose();
+        contour.dispose();
       });
       return this.use([
         new Mesh(new BufferGeometry(), slices),
         ...(model.group.children as Mesh[]),
         section,
-        contour,
+        ...(contour.group.children as Mesh[]),
       ]);
     });
   }
@@ -64,7 +62,7 @@ export class WarmUp {
   }
 
   /** Each in a task of its own. Never fails: what cannot be made now says so when it is drawn. */
-  private async use(bodies: readonly (Mesh | LineSegments)[]): Promise<void> {
+  private async use(bodies: readonly Mesh[]): Promise<void> {
     const { renderer } = this;
     const camera = new OrthographicCamera();
     const target = new WebGLRenderTarget(1, 1);

@@ -1,6 +1,7 @@
 import { computed, signal } from '@preact/signals';
 import { stageNames, type ErrorPlace, type StageName, type Vec3 } from '../engine/contract';
 import type { Legend } from '../geometry/scale';
+import { meshIsGiven, voxelCount } from './case/input';
 
 /** 'label', the name of a field of the mesh, or what the label surface can be coloured by. */
 export type ColourBy = string;
@@ -76,6 +77,8 @@ export const bodyLegend = computed(() =>
 /** Of what the slices show, where that is not the labels. */
 export const sliceLegend = signal<Legend | null>(null);
 export const picked = signal<Picked | null>(null);
+/** The label that a press on a slice has found: it is marked where labels are listed. */
+export const labelPicked = signal<number | null>(null);
 /** Bodies that a case places in the patient: for sizes, or for a simulation. */
 export type BodyKind = 'region' | 'stimulus' | 'electrode';
 export interface BodyName {
@@ -86,8 +89,23 @@ export interface BodyName {
 export const bodyShown = signal<BodyName | null>(null);
 export const gizmoMode = signal<'translate' | 'rotate' | 'scale'>('translate');
 export type Layout = 'model' | 'slices' | 'compare';
+const chosenLayout = signal<Layout>('model');
+/** The surface of a volume of fewer voxels is there in a blink: other panes before it would flicker. */
+const quickVoxels = 400_000;
+/** A case has just been opened: its slices are there long before its surface is, and are shown until it comes. */
+const justOpened = signal(false);
+export const slicesFirst = computed(
+  () => justOpened.value && !meshIsGiven.value && voxelCount.value > quickVoxels,
+);
 /** One view of the mesh; three slices of the image beside it; or the pinned run beside it. */
-export const layout = signal<Layout>('model');
+export const layout = computed<Layout>(() => (slicesFirst.value ? 'slices' : chosenLayout.value));
+export function chooseLayout(next: Layout): void {
+  justOpened.value = false;
+  chosenLayout.value = next;
+}
+export function endSlicesFirst(): void {
+  justOpened.value = false;
+}
 /** The crosshair: along each image axis, the fraction of the way from the first voxel to the last. */
 export const slicePlaces = signal<Vec3>([0.5, 0.5, 0.5]);
 /** What slices show: the labels, the edge length asked for, or how thick the walls are. */
@@ -120,11 +138,14 @@ export function resetView(): void {
   brush.value = null;
   focusTet.value = null;
   picked.value = null;
+  labelPicked.value = null;
   bodyShown.value = null;
   marked.value = null;
   hiddenLabels.value = new Set();
   colourBy.value = 'label';
+  sliceOverlay.value = 'labels';
   cut.value = { ...cut.value, on: false, place: 0.5 };
   slicePlaces.value = [0.5, 0.5, 0.5];
   explode.value = 0;
+  justOpened.value = true;
 }

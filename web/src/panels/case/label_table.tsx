@@ -1,10 +1,10 @@
-import { useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import type { LabelSummary, Recipe, VolumeSummary } from '../../engine/contract';
 import { meshIsGiven, volume } from '../../store/case/input';
-import { carrierOf, dropIdleSizes, groupedWith, groupsOf } from '../../store/case/labels';
+import { carrierOf, dropIdleSizes, groupedWith, groupsOf, meshedLabels } from '../../store/case/labels';
 import { editRecipe } from '../../store/case/recipe';
 import { previewSoon } from '../../store/run/run_stages';
-import { hiddenLabels } from '../../store/view';
+import { hiddenLabels, labelPicked } from '../../store/view';
 import { NumberInput } from '../controls/fields';
 import { short, whole } from '../controls/format';
 import { Icon } from '../controls/icons';
@@ -92,11 +92,22 @@ function RegionChoice(props: { current: Recipe; entry: LabelSummary; chosen: Lab
   );
 }
 
+/** Brings the marked row into sight of its panel; the page stays where it is. */
+function showRow(row: Element | null | undefined): void {
+  const panel = row?.closest('.panel');
+  if (!row || !panel) return;
+  const [own, seen] = [row.getBoundingClientRect(), panel.getBoundingClientRect()];
+  if (own.top < seen.top || own.bottom > seen.bottom) panel.scrollTop += own.top - seen.top - seen.height / 2;
+}
+
 export function LabelTable({ current }: { current: Recipe }) {
+  const body = useRef<HTMLTableSectionElement>(null);
+  const picked = labelPicked.value;
+  useEffect(() => showRow(body.current?.querySelector('.picked-label')), [picked]);
   const known = volume.value;
   if (!known) return null;
   const all = known.labels;
-  const chosenLabels = new Set(current.labels.length > 0 ? current.labels : all.map(({ label }) => label));
+  const chosenLabels = meshedLabels.value;
   const chosen = all.filter(({ label }) => chosenLabels.has(label));
   const targets = new Map(current.sizing.labels.map((entry) => [entry.label, entry.edge_mm]));
   const voxelMl = known.spacing_mm.reduce((product, step) => product * step, 1) / 1000;
@@ -124,14 +135,18 @@ export function LabelTable({ current }: { current: Recipe }) {
             </th>
           </tr>
         </thead>
-        <tbody>
+        <tbody ref={body}>
           {all.map((entry) => {
             const { label, voxels } = entry;
             const meshed = chosenLabels.has(label);
             const text = textOf(entry);
             const hidden = hiddenLabels.value.has(label);
             return (
-              <tr key={label} class={meshed ? '' : 'off'}>
+              <tr
+                key={label}
+                class={`${meshed ? '' : 'off'} ${label === picked ? 'picked-label' : ''}`}
+                aria-current={label === picked ? 'true' : undefined}
+              >
                 <td>
                   <input
                     type="color"

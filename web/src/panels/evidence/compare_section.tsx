@@ -1,7 +1,7 @@
 import type { Report } from '../../engine/contract';
 import { pinned, pinRun, unpin } from '../../store/run/compare';
 import { comparedFields } from '../../store/run/simulated_fields';
-import { layout } from '../../store/view';
+import { chooseLayout, layout } from '../../store/view';
 import { fetched } from '../controls/fetched';
 import { Icon } from '../controls/icons';
 
@@ -31,7 +31,7 @@ export function CompareSection({ found }: { found: Report }) {
           </button>
         )}
         {run && !same && layout.value !== 'compare' && (
-          <button type="button" class="button small" onClick={() => (layout.value = 'compare')}>
+          <button type="button" class="button small" onClick={() => chooseLayout('compare')}>
             Side by side
           </button>
         )}

@@ -1,14 +1,14 @@
 import { exceeded, forecast } from '../../store/run/forecast';
+import { budgetEdge, budgetTets, fitBudget, tightMemoryMb } from '../../store/run/budget';
 import { activity } from '../../store/run/stages';
 import { whole } from '../controls/format';
-import { forecastParts, refusal } from './forecast_text';
-import { budgetEdge, budgetTets, fitBudget, tightMemoryMb } from '../../store/run/budget';
+import { changeText, forecastParts, refusal } from './forecast_text';
 
 /** What a run will take, or why it will be refused. */
 export function ForecastNote() {
   const now = forecast.value;
   if (!now) return null;
-  const { numbers, problem, fresh } = now;
+  const { numbers, problem, fresh, was } = now;
   if (!numbers)
     return (
       <span class="forecast caution" title={problem}>
@@ -17,9 +17,10 @@ export function ForecastNote() {
     );
   const beyond = exceeded.value;
   const [first, ...others] = forecastParts(numbers, beyond);
+  const change = fresh ? changeText(numbers, was) : '';
   const caution = beyond.length > 0 || numbers.peak_mb > tightMemoryMb || budgetEdge.value !== null;
   const words = [
-    `Forecast: ${[first, ...others].join(', ')}.`,
+    `Forecast: ${[first + change, ...others].join(', ')}.`,
     ...beyond.map(refusal),
     beyond.length > 0 ? 'A run would be refused.' : '',
   ].join(' ');
@@ -34,6 +35,7 @@ export function ForecastNote() {
         <span class="sr">{words}</span>
         <span aria-hidden="true">
           {first}
+          {change}
           <span class="forecast-more"> · {others.join(' · ')}</span>
         </span>
       </span>

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { amount, forecastParts, refusal, span } from './forecast_text';
+import { amount, changeText, forecastParts, refusal, span } from './forecast_text';
 
 const numbers = {
   tets: 48_251,
@@ -24,6 +24,12 @@ it('gives times as a range, in minutes where they are long', () => {
   expect(span([200, 460])).toBe('3 to 8 min');
   const beyond = { field: 'seconds' as const, found: 1.97, limit: 1 };
   expect(forecastParts(numbers, [beyond])[2]).toBe('2 s (limit 1 s)');
+});
+
+it('says what the last step has changed of the number of tetrahedra', () => {
+  expect(changeText(numbers, null)).toBe('');
+  expect(changeText(numbers, { ...numbers, tets: 40_000 })).toBe(' (was 40,000)');
+  expect(changeText(numbers, { ...numbers, tets: 48_300 })).toBe(' (as before)');
 });
 
 it('names the limit that would refuse a case, as it was set', () => {

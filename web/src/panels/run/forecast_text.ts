@@ -33,6 +33,13 @@ export function span([least, most]: readonly [number, number]): string {
   return `${from === to ? from : `${from} to ${to}`} ${minutes ? 'min' : 's'}`;
 }
 
+/** How the number of tetrahedra has changed with the last step: nothing where there was none. */
+export function changeText(numbers: Forecast, was: Forecast | null): string {
+  if (!was) return '';
+  const [now, before] = [about(numbers.tets), about(was.tets)];
+  return now === before ? ' (as before)' : ` (was ${before})`;
+}
+
 const units: Record<Limited, string> = { tets: '', memory_mb: ' MB', seconds: ' s' };
 
 /** As it was set: a limit is exact. */

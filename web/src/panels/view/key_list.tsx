@@ -26,7 +26,8 @@ const inViews: [string, string][] = [
   ['Arrows', 'Turn the 3‑D view; move the crosshair in a slice'],
   ['+ and −', 'Zoom'],
   ['Enter', 'Numbers of the element in the middle of the 3‑D view; a dab of the brush in a slice'],
-  ['Page up, page down', 'The next slice, the slice before'],
+  ['Page up, page down, wheel', 'The next slice, the slice before'],
+  ['Ctrl wheel, pinch', 'Zoom a slice; Shift drag or two fingers shift it'],
   ['0', 'The whole slice'],
 ];
 

@@ -9,13 +9,13 @@ import { shownKeys } from '../../store/run/results';
 import { activity } from '../../store/run/stages';
 import { dialogShown } from '../controls/dialog_shown';
 import { extraKeys } from '../controls/extra_keys';
-import { brush, command, cut, focusTet, layout, picked, showEdges, stageShown } from '../../store/view';
+import { brush, chooseLayout, command, cut, focusTet, picked, showEdges, stageShown } from '../../store/view';
 
 /** Keys of the view, for whoever is not typing. */
 const viewKeys: Record<string, () => void> = {
-  '1': () => (layout.value = 'model'),
-  '2': () => (layout.value = 'slices'),
-  '3': () => void (pinned.value && (layout.value = 'compare')),
+  '1': () => chooseLayout('model'),
+  '2': () => chooseLayout('slices'),
+  '3': () => pinned.value && chooseLayout('compare'),
   c: () => (cut.value = { ...cut.value, on: !cut.value.on }),
   e: () => (showEdges.value = !showEdges.value),
   f: () => (command.value = { kind: 'fit' }),

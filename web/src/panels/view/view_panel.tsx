@@ -5,6 +5,7 @@ import { activity } from '../../store/run/stages';
 import { layout } from '../../store/view';
 import { EmptyState } from '../case/empty_state';
 import { fetched } from '../controls/fetched';
+import { ReadingNote, ReadingState, SurfaceNote, volumeComes } from './under_way';
 import { ViewCards } from './view_cards';
 import { ShowAll, SliceChoice, ToolOptions, ViewButtons, ViewToolbar } from './view_tools';
 
@@ -14,6 +15,7 @@ export function ViewPanel() {
   const host = useRef<HTMLDivElement>(null);
   const [trouble, setTrouble] = useState('');
   const opened = volume.value !== null;
+  const comes = volumeComes();
   // Ready before there is anything to see, but not in the way of the engine's start.
   const started = activity.value !== 'starting';
   useEffect(() => {
@@ -44,15 +46,17 @@ export function ViewPanel() {
     <main class="view" aria-label="View" data-layout={opened ? layout.value : undefined}>
       {opened && <ViewToolbar />}
       <div class="view-body">
-        <div class={opened ? 'view-host' : 'view-host waiting'} ref={host} />
-        {!opened && <EmptyState />}
+        <div class={opened && !comes ? 'view-host' : 'view-host waiting'} ref={host} />
+        {comes ? <ReadingState /> : !opened && <EmptyState />}
         {opened && trouble && <p class="view-trouble">{trouble}</p>}
         {opened && (
           <>
             <ToolOptions />
             <ViewButtons />
             <ViewCards />
-            <SliceChoice />
+            {!comes && <SliceChoice />}
+            <SurfaceNote />
+            <ReadingNote />
             <ShowAll />
           </>
         )}

@@ -8,6 +8,7 @@ import { shownResult } from '../../store/run/results';
 import { report } from '../../store/run/report';
 import {
   brush,
+  chooseLayout,
   colourBy,
   command,
   cut,
@@ -166,7 +167,7 @@ export function ViewToolbar() {
           ['compare', 'Compare', 'The pinned run beside it (3)'],
         ]}
         disabled={pinned.value ? [] : ['compare']}
-        onChange={(next) => (layout.value = next)}
+        onChange={chooseLayout}
       />
       {!planes && <ColourChoice />}
       <button

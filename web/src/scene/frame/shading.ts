@@ -108,8 +108,6 @@ void main() {
   if (dot(clipPlane.xyz, vWorld) > clipPlane.w) discard;
 #ifdef PICK
   outPick = uvec4(vElement + 1u, floatBitsToUint(vWorld));
-#elif defined(LINES)
-  outColour = vec4(edgeColour, edgeLine() * edgeStrength * opacity);
 #else
   outColour = vec4(mix(shaded(), edgeColour, edgeLine() * edgeStrength), opacity);
 #endif

@@ -1,6 +1,6 @@
 /** How open the body's places are to their surroundings: what is in a cavity gets less light. */
 import { Data3DTexture, LinearFilter, Matrix4, RedFormat, UnsignedByteType, Vector3, Vector4 } from 'three';
-import type { Vec3, VolumeSummary } from '../../engine/contract';
+import type { Labels, Vec3, VolumeSummary } from '../../engine/contract';
 import { fullness, openness, type Fullness } from '../../geometry/fullness';
 
 /** A plane that clips nothing: what lies on its side of normal . p <= offset stays. */
@@ -26,7 +26,7 @@ export function forgetSurroundings(): void {
 
 /** Takes an image with the labels that the body has. */
 export function setSurroundings(
-  labels: Uint16Array,
+  labels: Labels,
   image: VolumeSummary,
   counts: (label: number) => boolean,
 ): void {

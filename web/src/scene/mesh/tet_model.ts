@@ -10,6 +10,7 @@ import {
   Vector2,
   Vector3,
   Vector4,
+  type IUniform,
   type Texture,
   type WebGLRenderer,
 } from 'three';
@@ -20,6 +21,7 @@ import { shadingUniforms } from './element_material';
 import type { TetPaint } from './colouring';
 import { nextTask } from '../frame/tasks';
 import { shadingFragment } from '../frame/shading';
+import { sectionEdges, type SectionEdges } from './section_edges';
 import { facesVertex, sectionVertex } from './tet_shaders';
 import {
   arrayTexture,
@@ -121,12 +123,18 @@ export class TetModel {
     return this.group.visible ? [this.solid, this.cap, this.veil].filter((one) => one.visible) : [];
   }
 
-  /** Another section of the mesh, for a slice: edges only, its plane the uniform `cutPlane`. */
-  section(): TetDrawing {
-    const made = this.drawing(sectionVertex, { need: chosenBit, lines: true });
-    made.geometry.setDrawRange(0, 6 * this.mesh.labels.length);
-    made.material.uniforms.edgeStrength.value = 0.9;
-    return made;
+  /** The edges of its section with a slice, over an image of these uniforms. */
+  section(image: Record<string, IUniform>): SectionEdges {
+    return sectionEdges(this.mesh, {
+      ...this.shared,
+      ...image,
+      // A slice shows the mesh where it is, not where its labels are pulled to.
+      explode: { value: 0 },
+      need: { value: chosenBit },
+      paint: { value: plainCode },
+      cutPlane: { value: noClip.clone() },
+      strength: { value: 1 },
+    });
   }
 
   setMask(mask: Uint8Array, choice: Choice, hides: boolean): void {
@@ -197,19 +205,15 @@ export class TetModel {
     this.shared[name].value = texture;
   }
 
-  private drawing(
-    vertexShader: string,
-    look: { need: number; ghost?: boolean; lines?: boolean },
-  ): TetDrawing {
+  private drawing(vertexShader: string, look: { need: number; ghost?: boolean }): TetDrawing {
     const material = new RawShaderMaterial({
       glslVersion: GLSL3,
       vertexShader,
       fragmentShader: shadingFragment,
-      defines: look.lines ? { LINES: 1 } : { FIELD: 1 },
+      defines: { FIELD: 1 },
       side: DoubleSide,
-      transparent: look.ghost === true || look.lines === true,
-      depthWrite: !look.ghost && !look.lines,
-      depthTest: !look.lines,
+      transparent: look.ghost === true,
+      depthWrite: !look.ghost,
       uniforms: {
         ...this.shared,
         ...shadingUniforms(look.ghost ?? false),
@@ -218,8 +222,6 @@ export class TetModel {
         paint: { value: look.ghost ? plainCode : paintCodes.label },
       },
     });
-    // A slice shows the mesh where it is, not where its labels are pulled to.
-    if (look.lines) material.uniforms.explode = { value: 0 };
     const mesh: TetDrawing = new Mesh(new BufferGeometry(), material);
     mesh.frustumCulled = false;
     return mesh;

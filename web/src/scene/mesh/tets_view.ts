@@ -31,7 +31,7 @@ interface Follower {
   /** Its scale and its chosen elements are those that the panels tell of. */
   leads: boolean;
   /** There is a new mesh on the graphics card. */
-  onModel?(model: TetModel): void;
+  onModel?(model: TetModel, mesh: TetArrays): void;
 }
 
 export const isOnTets = (stage: StageName): boolean => stage === 'optimise' || stage === 'quality';
@@ -78,7 +78,7 @@ export function followTets(
       if (!shown) return;
       const model = body.showTets(shown.mesh);
       if (model) {
-        untracked(() => onModel?.(model));
+        untracked(() => onModel?.(model, shown.mesh));
         void model.upload(canvas.renderer).then(() => canvas.invalidate());
       }
       canvas.invalidate();

@@ -1,53 +1,52 @@
 import {
-  BufferGeometry,
-  Color,
+  BufferAttribute,
   GLSL3,
-  LineSegments,
+  Group,
+  InstancedInterleavedBuffer,
+  InstancedBufferGeometry,
+  InterleavedBufferAttribute,
+  Mesh,
   RawShaderMaterial,
+  Vector2,
   Vector4,
-  type DataTexture,
 } from 'three';
+import { sectionLines } from '../../geometry/section';
 
 const vertexShader = /* glsl */ `
 precision highp float;
-precision highp int;
-precision highp sampler2D;
 uniform mat4 modelViewMatrix, projectionMatrix;
-uniform sampler2D triangles;
-uniform vec4 cutPlane;
-
-float number(int i) { return texelFetch(triangles, ivec2(i & 2047, i >> 11), 0).r; }
-vec3 corner(int i) { return vec3(number(i), number(i + 1), number(i + 2)); }
+uniform vec2 pane;
+uniform float halfWidth;
+in vec3 position, begin, end;
 
 void main() {
-  int first = 9 * (gl_VertexID / 2);
-  vec3 p[3] = vec3[3](corner(first), corner(first + 3), corner(first + 6));
-  vec3 d = vec3(dot(cutPlane.xyz, p[0]), dot(cutPlane.xyz, p[1]), dot(cutPlane.xyz, p[2])) - cutPlane.w;
-  bvec3 above = greaterThan(d, vec3(0.0));
-  if (above.x == above.y && above.y == above.z) {
-    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
-    return;
-  }
-  // The corner that is alone on its side; the plane crosses the two edges that meet there.
-  int lone = above.y == above.z ? 0 : above.x == above.z ? 1 : 2;
-  int other = (lone + 1 + gl_VertexID % 2) % 3;
-  vec3 place = mix(p[lone], p[other], d[lone] / (d[lone] - d[other]));
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(place, 1.0);
+  vec4 a = projectionMatrix * modelViewMatrix * vec4(begin, 1.0);
+  vec4 b = projectionMatrix * modelViewMatrix * vec4(end, 1.0);
+  vec2 way = (b.xy - a.xy) * pane;
+  vec2 along = length(way) > 0.0 ? normalize(way) : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  // A little beyond its ends, so that lines that meet leave no gap.
+  vec2 away = halfWidth * (position.x * along + position.y * across);
+  gl_Position = vec4((position.x < 0.0 ? a.xy : b.xy) + 2.0 * away / pane, 0.0, 1.0);
 }`;
 
 const fragmentShader = /* glsl */ `
 precision highp float;
-uniform vec3 colour;
+uniform vec4 colour;
 out vec4 outColour;
-void main() { outColour = vec4(colour, 0.9); }`;
+void main() { outColour = colour; }`;
 
-export type Contour = LineSegments<BufferGeometry, RawShaderMaterial>;
+/** From half a line to the other: two triangles. */
+const corners = Float32Array.from([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, -1, 0, 1, 1, 0, -1, 1, 0]);
 
-/** The lines in which the plane of the uniform `cutPlane` meets triangles, nine numbers each, of a texture. */
-export function contourOf(triangles: DataTexture, count: number): Contour {
-  const geometry = new BufferGeometry();
-  geometry.setDrawRange(0, 2 * count);
-  const material = new RawShaderMaterial({
+/** A dark line in a pale one is seen on every colour. */
+const strokes = [
+  { halfWidth: 1.6, grey: 1, opacity: 0.6 },
+  { halfWidth: 0.7, grey: 0.06, opacity: 1 },
+];
+
+function strokeMaterial({ halfWidth, grey, opacity }: (typeof strokes)[number], pane: Vector2) {
+  return new RawShaderMaterial({
     glslVersion: GLSL3,
     vertexShader,
     fragmentShader,
@@ -55,13 +54,53 @@ export function contourOf(triangles: DataTexture, count: number): Contour {
     depthTest: false,
     depthWrite: false,
     uniforms: {
-      triangles: { value: triangles },
-      cutPlane: { value: new Vector4(0, 0, 1, 0) },
-      colour: { value: new Color(0.05, 0.07, 0.1) },
+      pane: { value: pane },
+      halfWidth: { value: halfWidth },
+      colour: { value: new Vector4(grey, grey, grey, opacity) },
     },
   });
-  const lines: Contour = new LineSegments(geometry, material);
-  lines.frustumCulled = false;
-  material.addEventListener('dispose', () => triangles.dispose());
-  return lines;
+}
+
+/** The lines in which a slice cuts triangles. */
+export class Contour {
+  readonly group = new Group();
+  private readonly pane = new Vector2(1, 1);
+  private readonly geometry = new InstancedBufferGeometry();
+  private triangles: Float32Array = new Float32Array(0);
+
+  constructor() {
+    this.geometry.setAttribute('position', new BufferAttribute(corners, 3));
+    this.group.add(
+      ...strokes.map((stroke, i) => {
+        const lines = new Mesh(this.geometry, strokeMaterial(stroke, this.pane));
+        lines.frustumCulled = false;
+        lines.renderOrder = 2 + i;
+        return lines;
+      }),
+    );
+    this.cutAt([0, 0, 1], 0);
+  }
+
+  /** Nine numbers each. */
+  setTriangles(triangles: Float32Array): void {
+    this.triangles = triangles;
+  }
+
+  /** The size of the pane, px. */
+  setPane(width: number, height: number): void {
+    this.pane.set(width, height);
+  }
+
+  cutAt(normal: readonly number[], offset: number): void {
+    const ends = new InstancedInterleavedBuffer(sectionLines(this.triangles, normal, offset), 6);
+    this.geometry.dispose();
+    this.geometry.setAttribute('begin', new InterleavedBufferAttribute(ends, 3, 0));
+    this.geometry.setAttribute('end', new InterleavedBufferAttribute(ends, 3, 3));
+    this.geometry.instanceCount = ends.count;
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+    for (const { material } of this.group.children as Mesh[]) (material as RawShaderMaterial).dispose();
+  }
 }

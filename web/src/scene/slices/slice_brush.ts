@@ -1,5 +1,5 @@
 import { effect } from '@preact/signals';
-import { beginStroke, brushTool, continueStroke, endStroke } from '../../store/case/painting';
+import { beginStroke, brushTool, continueStroke, dropStroke, endStroke } from '../../store/case/painting';
 import type { SlicePlane } from './slice_regions';
 
 /** The brush on a slice: its outline under the pointer, and strokes. */
@@ -36,6 +36,11 @@ export class SliceBrush {
 
   release(): void {
     endStroke();
+  }
+
+  takeBack(): void {
+    dropStroke();
+    this.leave();
   }
 
   /** One dab at a place of the patient. */

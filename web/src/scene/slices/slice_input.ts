@@ -2,9 +2,11 @@ import { toIndex, type SliceFrame } from '../../geometry/orientation';
 import type { Grid } from '../../geometry/grid_values';
 import type { Vec3 } from '../../engine/contract';
 import { addRegion } from '../../store/case/bodies';
-import { slicePlaces } from '../../store/view';
+import { chooseLayout, labelPicked, slicePlaces, slicesFirst } from '../../store/view';
 import type { SliceBrush } from './slice_brush';
+import type { SliceLabel } from './slice_label';
 import type { SliceRegions } from './slice_regions';
+import { SliceTouch } from './slice_touch';
 
 /** What pointer, wheel and keys do something to: a slice as it stands. */
 export interface SteeredSlice {
@@ -12,6 +14,7 @@ export interface SteeredSlice {
   readonly slider: HTMLInputElement;
   readonly regions: SliceRegions;
   readonly brush: SliceBrush;
+  readonly label: SliceLabel;
   readonly frame: SliceFrame;
   readonly grid: Grid;
   /** The crosshair, mm. */
@@ -20,7 +23,8 @@ export interface SteeredSlice {
   readonly index: number;
   /** Patient millimetres of a place of the pane, in the plane of the slice. */
   mmAt(px: number, py: number): Vec3;
-  zoomBy(factor: number): void;
+  /** About a place of the pane, or its middle. */
+  zoomBy(factor: number, about?: [number, number]): void;
   /** Moves the image under the pane by so many pixels. */
   shiftBy(px: number, py: number): void;
   /** The whole image, unshifted. */
@@ -28,6 +32,11 @@ export interface SteeredSlice {
 }
 
 const clamped = (x: number) => Math.max(0, Math.min(1, x));
+
+/** Whoever works on a slice keeps it, also when the first surface comes. */
+function keepSlices(): void {
+  if (slicesFirst.peek()) chooseLayout('slices');
+}
 
 /** Pointer, wheel and keys over a slice: they move the crosshair, the image, regions and the brush. */
 export class SliceInput {
@@ -40,11 +49,13 @@ export class SliceInput {
 
   private aim(px: number, py: number): void {
     const { size, indexToMm } = this.pane.grid;
-    const index = toIndex(indexToMm, this.pane.mmAt(px, py));
+    const mm = this.pane.mmAt(px, py);
+    const index = toIndex(indexToMm, mm);
     slicePlaces.value = slicePlaces.peek().map((old, axis) => {
       if (axis === this.pane.frame.across || size[axis] < 2) return old;
       return clamped(Math.round(index[axis]) / (size[axis] - 1));
     }) as Vec3;
+    labelPicked.value = this.pane.label.at(mm) || null;
   }
 
   private step(axis: number, voxels: number): void {
@@ -56,22 +67,39 @@ export class SliceInput {
   }
 
   private listen(): void {
-    const { surface, slider, regions, brush } = this.pane;
+    const { surface, slider, regions, brush, label } = this.pane;
+    const touch = new SliceTouch(this.pane);
     let held: 'aim' | 'shift' | 'region' | 'brush' | null = null;
+    let before = slicePlaces.peek();
     const placeOf = (event: MouseEvent): [number, number] => {
       const box = surface.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
     };
-    surface.addEventListener('pointerdown', (event) => {
-      const at = placeOf(event);
-      surface.setPointerCapture(event.pointerId);
+    const press = (event: PointerEvent, at: [number, number]) => {
+      before = slicePlaces.peek();
       if (event.button !== 0 || event.shiftKey) held = 'shift';
       else held = brush.on ? 'brush' : regions.take(...at) ? 'region' : 'aim';
       if (held === 'aim') this.aim(...at);
       else if (held === 'brush') brush.take(...at, this.pane.frame.across);
+    };
+    /** What the first finger has begun was not meant where a second one comes. */
+    const takeBack = () => {
+      if (held === 'brush') brush.takeBack();
+      else if (held === 'aim') slicePlaces.value = before;
+      regions.release();
+      held = null;
+    };
+    surface.addEventListener('pointerdown', (event) => {
+      const at = placeOf(event);
+      surface.setPointerCapture(event.pointerId);
+      keepSlices();
+      if (touch.down(event, at)) takeBack();
+      else if (!touch.pinching) press(event, at);
     });
     surface.addEventListener('pointermove', (event) => {
       const at = placeOf(event);
+      if (touch.move(event, at)) return;
+      if (held === null) label.hover(...at);
       if (held === null && brush.on) brush.hover(...at);
       else if (held === null) surface.style.cursor = regions.cursorAt(...at);
       else if (held === 'brush') brush.dragTo(...at);
@@ -79,12 +107,16 @@ export class SliceInput {
       else if (held === 'aim') this.aim(...at);
       else if (held === 'shift') this.pane.shiftBy(event.movementX, event.movementY);
     });
-    const release = () => {
+    const release = (event: PointerEvent) => {
+      touch.up(event);
       if (held === 'brush') brush.release();
       held = null;
       regions.release();
     };
-    surface.addEventListener('pointerleave', () => brush.leave());
+    surface.addEventListener('pointerleave', () => {
+      brush.leave();
+      label.leave();
+    });
     surface.addEventListener('pointerup', release);
     surface.addEventListener('pointercancel', release);
     surface.addEventListener('contextmenu', (event) => event.preventDefault());
@@ -96,13 +128,15 @@ export class SliceInput {
       'wheel',
       (event) => {
         event.preventDefault();
-        if (event.ctrlKey || event.metaKey) this.pane.zoomBy(Math.exp(-event.deltaY / 300));
+        keepSlices();
+        if (event.ctrlKey || event.metaKey) this.pane.zoomBy(Math.exp(-event.deltaY / 300), placeOf(event));
         else this.step(this.pane.frame.across, Math.sign(event.deltaY) * -this.headwards());
       },
       { passive: false },
     );
     surface.addEventListener('keydown', (event) => this.onKey(event));
     slider.addEventListener('input', () => {
+      keepSlices();
       this.step(this.pane.frame.across, Number(slider.value) - this.pane.index);
     });
   }
@@ -160,6 +194,7 @@ export class SliceInput {
       default:
         return;
     }
+    keepSlices();
     event.preventDefault();
   }
 }

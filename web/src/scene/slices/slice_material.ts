@@ -1,4 +1,5 @@
 import {
+  Color,
   Data3DTexture,
   DoubleSide,
   FloatType,
@@ -17,7 +18,9 @@ import {
 import { paintColour } from '../../geometry/colours';
 import type { Grid } from '../../geometry/grid_values';
 import type { Field } from '../../store/run/sizing_fields';
+import type { Labels } from '../../engine/contract';
 import type { Legend } from '../../store/view';
+import { imageColour } from '../frame/image_colour';
 import { paletteTexture, scaleTexture } from '../frame/textures';
 
 const vertexShader = /* glsl */ `
@@ -32,54 +35,21 @@ void main() {
 
 const fragmentShader = /* glsl */ `
 precision highp float;
-precision highp int;
-precision highp sampler3D;
-precision highp usampler3D;
-uniform usampler3D labels, paint;
-uniform sampler3D sizes;
-uniform sampler2D palette, paintPalette, scale;
-uniform mat4 toLabel, toSize, toPaint;
-uniform vec2 range;
-uniform bool bySize;
+${imageColour}
 in vec3 vWorld;
 layout(location = 0) out vec4 outColour;
 
-int labelAt(vec3 index) {
-  ivec3 size = textureSize(labels, 0);
-  ivec3 i = clamp(ivec3(floor(index + 0.5)), ivec3(0), size - 1);
-  return int(texelFetch(labels, i, 0).r);
-}
-
-vec4 imageColour() {
+void main() {
   vec3 index = (toLabel * vec4(vWorld, 1.0)).xyz;
   int label = labelAt(index);
-  vec4 own = texelFetch(palette, ivec2(label & 255, label >> 8), 0);
-  if (!bySize) return own;
-  vec3 place = ((toSize * vec4(vWorld, 1.0)).xyz + 0.5) / vec3(textureSize(sizes, 0));
-  float value = texture(sizes, place).r;
-  if (value <= 0.0) return vec4(own.rgb, 0.35 * own.a);
-  float x = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
-  vec3 colour = texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb;
+  outColour = imageColour(vWorld, label);
+  if (!bySize || label == 0) return;
   // The labels stay visible as outlines in their own colours.
   vec3 right = dFdx(index);
   vec3 up = dFdy(index);
   bool border = labelAt(index + right) != label || labelAt(index - right) != label ||
     labelAt(index + up) != label || labelAt(index - up) != label;
-  return border && label > 0 ? vec4(own.rgb, 1.0) : vec4(colour, label > 0 ? 1.0 : 0.4);
-}
-
-int paintAt(vec3 index) {
-  ivec3 i = ivec3(floor(index + 0.5));
-  bool inside = all(greaterThanEqual(i, ivec3(0))) && all(lessThan(i, textureSize(paint, 0)));
-  return inside ? int(texelFetch(paint, i, 0).r) : 0;
-}
-
-void main() {
-  outColour = imageColour();
-  int painted = paintAt((toPaint * vec4(vWorld, 1.0)).xyz);
-  if (painted == 0) return;
-  vec4 own = texelFetch(paintPalette, ivec2(painted & 255, painted >> 8), 0);
-  outColour = vec4(mix(outColour.rgb, own.rgb, 0.65), max(outColour.a, 0.85));
+  if (border) outColour = vec4(texelFetch(imagePalette, paletteAt(label), 0).rgb, 1.0);
 }`;
 
 function volumeTexture(
@@ -108,7 +78,7 @@ export class SliceImage {
   readonly material: RawShaderMaterial;
   grid: Grid = { size: [1, 1, 1], indexToMm: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] };
   private readonly smooth: boolean;
-  private shown: Uint16Array | null = null;
+  private shown: Labels | null = null;
 
   /** `smooth`: whether the graphics card interpolates floats. */
   constructor(smooth: boolean) {
@@ -121,52 +91,67 @@ export class SliceImage {
       transparent: true,
       depthWrite: true,
       uniforms: {
-        labels: { value: volumeTexture(new Uint8Array(1), [1, 1, 1]) },
+        imageLabels: { value: volumeTexture(new Uint8Array(1), [1, 1, 1]) },
         sizes: { value: volumeTexture(new Float32Array(1), [1, 1, 1]) },
-        palette: { value: paletteTexture(0, () => '#000000', new Set()) },
-        scale: { value: scaleTexture('viridis') },
+        imagePalette: { value: paletteTexture(0, () => '#000000', new Set()) },
+        meshed: { value: paletteTexture(0, () => '#000000', new Set()) },
+        imageScale: { value: scaleTexture('viridis') },
         toLabel: { value: new Matrix4() },
         toSize: { value: new Matrix4() },
         toPaint: { value: new Matrix4() },
-        paint: { value: volumeTexture(new Uint8Array(1), [1, 1, 1]) },
+        imagePaint: { value: volumeTexture(new Uint8Array(1), [1, 1, 1]) },
         paintPalette: { value: paletteTexture(255, paintColour, new Set()) },
-        range: { value: new Vector2(0, 1) },
+        sizeRange: { value: new Vector2(0, 1) },
         bySize: { value: false },
+        backdrop: { value: new Color(1, 1, 1) },
       },
     });
   }
 
-  setLabels(labels: Uint16Array, grid: Grid, largest: number): void {
+  setLabels(labels: Labels, grid: Grid): void {
     if (this.shown === labels) return;
     this.shown = labels;
-    const narrow = largest < 256 ? new Uint8Array(labels) : labels;
-    this.replace('labels', volumeTexture(narrow, grid.size));
+    this.replace('imageLabels', volumeTexture(labels, grid.size));
     this.material.uniforms.toLabel.value.copy(inverse(grid.indexToMm));
   }
 
   setColours(largest: number, colour: (label: number) => string, hidden: ReadonlySet<number>): void {
-    this.replace('palette', paletteTexture(largest, colour, hidden));
+    this.replace('imagePalette', paletteTexture(largest, colour, hidden));
+  }
+
+  /** What lies outside of these labels is not meshed. */
+  setMeshed(known: readonly number[], meshed: ReadonlySet<number>): void {
+    const left = new Set(known.filter((label) => !meshed.has(label)));
+    this.replace(
+      'meshed',
+      paletteTexture(Math.max(0, ...known), () => '#000000', left),
+    );
+  }
+
+  /** How light it is behind the image. */
+  setBackdrop(lightness: number): void {
+    this.material.uniforms.backdrop.value.setScalar(lightness);
   }
 
   /** A field in colour. Where it is 0 there is none: with `gaps` of that kind nothing may be interpolated. */
   setField({ values, grid }: Field, { map, lo, hi }: Legend, gaps: boolean): void {
     const texture = volumeTexture(values, grid.size);
     if (this.smooth && !gaps) texture.magFilter = texture.minFilter = LinearFilter;
-    this.replace('scale', scaleTexture(map));
+    this.replace('imageScale', scaleTexture(map));
     this.replace('sizes', texture);
     this.material.uniforms.toSize.value.copy(inverse(grid.indexToMm));
-    this.material.uniforms.range.value.set(lo, hi);
+    this.material.uniforms.sizeRange.value.set(lo, hi);
   }
 
   /** What is painted over the image; null: nothing. The same labels again have changed in place. */
   setPaint(labels: Uint8Array | null, grid: Grid): void {
-    const texture = this.material.uniforms.paint.value as Data3DTexture;
+    const texture = this.material.uniforms.imagePaint.value as Data3DTexture;
     if (labels && texture.image.data === labels) {
       texture.needsUpdate = true;
       return;
     }
     this.replace(
-      'paint',
+      'imagePaint',
       labels ? volumeTexture(labels, grid.size) : volumeTexture(new Uint8Array(1), [1, 1, 1]),
     );
     this.material.uniforms.toPaint.value.copy(inverse(grid.indexToMm));
@@ -202,7 +187,10 @@ export class SliceImage {
     this.material.dispose();
   }
 
-  private replace(name: 'labels' | 'sizes' | 'scale' | 'paint' | 'palette', texture: Texture): void {
+  private replace(
+    name: 'imageLabels' | 'sizes' | 'imageScale' | 'imagePaint' | 'imagePalette' | 'meshed',
+    texture: Texture,
+  ): void {
     (this.material.uniforms[name].value as Texture).dispose();
     this.material.uniforms[name].value = texture;
   }

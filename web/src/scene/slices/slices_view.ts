@@ -1,16 +1,25 @@
 /** The image: three linked slices beside the 3-D view, the same slices as planes in it, and the crosshair of both. */
-import { effect, untracked } from '@preact/signals';
-import { BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh, type Material } from 'three';
-import type { Vec3 } from '../../engine/contract';
+import { effect, signal, untracked } from '@preact/signals';
+import {
+  BufferGeometry,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  type IUniform,
+  type RawShaderMaterial,
+} from 'three';
+import type { TetArrays, Vec3 } from '../../engine/contract';
 import { robustRange } from '../../geometry/faces';
 import type { Grid } from '../../geometry/grid_values';
 import { indexMap, sliceFrames, toMm } from '../../geometry/orientation';
 import { volume } from '../../store/case/input';
 import { paintedVoxels } from '../../store/case/painting';
-import { recipe } from '../../store/case/recipe';
-import { shownResult } from '../../store/run/results';
+import { meshedLabels } from '../../store/case/labels';
+import { pointsOf, shownResult } from '../../store/run/results';
 import { sizingFields } from '../../store/run/sizing_fields';
 import {
+  dark,
   hiddenLabels,
   layout,
   showEdges,
@@ -23,7 +32,7 @@ import {
 import type { Canvas } from '../frame/canvas';
 import { setPositions } from '../frame/positions';
 import { SliceImage } from './slice_material';
-import { SlicePane, type Section } from './slice_pane';
+import { SlicePane, type Edges } from './slice_pane';
 import type { Viewer } from '../frame/viewer';
 import { colourOf } from '../../store/case/legend/legend';
 
@@ -37,7 +46,7 @@ function meshedVoxels({ size, indexToMm }: Grid): ((voxel: number) => boolean) |
   const labels = shownResult('volume')?.labels;
   const known = volume.value;
   if (!labels || !known) return undefined;
-  const chosen = new Set(recipe.value?.labels);
+  const meshed = meshedLabels.value;
   const m = indexMap(indexToMm, known.index_to_mm);
   const [nx, ny, nz] = known.size;
   return (voxel) => {
@@ -48,17 +57,26 @@ function meshedVoxels({ size, indexToMm }: Grid): ((voxel: number) => boolean) |
     const j = Math.round(m[4] * x + m[5] * y + m[6] * z + m[7]);
     const k = Math.round(m[8] * x + m[9] * y + m[10] * z + m[11]);
     if (i < 0 || j < 0 || k < 0 || i >= nx || j >= ny || k >= nz) return false;
-    const label = labels[i + nx * (j + ny * k)];
-    return label > 0 && (chosen.size === 0 || chosen.has(label));
+    return meshed.has(labels[i + nx * (j + ny * k)]);
   };
 }
 
 const showsPlanes = () => stageShown.value === 'volume' || stageShown.value === 'sizing';
 
+/** What slices show of a body; asked for once they are looked at. */
+export interface SlicedBody {
+  /** Triangles where its labels meet, nine numbers each. Signals that this reads call for others. */
+  borders(): Float32Array;
+  elements?: {
+    mesh: TetArrays;
+    /** The edges of its elements in one slice, over an image of these uniforms. */
+    edges(image: Record<string, IUniform>): Edges;
+  };
+}
+
 export interface SlicesView {
-  material: Material;
-  /** What the slices show of a body: the edges of a mesh, or the outline of a surface. Made once they are looked at. */
-  showSections(prepare: (() => () => Section) | null): void;
+  material: RawShaderMaterial;
+  show(body: SlicedBody | null): void;
   dispose(): void;
 }
 
@@ -83,8 +101,7 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
   }
   viewer.add(planes);
   viewer.add(cross);
-  let sections: Section[] = [];
-  let pending: (() => () => Section) | null = null;
+  const body = signal<SlicedBody | null>(null);
 
   const moveCross = (places: Vec3) => {
     const { size, indexToMm } = image.grid;
@@ -117,12 +134,17 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
       const labels = shownResult('volume')?.labels;
       const known = untracked(() => volume.value);
       if (!labels || !known || !(showsPlanes() || layout.value === 'slices')) return;
-      image.setLabels(labels, image.grid, Math.max(0, ...known.labels.map(({ label }) => label)));
+      image.setLabels(labels, image.grid);
       canvas.invalidate();
     }),
     effect(() => {
       const largest = Math.max(0, ...(volume.value?.labels.map(({ label }) => label) ?? []));
       image.setColours(largest, colourOf.value, hiddenLabels.value);
+      canvas.invalidate();
+    }),
+    effect(() => {
+      image.setMeshed(volume.value?.labels.map(({ label }) => label) ?? [], meshedLabels.value);
+      image.setBackdrop(dark.value ? 0.11 : 0.93);
       canvas.invalidate();
     }),
     effect(() => {
@@ -150,49 +172,31 @@ export function addSlices(canvas: Canvas, viewer: Viewer, host: HTMLElement): Sl
     effect(() => {
       moveCross(slicePlaces.value);
       planes.visible = showsPlanes();
-      cross.visible = layout.value === 'slices';
+      cross.visible = layout.value === 'slices' && pointsOf(stageShown.value) !== undefined;
       canvas.invalidate();
     }),
     effect(() => {
-      makeSections();
-      const visible = showEdges.value;
-      for (const section of sections) section.visible = visible;
+      const triangles = layout.value === 'slices' ? body.value?.borders() : undefined;
+      for (const pane of panes) pane.setBorders(triangles ?? new Float32Array(0));
+      canvas.invalidate();
+    }),
+    effect(() => {
+      const elements = layout.value === 'slices' && showEdges.value ? body.value?.elements : undefined;
+      for (const pane of panes)
+        pane.setElements(
+          elements ? { mesh: elements.mesh, edges: elements.edges(image.material.uniforms) } : null,
+        );
       canvas.invalidate();
     }),
   ];
 
-  function makeSections(): void {
-    if (layout.value !== 'slices' || !pending) return;
-    const make = pending();
-    pending = null;
-    sections = panes.map((pane) => {
-      const section = make();
-      section.visible = showEdges.peek();
-      section.renderOrder = 1;
-      pane.setSection(section);
-      return section;
-    });
-  }
-
-  const dropSections = () => {
-    for (const pane of panes) pane.setSection(null);
-    for (const { geometry, material } of sections) {
-      geometry.dispose();
-      material.dispose();
-    }
-    sections = [];
-  };
-
   return {
     material: image.material,
-    showSections(prepare) {
-      dropSections();
-      pending = prepare;
-      untracked(makeSections);
+    show(next) {
+      body.value = next;
     },
     dispose() {
       for (const stop of stops) stop();
-      dropSections();
       for (const pane of panes) pane.dispose();
       for (const object of [...planes.children, ...cross.children] as (Mesh | LineSegments)[])
         object.geometry.dispose();

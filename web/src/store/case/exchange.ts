@@ -10,7 +10,7 @@ import { meshedMinimal, meshedRecipe, report, upToDate } from '../run/report';
 import { activity } from '../run/stages';
 import { paintedName } from './painting';
 import { heldSides } from './side_files';
-import { command, layout, sceneMounted, type Layout } from '../view';
+import { chooseLayout, command, layout, sceneMounted, type Layout } from '../view';
 import { packZip } from './zip/zip';
 import { nameOf } from './legend/legend';
 
@@ -111,12 +111,12 @@ async function picturesOf(layouts: readonly [Layout, string][]): Promise<ReportP
   const pictures: ReportPicture[] = [];
   try {
     for (const [next, title] of layouts) {
-      layout.value = next;
+      chooseLayout(next);
       await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
       pictures.push({ title, source: await dataUrl(await viewPicture()) });
     }
   } finally {
-    layout.value = before;
+    chooseLayout(before);
   }
   return pictures;
 }

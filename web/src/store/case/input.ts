@@ -4,11 +4,16 @@ import type { Recipe, VolumeSummary } from '../../engine/contract';
 /** The label volume that the case stands on, once it has been read or generated. */
 export const volume = signal<VolumeSummary | null>(null);
 
+export const voxelCount = computed(() => volume.value?.size.reduce((product, n) => product * n, 1) ?? 0);
+
 /** The mesh was made elsewhere: it is shown, measured and simulated on, but not made. */
 export const meshIsGiven = computed(() => volume.value?.mesh !== undefined);
 
 /** The file of the mesh gave fibres with it. */
 export const fibresAreGiven = computed(() => volume.value?.mesh?.fibres ?? false);
+
+/** The file that is being read, or was last. */
+export const fileRead = signal('');
 
 /** A file that the recipe needs and that has not been dropped in yet. */
 export const awaitedFile = signal<{ name: string; sha256: string } | null>(null);

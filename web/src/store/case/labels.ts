@@ -1,4 +1,13 @@
+import { computed } from '@preact/signals';
 import type { Recipe } from '../../engine/contract';
+import { volume } from './input';
+import { recipe } from './recipe';
+
+/** The labels of the volume that are meshed: all where the recipe names none. */
+export const meshedLabels = computed<ReadonlySet<number>>(() => {
+  const chosen = recipe.value?.labels ?? [];
+  return new Set(chosen.length > 0 ? chosen : volume.value?.labels.map(({ label }) => label));
+});
 
 /** Groups of labels that are meshed as one region, which carries the smallest: `merge` of the recipe. */
 type Groups = readonly (readonly number[])[];

@@ -4,7 +4,7 @@ import type { SideKind, VolumeFile, VolumeSummary } from '../../engine/contract'
 import { parseCase } from '../../link/codec';
 import { offerCase, takeVolume } from './open_case';
 import { engine, takeTurn, tellError } from '../run/engine';
-import { awaitedFile, volume } from './input';
+import { awaitedFile, fileRead, volume } from './input';
 import { announcement, tell } from '../notices';
 import { activity, endStages } from '../run/stages';
 import { previewSoon } from '../run/run_stages';
@@ -144,6 +144,7 @@ function openVolume(files: readonly File[]): Promise<void> {
 
 async function readVolume(files: readonly File[]): Promise<void> {
   const newest = takeTurn();
+  fileRead.value = files[0].name;
   activity.value = 'opening';
   announcement.value = `Reading ${files[0].name}`;
   let file: VolumeFile | undefined;

@@ -12,7 +12,11 @@ import {
   type Stroke,
 } from '../../geometry/painting';
 import { engine, tellError } from '../run/engine';
+import { tell } from '../notices';
+import { shownResult } from '../run/results';
 import { volume } from './input';
+import { meshedLabels } from './labels';
+import { nameOf } from './legend/legend';
 import { editRecipe, recipe } from './recipe';
 import { holdSide } from './side_files';
 
@@ -131,11 +135,30 @@ export function continueStroke(mm: readonly number[]): void {
   revision.value++;
 }
 
+/** Takes back the stroke under way. */
+export function dropStroke(): void {
+  if (!stroke || !painting) return;
+  applyRuns(painting.labels, runsOf(stroke), 'before');
+  stroke = null;
+  revision.value++;
+}
+
 export function endStroke(): void {
   if (!stroke) return;
   const done = stroke;
   stroke = null;
-  if (done.voxels.length > 0) commit(done.label === 0 ? 'Erase size' : 'Paint size', done, done.edge_mm);
+  if (done.voxels.length === 0) return;
+  if (done.label > 0) tellWhereIdle(done.voxels);
+  commit(done.label === 0 ? 'Erase size' : 'Paint size', done, done.edge_mm);
+}
+
+/** Says where all of a stroke is in labels that are not meshed. */
+function tellWhereIdle(voxels: readonly number[]): void {
+  const labels = shownResult('volume')?.labels;
+  if (!labels || voxels.some((voxel) => meshedLabels.peek().has(labels[voxel]))) return;
+  const name = nameOf(labels[voxels[voxels.length - 1]]);
+  const text = `The ${name} is not meshed: sizes painted there count only near labels that are.`;
+  tell('news', 'Painted where nothing is meshed', text);
 }
 
 /** Takes a size off wherever it is painted. */

@@ -4,7 +4,7 @@ import { announcement } from '../notices';
 import { engine, takeTurn, tellError } from '../run/engine';
 import { preview } from '../run/run_stages';
 import { activity, endStages } from '../run/stages';
-import { volume } from './input';
+import { fileRead, volume } from './input';
 import { takeVolume } from './open_case';
 import { editRecipe, recipe } from './recipe';
 
@@ -49,6 +49,7 @@ async function readCase(reading: Reading): Promise<boolean> {
 /** Begins a case with a file that could not be read by itself, else reads that of the case again. */
 export async function readAgain(reading: Reading, unread: VolumeFile | null): Promise<boolean> {
   const newest = takeTurn();
+  fileRead.value = unread?.name ?? recipe.value?.source.file?.name ?? '';
   activity.value = 'opening';
   announcement.value = 'Reading the file again';
   try {

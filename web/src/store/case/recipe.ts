@@ -27,6 +27,8 @@ const joinMs = 900;
 
 /** The recipe: the only truth about a case. Null until the engine has told its defaults. */
 export const recipe = signal<Recipe | null>(null);
+/** Steps that can be undone: one more after an edit, the same while a control is dragged. */
+export const stepCount = computed(() => past.value.length);
 export const undoLabel = computed(() => past.value.at(-1)?.label ?? null);
 export const redoLabel = computed(() => future.value.at(-1)?.label ?? null);
 

@@ -1,7 +1,7 @@
 /** One run that later ones are held against. Its arrays stand outside the store, like those of the results. */
 import { signal } from '@preact/signals';
 import { noValue, type Physics, type Recipe, type Report, type StageArrays } from '../../engine/contract';
-import { layout } from '../view';
+import { chooseLayout, layout } from '../view';
 import { keptSimulation, simulatedPhysics, type KeptSimulation } from './frames';
 import { meshedRecipe, report } from './report';
 import { shownKeys, shownResult } from './results';
@@ -51,7 +51,7 @@ export function unpin(): void {
   pinned.value = null;
   arrays = null;
   simulation = null;
-  if (layout.value === 'compare') layout.value = 'model';
+  if (layout.value === 'compare') chooseLayout('model');
 }
 
 export interface ValueDifferences {

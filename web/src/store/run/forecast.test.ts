@@ -61,6 +61,25 @@ afterEach(async () => {
 });
 
 describe('the forecast', () => {
+  it('tells what it was before the last step, whatever came between while that was dragged', async () => {
+    activity.value = 'idle';
+    await wait();
+    questions[0].answer(of(1000));
+    await wait();
+    expect(forecast.value?.was ?? null).toBe(null);
+    for (const [mm, tets] of [
+      [1.8, 1200],
+      [1.5, 1500],
+    ]) {
+      editRecipe('Edge', (draft) => void (draft.sizing.edge_mm = mm), 'drag', Infinity);
+      await wait();
+      questions.at(-1)!.answer(of(tets));
+      await wait();
+      expect(forecast.value?.numbers?.tets).toBe(tets);
+      expect(forecast.value?.was?.tets).toBe(1000);
+    }
+  });
+
   it('is asked for once the label surface is there and the engine is free', async () => {
     stages.value = blankStages();
     activity.value = 'idle';
@@ -74,7 +93,7 @@ describe('the forecast', () => {
     await wait();
     questions[0].answer(of(1000));
     await wait();
-    expect(forecast.value).toEqual({ numbers: of(1000), problem: '', fresh: true });
+    expect(forecast.value).toEqual({ numbers: of(1000), problem: '', was: null, fresh: true });
     await wait();
     expect(questions).toHaveLength(1);
   });

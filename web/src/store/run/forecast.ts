@@ -2,7 +2,7 @@
 import { computed, effect, signal } from '@preact/signals';
 import { EngineError, type FittingSizes, type Forecast, type Recipe } from '../../engine/contract';
 import { engine } from './engine';
-import { editRecipe, recipe } from '../case/recipe';
+import { editRecipe, recipe, stepCount } from '../case/recipe';
 import { activity, previewDue, isMadeFrom } from './stages';
 import { awaitedSides } from '../case/side_files';
 import { stageInput } from './stage_inputs';
@@ -16,6 +16,8 @@ interface Answer {
 }
 
 const answer = signal<Answer | null>(null);
+/** The answer before the last step of the recipe's history, and how many steps there were with the newest. */
+let before: { steps: number; answer: Answer | null } = { steps: 0, answer: null };
 /** From an edit to the question. */
 const pauseMs = 80;
 /** A forecast that takes longer would hold up the preview that the same edit calls for. */
@@ -30,11 +32,24 @@ const surfaceOf = (current: Recipe) => stageInput(current, 'smooth');
 const inputOf = (current: Recipe) => stageInput(current, 'remesh');
 
 /** The forecast of the recipe's surface; `fresh` where it is also that of its sizes. */
-export const forecast = computed<(Pick<Answer, 'numbers' | 'problem'> & { fresh: boolean }) | null>(() => {
+export const forecast = computed<ForecastNow | null>(() => {
   const [current, last] = [recipe.value, answer.value];
   if (!current || !last || last.surface !== surfaceOf(current)) return null;
-  return { numbers: last.numbers, problem: last.problem, fresh: last.input === inputOf(current) };
+  const { numbers, problem } = last;
+  const was = before.answer?.surface === last.surface ? before.answer.numbers : null;
+  return { numbers, problem, was, fresh: last.input === inputOf(current) };
 });
+
+interface ForecastNow extends Pick<Answer, 'numbers' | 'problem'> {
+  fresh: boolean;
+  /** That of the recipe before its last step. */
+  was: Forecast | null;
+}
+
+function take(found: Answer): void {
+  if (stepCount.peek() !== before.steps) before = { steps: stepCount.peek(), answer: answer.peek() };
+  answer.value = found;
+}
 
 /** Numbers of the forecast that are beyond the recipe's limits: the engine will refuse to mesh. */
 export const exceeded = computed(() => {
@@ -98,7 +113,7 @@ function ask(): void {
     done: done.then((found) => {
       asked = null;
       lastMs = performance.now() - begin;
-      if (found) answer.value = found;
+      if (found) take(found);
     }),
   };
 }

@@ -28,6 +28,8 @@ import {
   layout,
   marked,
   picked,
+  endSlicesFirst,
+  slicesFirst,
   sliceOverlay,
   stageShown,
 } from '../view';
@@ -106,6 +108,13 @@ async function freeEngine(surface: string): Promise<void> {
   else if (engine.busy) await engine.cancel();
 }
 
+/** Once the page is drawn; a hidden one is not. */
+const drawn = () =>
+  new Promise<void>((done) => {
+    setTimeout(done, document.hidden ? 0 : 2000);
+    requestAnimationFrame(() => requestAnimationFrame(() => done()));
+  });
+
 /** False where the stages failed, or where something newer has taken the engine. */
 async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<boolean> {
   const current = recipe.value;
@@ -154,7 +163,12 @@ async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<bool
         if (news || previewed || first) stageShown.value = summary.name;
         if (fitDue && (summary.name === 'surface' || summary.name === 'optimise'))
           command.value = { kind: 'fit' };
-        if (summary.name === 'smooth' || summary.name === 'optimise') fitDue = false;
+        if (summary.name === 'smooth' || summary.name === 'optimise') {
+          fitDue = false;
+          endSlicesFirst();
+        }
+        // The surface takes all cores, and the first picture needs one.
+        if (summary.name === 'volume' && changed && slicesFirst.value) return drawn();
       },
     });
     if (!newest()) return false;

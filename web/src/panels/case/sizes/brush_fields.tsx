@@ -55,7 +55,10 @@ export function BrushFields() {
           <span class="unit">{short(radius_mm)} mm</span>
         </span>
       </label>
-      <p class="hint">Drag on a slice; Enter paints at the crosshair of the slice that has the focus.</p>
+      <p class="hint">
+        Drag on a slice, in labels that are meshed; Enter paints at the crosshair of the slice that has the
+        focus.
+      </p>
     </div>
   );
 }

@@ -7,7 +7,7 @@ import {
   paintedVoxels,
   setPaintedEdge,
 } from '../../../store/case/painting';
-import { layout } from '../../../store/view';
+import { chooseLayout } from '../../../store/view';
 import { fetched } from '../../controls/fetched';
 import { NumberInput } from '../../controls/fields';
 import { Icon } from '../../controls/icons';
@@ -18,7 +18,7 @@ function turnOn(): void {
   const [least, largest] = brushRadiiMm();
   const radius_mm = Math.min(Math.max(brushTool.value.radius_mm, least), largest);
   brushTool.value = { ...brushTool.value, on, radius_mm };
-  if (on) layout.value = 'slices';
+  if (on) chooseLayout('slices');
 }
 
 /** Fields of the brush while it is on. */
