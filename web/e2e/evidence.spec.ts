@@ -34,7 +34,7 @@ test('a pinned run stands beside the next one, with one camera and a table of di
   const table = page.getByTestId('differences');
   await expect(table.locator('tbody tr').first()).toContainText('Tetrahedra');
   await expect(table.locator('tbody tr').first()).toContainText('−');
-  await expect(page.locator('.changes')).toContainText('sizing.edge_mm');
+  await expect(page.locator('.changes')).toContainText('Element size: edge length');
   await expect(page.locator('.changes')).toContainText('5 → 7');
   await expect(page.locator('.histogram-key').first()).toContainText('Pinned');
   await page.getByRole('button', { name: 'Side by side' }).click();

@@ -8,8 +8,10 @@ import { editRecipe, recipe } from '../../store/case/recipe';
 import { activity } from '../../store/run/stages';
 import { CurvatureList } from './sizes/curvature_list';
 import { dialogShown } from '../controls/dialog_shown';
+import { Explain } from '../controls/explain';
 import { NumberField } from '../controls/fields';
 import { Icon } from '../controls/icons';
+import { Panel } from '../controls/panel';
 import { LabelTable } from './label_table';
 import { TransferFields } from './transfer_fields';
 import { MergeAllField } from './merge_all_field';
@@ -29,7 +31,13 @@ function LabelSection({ current }: { current: Recipe }) {
   const chosen = current.labels.length > 0 ? current.labels : known.labels.map(({ label }) => label);
   return (
     <section class="section">
-      <h2>Labels</h2>
+      <h2>
+        Labels{' '}
+        <Explain
+          of="a row of labels"
+          text="Its colour, name and volume; whether it is meshed; the region of the mesh that it goes into, by the number of a label; the target edge length inside it; whether it is seen in the view."
+        />
+      </h2>
       {unnamed.value && <Naming />}
       <LabelTable current={current} />
       {chosen.length > 1 && <MergeAllField current={current} chosen={chosen} />}
@@ -125,11 +133,11 @@ function isStack(sliceRatio: number): boolean {
 export function CasePanel() {
   const current = recipe.value;
   const awaited = awaitedFile.value;
-  if (!current) return <aside class="panel left" aria-label="Case" />;
+  if (!current) return <Panel part="case" class="left" label="Case" />;
   const { physics } = current;
   const chosen = current.source.phantom !== undefined || current.source.file !== undefined;
   return (
-    <aside class="panel left" aria-label="Case" aria-busy={activity.value === 'opening'}>
+    <Panel part="case" class="left" label="Case" busy={activity.value === 'opening'}>
       <SourceSection current={current} />
       {awaited && <p class="hint">This case was made from {awaited.name}. Drop that file to go on.</p>}
       {chosen && (
@@ -163,6 +171,6 @@ export function CasePanel() {
           the mesher runs in this tab.
         </p>
       )}
-    </aside>
+    </Panel>
   );
 }

@@ -1,5 +1,6 @@
 import { volume } from '../../store/case/input';
 import { nameOf } from '../../store/case/legend/legend';
+import { Explain } from './explain';
 
 /** Labels to choose from, as small switches. */
 export function LabelChips(props: {
@@ -14,7 +15,9 @@ export function LabelChips(props: {
   const labels = volume.value?.labels.map(({ label }) => label) ?? [];
   return (
     <fieldset class="label-chips" title={hint}>
-      <legend>{legend}</legend>
+      <legend>
+        {legend} <Explain of={legend} text={hint} />
+      </legend>
       <div class="label-chip-row">
         {labels
           .filter((label) => !taken.includes(label))

@@ -1,13 +1,15 @@
 import { exceeded, forecast } from '../../store/run/forecast';
+import { volume } from '../../store/case/input';
+import { report, upToDate } from '../../store/run/report';
 import { forecastParts, refusal } from './forecast_text';
 
 /** The engine's memory ends at 4295 MB, and forecasts of it hold within a quarter. */
 export const tightMemoryMb = 3300;
 
-/** What a run will take, or why it will be refused. */
+/** What a run will take, or why it will be refused; nothing where the mesh is there. */
 export function ForecastNote() {
   const now = forecast.value;
-  if (!now) return null;
+  if (!now || !volume.value || (upToDate.value && report.value)) return null;
   const { numbers, problem, fresh } = now;
   if (!numbers)
     return (
