@@ -31,13 +31,13 @@ function LabelSection({ current }: { current: Recipe }) {
   const chosen = current.labels.length > 0 ? current.labels : known.labels.map(({ label }) => label);
   return (
     <section class="section">
-      <h2>
-        Labels{' '}
+      <div class="section-head">
+        <h2>Labels</h2>
         <Explain
           of="a row of labels"
           text="Its colour, name and volume; whether it is meshed; the region of the mesh that it goes into, by the number of a label; the target edge length inside it; whether it is seen in the view."
         />
-      </h2>
+      </div>
       {unnamed.value && <Naming />}
       <LabelTable current={current} />
       {chosen.length > 1 && <MergeAllField current={current} chosen={chosen} />}

@@ -14,13 +14,9 @@ function explain(text: string, beside: Element): void {
 export function Explain({ of, text }: { of: string; text?: string }) {
   if (!text) return null;
   return (
-    <button
-      type="button"
-      class="explain"
-      aria-label={`What is ${of}?`}
-      onClick={(event) => explain(text, event.currentTarget)}
-    >
-      i
+    <button type="button" class="explain" onClick={(event) => explain(text, event.currentTarget)}>
+      <span aria-hidden="true">i</span>
+      <span class="sr">What is {of}?</span>
     </button>
   );
 }

@@ -15,9 +15,8 @@ export function LabelChips(props: {
   const labels = volume.value?.labels.map(({ label }) => label) ?? [];
   return (
     <fieldset class="label-chips" title={hint}>
-      <legend>
-        {legend} <Explain of={legend} text={hint} />
-      </legend>
+      <legend>{legend}</legend>
+      <Explain of={legend} text={hint} />
       <div class="label-chip-row">
         {labels
           .filter((label) => !taken.includes(label))
