@@ -83,3 +83,13 @@ test('an edit marks the stages it touches; only those run again, as far as is as
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(stage(page, 'sizing')).toHaveAttribute('data-state', 'done');
 });
+
+test('the digest is shortened, and copied whole', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await openAndRun(page, smallHeart);
+  await page.getByRole('button', { name: 'Copy the digest' }).click();
+  await expect(page.locator('.digest')).toContainText('Copied');
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  expect(copied).toMatch(/^[0-9a-f]{64}$/);
+  await expect(page.locator('.digest code')).toHaveText(`${copied.slice(0, 12)}…`);
+});
