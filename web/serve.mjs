@@ -48,25 +48,58 @@ export function fileOf(root, requestUrl) {
   return file.startsWith(resolve(root) + sep) ? file : null;
 }
 
+/** Of `br` and `gzip` those that a browser takes, the smaller first; see compress.mjs. */
+export function encodingsFor(accepted = '') {
+  const asked = accepted.split(',').map((part) => part.trim().split(/\s*;\s*q=/));
+  return ['br', 'gzip'].filter((name) => asked.some(([one, q]) => one === name && Number(q ?? 1) > 0));
+}
+
+const endings = { br: '.br', gzip: '.gz' };
+
+/** The smallest of a file and of what was compressed of it, as far as a browser takes it; null where there is no file. */
+async function foundAt(file, accepted) {
+  const sizeOf = async (path) => {
+    const found = await stat(path).catch(() => null);
+    return found?.isFile() ? found : null;
+  };
+  const plain = await sizeOf(file);
+  if (!plain) return null;
+  for (const encoding of encodingsFor(accepted)) {
+    const path = file + endings[encoding];
+    const found = await sizeOf(path);
+    if (found) return { path, encoding, size: found.size, changed: plain.mtimeMs };
+  }
+  return { path: file, encoding: null, size: plain.size, changed: plain.mtimeMs };
+}
+
 export function serve({ root, port }) {
   const server = createServer(async (request, response) => {
     const answer = (status, text) =>
       response.writeHead(status, { ...headers, 'Content-Type': 'text/plain' }).end(text);
     if (request.method !== 'GET' && request.method !== 'HEAD') return answer(405, 'Only GET.');
     const file = fileOf(root, request.url ?? '/');
-    const found = file && (await stat(file).catch(() => null));
-    if (!found?.isFile()) return answer(404, 'Not here.');
-    response.writeHead(200, {
+    const found = file && (await foundAt(file, request.headers['accept-encoding']));
+    if (!found) return answer(404, 'Not here.');
+    const { path, encoding, size, changed } = found;
+    const tag = `"${Math.round(changed).toString(36)}-${size.toString(36)}"`;
+    const common = {
       ...headers,
-      'Content-Type': types[extname(file)] ?? 'application/octet-stream',
-      'Content-Length': found.size,
+      ETag: tag,
+      Vary: 'Accept-Encoding',
       // Hashed names never change; everything else is asked for again.
       'Cache-Control': file.includes(`${sep}assets${sep}`)
         ? 'public, max-age=31536000, immutable'
         : 'no-cache',
+    };
+    if (request.headers['if-none-match'] === tag) return response.writeHead(304, common).end();
+    response.writeHead(200, {
+      ...common,
+      'Content-Type': types[extname(file)] ?? 'application/octet-stream',
+      'Content-Length': size,
+      ...(encoding && { 'Content-Encoding': encoding }),
     });
     if (request.method === 'HEAD') return response.end();
-    createReadStream(file)
+    createReadStream(path)
       .on('error', () => response.destroy())
       .pipe(response);
   });

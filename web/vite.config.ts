@@ -1,4 +1,5 @@
-import { readFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import { readdirSync, readFileSync, renameSync } from 'node:fs';
 import { defineConfig, type Plugin } from 'vite';
 
 const contentPolicy = [
@@ -51,9 +52,28 @@ function ownDicomFiles(): Plugin {
   };
 }
 
+/**
+ * The engine's files in a folder that is named by their digest, beside whatever else never changes under its name: a
+ * browser asks for each of them once, however many threads want it.
+ */
+function namedEngine(): Plugin {
+  const files = new URL('public/engine/', import.meta.url);
+  const digest = createHash('sha256');
+  for (const name of readdirSync(files, { recursive: true, encoding: 'utf8' }).sort())
+    if (/\.\w+$/.test(name)) digest.update(name).update(readFileSync(new URL(name, files)));
+  const folder = `assets/engine-${digest.digest('hex').slice(0, 8)}`;
+  return {
+    name: 'named-engine',
+    apply: 'build',
+    config: () => ({ define: { 'import.meta.env.VITE_ENGINE': JSON.stringify(`${folder}/`) } }),
+    closeBundle: () =>
+      renameSync(new URL('dist/engine', import.meta.url), new URL(`dist/${folder}`, import.meta.url)),
+  };
+}
+
 export default defineConfig({
   base: './',
-  plugins: [contentPolicyMeta(), ownDicomFiles()],
+  plugins: [contentPolicyMeta(), ownDicomFiles(), namedEngine()],
   worker: { format: 'es' },
   build: {
     target: 'es2022',

@@ -40,7 +40,8 @@ for (const isolated of [true, false])
     await openAndRun(page, { ...readJson(join(folder, 'case.json')), expected: { engine, digest, tets } });
     await expect(page.getByTestId('verdict')).toContainText('Reproduced');
     expect(await page.evaluate(() => crossOriginIsolated)).toBe(isolated);
-    expect([...modules]).toEqual([`/engine/${isolated ? 'threads/' : ''}voxtet_engine.wasm`]);
+    const names = [...modules].map((path) => path.replace(/^\/assets\/engine-\w+\//, ''));
+    expect(names).toEqual([`${isolated ? 'threads/' : ''}voxtet_engine.wasm`]);
   });
 
 test('a real heart with a scar gives the digest that the command line gives under node', async ({ page }) => {

@@ -34,7 +34,7 @@ test('a pinned run stands beside the next one, with one camera and a table of di
   const table = page.getByTestId('differences');
   await expect(table.locator('tbody tr').first()).toContainText('Tetrahedra');
   await expect(table.locator('tbody tr').first()).toContainText('−');
-  await expect(page.locator('.changes')).toContainText('sizing.edge_mm');
+  await expect(page.locator('.changes')).toContainText('Element size: edge length');
   await expect(page.locator('.changes')).toContainText('5 → 7');
   await expect(page.locator('.histogram-key').first()).toContainText('Pinned');
   await page.getByRole('button', { name: 'Side by side' }).click();
@@ -82,4 +82,14 @@ test('an edit marks the stages it touches; only those run again, as far as is as
   await expect(stage(page, 'sizing')).toHaveAttribute('data-state', 'stale');
   await page.getByRole('button', { name: 'Undo' }).click();
   await expect(stage(page, 'sizing')).toHaveAttribute('data-state', 'done');
+});
+
+test('the digest is shortened, and copied whole', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await openAndRun(page, smallHeart);
+  await page.getByRole('button', { name: 'Copy the digest' }).click();
+  await expect(page.locator('.digest')).toContainText('Copied');
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  expect(copied).toMatch(/^[0-9a-f]{64}$/);
+  await expect(page.locator('.digest code')).toHaveText(`${copied.slice(0, 12)}…`);
 });

@@ -1,6 +1,6 @@
 /** That nothing a person did is lost, and nothing that is no longer so is said. */
 import { maskFile } from './files';
-import { dropFile, expect, idle, link, meshed, slice, smallHeart, stage, test } from './support';
+import { dropFile, expect, fineHeart, idle, link, meshed, slice, smallHeart, stage, test } from './support';
 
 const coarse = { source: smallHeart.source, labels: [1, 2], sizing: { edge_mm: 6 } };
 
@@ -111,4 +111,32 @@ test('the focus stays where a run begins and ends', async ({ page }) => {
   await page.keyboard.press('Enter');
   await meshed(page);
   await expect(page.getByTestId('run')).toBeFocused();
+});
+
+test('a surface that takes long is stopped by a button that says so', async ({ page }) => {
+  await page.goto(
+    link({ ...fineHeart, source: { phantom: { kind: 'biventricle', spacing_mm: [0.8, 0.8, 0.8] } } }),
+  );
+  await page.getByRole('button', { name: 'Open', exact: true }).click();
+  await page.getByRole('button', { name: 'Stop', exact: true }).click();
+  await idle(page);
+  await expect(page.getByRole('button', { name: 'Stop', exact: true })).toHaveCount(0);
+});
+
+test('names of files are shown as they are written', async ({ page }) => {
+  await page.goto('./');
+  await idle(page);
+  // With contextual forms Inter draws the x between digits as a times sign, which is wider.
+  const [shown, plain, contextual] = await page.evaluate(async () => {
+    await document.fonts.load('100px "Inter Variable"');
+    return ['', '"calt" 0', '"calt" 1'].map((features) => {
+      const name = document.createElement('span');
+      name.textContent = '512x512x400';
+      Object.assign(name.style, { position: 'absolute', fontSize: '100px', fontFeatureSettings: features });
+      document.getElementById('app')!.append(name);
+      return name.getBoundingClientRect().width;
+    });
+  });
+  expect(contextual).not.toBeCloseTo(plain, 1);
+  expect(shown).toBeCloseTo(plain, 1);
 });

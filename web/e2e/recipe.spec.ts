@@ -55,7 +55,7 @@ test('a label is transferred instead of meshed, coloured by its share and compar
 });
 
 test('an error of the mesher shows its triangles on the adapted surface', async ({ page }) => {
-  await page.route('**/engine/**/voxtet_engine.mjs', async (route) => {
+  await page.route('**/voxtet_engine.mjs', async (route) => {
     const response = await route.fetch();
     const failing = `const createFailing = async (options) => {
         const engine = await createVoxtet(options);

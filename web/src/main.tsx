@@ -3,14 +3,16 @@ import { render } from 'preact';
 import { browserSetup } from './engine/browser_setup';
 import { EngineClient } from './engine/client';
 import { App } from './panels/app';
+import { followPageSize } from './panels/controls/page_shape';
 import { keepCase, openAddress, startEngine } from './store/case/open_case';
 import { keepForecast } from './store/run/forecast';
 import { keepSizingShown } from './store/run/run_stages';
-import { dark, theme, type ThemeChoice } from './store/view';
+import { dark, largeType, theme, type ThemeChoice } from './store/view';
 import { keepText, keptText } from './store/case/web_storage';
 import './styles/main.css';
 
 const themeKey = 'voxtet-theme';
+const typeKey = 'voxtet-type';
 
 function followTheme(): void {
   const system = window.matchMedia('(prefers-color-scheme: dark)');
@@ -27,7 +29,17 @@ function followTheme(): void {
   });
 }
 
+function followType(): void {
+  largeType.value = keptText('localStorage', typeKey) === 'large';
+  effect(() => {
+    keepText('localStorage', typeKey, largeType.value ? 'large' : null);
+    document.documentElement.dataset.type = largeType.value ? 'large' : 'normal';
+  });
+}
+
 followTheme();
+followType();
+followPageSize();
 const root = document.getElementById('app');
 if (root) render(<App />, root);
 await startEngine(new EngineClient(browserSetup()));

@@ -7,7 +7,10 @@ import { Dialogs } from './dialogs/dialogs';
 import { EvidencePanel } from './evidence/evidence_panel';
 import { Header } from './run/header';
 import { Icon } from './controls/icons';
+import { Explanation } from './controls/explain';
+import { pageShape, pageTab, tabbed } from './controls/page_shape';
 import { Pipeline } from './run/pipeline';
+import { TabBar } from './run/tab_bar';
 import { useShortcuts } from './view/shortcuts';
 import { ViewPanel } from './view/view_panel';
 
@@ -83,14 +86,22 @@ export function App() {
   useShortcuts();
   const over = useDrop();
   return (
-    <div class="app" data-activity={activity.value} data-cancel-ms={lastCancelMs.value?.toFixed(1)}>
+    <div
+      class="app"
+      data-activity={activity.value}
+      data-cancel-ms={lastCancelMs.value?.toFixed(1)}
+      data-shape={pageShape.value}
+      data-tab={tabbed.value ? pageTab.value : undefined}
+    >
       <Header />
       <CasePanel />
       <ViewPanel />
       <EvidencePanel />
       <Pipeline />
+      {tabbed.value && <TabBar />}
       <Notices />
       <Dialogs />
+      <Explanation />
       {over && (
         <div class="drop-over" aria-hidden="true">
           <span>Drop the volume</span>

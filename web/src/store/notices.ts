@@ -26,13 +26,20 @@ let noticeCount = 0;
 
 export function tell(tone: Notice['tone'], title: string, text: string, way?: Way): void {
   const notice = { id: ++noticeCount, tone, title, text, way };
-  const kept = notices.value.filter((old) => old.title !== title || old.text !== text);
-  notices.value = [...kept, notice].slice(-4);
+  // One error at a time: what was followed by another one is no longer what there is to act on.
+  const stays = (old: Notice) =>
+    tone === 'error' ? old.tone !== 'error' : old.title !== title || old.text !== text;
+  notices.value = [...notices.value.filter(stays), notice];
   if (tone === 'news') setTimeout(() => dismiss(notice.id), 6000);
 }
 
 export function dismiss(id: number): void {
   notices.value = notices.value.filter((notice) => notice.id !== id);
+}
+
+/** What was asked for anew makes what went wrong before a thing of the past. */
+export function dismissErrors(): void {
+  notices.value = notices.value.filter(({ tone }) => tone !== 'error');
 }
 
 const errorTitles: Record<EngineError['code'], string> = {

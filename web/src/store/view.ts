@@ -120,6 +120,8 @@ export const stimulating = signal(false);
 export const time = signal(0);
 export const theme = signal<ThemeChoice>('system');
 export const dark = signal(false);
+/** For projectors: the page some third larger, the views as they are. */
+export const largeType = signal(false);
 /** Whether there is a view that obeys commands: without WebGL 2 there is none. */
 export const sceneMounted = signal(false);
 export const command = signal<SceneCommand | null>(null);

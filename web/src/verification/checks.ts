@@ -46,7 +46,8 @@ export function start(worker: Pick<Worker, 'postMessage' | 'onmessage' | 'onerro
   };
   worker.onmessage = ({ data }: MessageEvent<Message>) => end(data);
   worker.onerror = ({ message }) => end({ failed: message || 'the program could not be started' });
-  worker.postMessage(new URL('engine/voxtet_verification.mjs', document.baseURI).href);
+  const folder = import.meta.env.VITE_ENGINE ?? 'engine/';
+  worker.postMessage(new URL(`${folder}voxtet_verification.mjs`, document.baseURI).href);
 }
 
 /** As many digits as tell the value from what is expected. */

@@ -9,8 +9,10 @@ import { editRecipe, recipe } from '../../store/case/recipe';
 import { activity } from '../../store/run/stages';
 import { CurvatureList } from './sizes/curvature_list';
 import { dialogShown } from '../controls/dialog_shown';
+import { Explain } from '../controls/explain';
 import { NumberField } from '../controls/fields';
 import { Icon } from '../controls/icons';
+import { Panel } from '../controls/panel';
 import { LabelTable } from './label_table';
 import { TransferFields } from './transfer_fields';
 import { MergeAllField } from './merge_all_field';
@@ -32,7 +34,13 @@ function LabelSection({ current }: { current: Recipe }) {
   const background = likelyBackground(known, chosen);
   return (
     <section class="section">
-      <h2>Labels</h2>
+      <div class="section-head">
+        <h2>Labels</h2>
+        <Explain
+          of="a row of labels"
+          text="Its colour, name and volume; whether it is meshed; the region of the mesh that it goes into, by the number of a label; the target edge length inside it; whether it is seen in the view."
+        />
+      </div>
       {unnamed.value && <Naming />}
       {background !== null && <Background label={background} />}
       <LabelTable current={current} />
@@ -129,11 +137,11 @@ function isStack(sliceRatio: number): boolean {
 export function CasePanel() {
   const current = recipe.value;
   const awaited = awaitedFile.value;
-  if (!current) return <aside class="panel left" aria-label="Case" />;
+  if (!current) return <Panel part="case" class="left" label="Case" />;
   const { physics } = current;
   const chosen = current.source.phantom !== undefined || current.source.file !== undefined;
   return (
-    <aside class="panel left" aria-label="Case" aria-busy={activity.value === 'opening'}>
+    <Panel part="case" class="left" label="Case" busy={activity.value === 'opening'}>
       <SourceSection current={current} />
       {awaited && <p class="hint">This case was made from {awaited.name}. Drop that file to go on.</p>}
       {chosen && (
@@ -167,6 +175,6 @@ export function CasePanel() {
           the mesher runs in this tab.
         </p>
       )}
-    </aside>
+    </Panel>
   );
 }

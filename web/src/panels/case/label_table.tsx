@@ -173,17 +173,19 @@ export function LabelTable({ current }: { current: Recipe }) {
                     onChange={(event) => rename(label, event.currentTarget.value.trim())}
                   />
                   <span class="label-counts">
-                    {whole(voxels)} · {short(voxels * voxelMl)} ml
+                    <span>{whole(voxels)} ·</span> <span>{short(voxels * voxelMl)} ml</span>
                   </span>
                 </td>
                 <td class="centre">
-                  <input
-                    type="checkbox"
-                    aria-label={`Mesh ${text}`}
-                    checked={meshed}
-                    disabled={meshed && chosen.length === 1}
-                    onChange={() => toggleMesh(known, chosenLabels, label)}
-                  />
+                  <label class="target">
+                    <input
+                      type="checkbox"
+                      aria-label={`Mesh ${text}`}
+                      checked={meshed}
+                      disabled={meshed && chosen.length === 1}
+                      onChange={() => toggleMesh(known, chosenLabels, label)}
+                    />
+                  </label>
                 </td>
                 <td>
                   {meshed && chosen.length > 1 && (

@@ -3,20 +3,20 @@ import { previewSoon } from '../../store/run/run_stages';
 import { editRecipe } from '../../store/case/recipe';
 import { schema } from '../../store/run/stages';
 import { exceeded } from '../../store/run/forecast';
+import { choiceWords, fieldUnit, fieldWords, groupWords } from '../controls/field_words';
 import { CheckField, NumberField, SelectField } from '../controls/fields';
 import { refusal } from '../run/forecast_text';
-import { choiceWords, fieldUnit, fieldWords } from './stage_words';
 
 type StageGroup = 'volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'optimise' | 'quality' | 'limits';
 
-const groups: readonly (readonly [StageGroup, string])[] = [
-  ['volume', 'Volume'],
-  ['surface', 'Label surface'],
-  ['smooth', 'Smoothing'],
-  ['remesh', 'Adapted surface'],
-  ['tetra', 'Tetrahedra'],
-  ['optimise', 'Better shapes'],
-  ['quality', 'Evidence'],
+const groups: readonly StageGroup[] = [
+  'volume',
+  'surface',
+  'smooth',
+  'remesh',
+  'tetra',
+  'optimise',
+  'quality',
 ];
 
 const previewed = new Set<StageGroup>(['volume', 'surface', 'smooth']);
@@ -69,10 +69,10 @@ export function StageSection({ current }: { current: Recipe }) {
     <section class="section">
       <details class="more">
         <summary>Stage parameters</summary>
-        {groups.map(([group, title]) => (
+        {groups.map((group) => (
           <fieldset key={group} class="stage-fields">
-            <legend>{title}</legend>
-            <StageFields group={group} title={title} current={current} />
+            <legend>{groupWords[group]}</legend>
+            <StageFields group={group} title={groupWords[group]} current={current} />
           </fieldset>
         ))}
       </details>

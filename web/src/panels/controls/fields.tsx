@@ -1,6 +1,7 @@
 import { useEffect, useId, useState } from 'preact/hooks';
 import type { SchemaField, Vec3 } from '../../engine/contract';
 import { schema } from '../../store/run/stages';
+import { Explain } from './explain';
 
 /** A field of the engine's table, by its path; list items by `list.item`. */
 function fieldOf(path: string): SchemaField | undefined {
@@ -96,8 +97,9 @@ export function NumberField(props: {
 }) {
   const { label, path, value, unit, step, owner } = props;
   return (
-    <div class="field" title={fieldOf(path)?.description}>
+    <div class="field">
       <span class="field-label">{label}</span>
+      <Explain of={label} text={fieldOf(path)?.description} />
       <span class="field-input">
         <NumberInput
           label={owner === undefined ? label : `${owner}: ${label}`}
@@ -158,6 +160,7 @@ export function SelectField<T extends string>(props: {
       <label class="field-label" for={id}>
         {props.label}
       </label>
+      <Explain of={props.label} text={props.hint} />
       <span class="field-input">
         <select
           id={id}
@@ -182,14 +185,17 @@ export function CheckField(props: {
   hint?: string;
 }) {
   return (
-    <label class="check" title={props.hint}>
-      <input
-        type="checkbox"
-        checked={props.checked}
-        onChange={(event) => props.onChange(event.currentTarget.checked)}
-      />
-      <span>{props.label}</span>
-    </label>
+    <div class="check-row" title={props.hint}>
+      <label class="check">
+        <input
+          type="checkbox"
+          checked={props.checked}
+          onChange={(event) => props.onChange(event.currentTarget.checked)}
+        />
+        <span>{props.label}</span>
+      </label>
+      <Explain of={props.label} text={props.hint} />
+    </div>
   );
 }
 

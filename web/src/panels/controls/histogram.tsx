@@ -3,7 +3,7 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { coveringRange, rebin } from '../../geometry/histogram';
 import type { Series } from '../../report/charts';
-import { dark } from '../../store/view';
+import { dark, largeType } from '../../store/view';
 import { axisStyle, cssColour } from './chart_style';
 import { short } from './format';
 
@@ -24,6 +24,8 @@ interface HistogramProps {
 
 const bins = 56;
 const height = 118;
+/** What is narrower is no selection, px. */
+const least = 3;
 
 function showSelection(chart: uPlot, selected: [number, number] | null | undefined): void {
   if (!selected) {
@@ -36,6 +38,28 @@ function showSelection(chart: uPlot, selected: [number, number] | null | undefin
   chart.setSelect({ left, width: right - left, top: 0, height: tall }, false);
 }
 
+/** uPlot listens to a mouse only: a finger that goes sideways selects as well, one that goes up or down scrolls. */
+function selectByFinger(chart: uPlot): void {
+  const { over } = chart;
+  over.style.touchAction = 'pan-y';
+  let start: number | null = null;
+  const placeOf = (event: PointerEvent) => event.clientX - over.getBoundingClientRect().left;
+  const select = (event: PointerEvent, done: boolean) => {
+    if (start === null) return;
+    const ends = [start, placeOf(event)].map((x) => Math.max(0, Math.min(over.clientWidth, x)));
+    if (done) start = null;
+    const left = Math.min(...ends);
+    const width = Math.max(...ends) - left;
+    if (width >= least) chart.setSelect({ left, width, top: 0, height: over.clientHeight }, done);
+  };
+  over.addEventListener('pointerdown', (event) => {
+    if (event.pointerType === 'touch') start = placeOf(event);
+  });
+  over.addEventListener('pointermove', (event) => select(event, false));
+  over.addEventListener('pointerup', (event) => select(event, true));
+  over.addEventListener('pointercancel', () => (start = null));
+}
+
 /** Percentages in equal bins, one stepped line a series. Dragging across it selects a range. */
 export function HistogramChart(props: HistogramProps) {
   const { series, unit, onSelect, selected } = props;
@@ -45,7 +69,7 @@ export function HistogramChart(props: HistogramProps) {
   select.current = onSelect;
   const shown = useRef(selected);
   shown.current = selected;
-  const isDark = dark.value;
+  const [isDark, isLarge] = [dark.value, largeType.value];
 
   const draw = (element: HTMLElement): (() => void) => {
     const [lo, hi] = props.range ?? coveringRange(series.map((one) => one.histogram));
@@ -56,7 +80,6 @@ export function HistogramChart(props: HistogramProps) {
       const shares = rebin(one.histogram, lo, hi, bins);
       return [...shares, shares[bins - 1]];
     });
-    const axis = axisStyle();
     const stepped = uPlot.paths.stepped?.({ align: 1 });
     const chart = new uPlot(
       {
@@ -74,8 +97,8 @@ export function HistogramChart(props: HistogramProps) {
           y: { range: (_, __, max) => [0, Math.max(1, max * 1.08)] },
         },
         axes: [
-          { ...axis, size: 22, gap: 4, values: (_, ticks) => ticks.map(props.tick ?? short) },
-          { ...axis, size: 34, gap: 4, values: (_, ticks) => ticks.map((tick) => `${tick}%`) },
+          { ...axisStyle(22), values: (_, ticks) => ticks.map(props.tick ?? short) },
+          { ...axisStyle(34), values: (_, ticks) => ticks.map((tick) => `${tick}%`) },
         ],
         series: [
           {},
@@ -98,7 +121,7 @@ export function HistogramChart(props: HistogramProps) {
           ],
           setSelect: [
             (u) => {
-              if (!select.current || u.select.width < 3) return;
+              if (!select.current || u.select.width < least) return;
               select.current(u.posToVal(u.select.left, 'x'), u.posToVal(u.select.left + u.select.width, 'x'));
             },
           ],
@@ -108,6 +131,7 @@ export function HistogramChart(props: HistogramProps) {
       element,
     );
     plot.current = chart;
+    if (select.current) selectByFinger(chart);
     const observer = new ResizeObserver(() => {
       chart.setSize({ width: element.clientWidth, height });
       showSelection(chart, shown.current);
@@ -128,11 +152,11 @@ export function HistogramChart(props: HistogramProps) {
       clearTimeout(timer);
       remove?.();
     };
-  }, [series, props.range, isDark]);
+  }, [series, props.range, isDark, isLarge]);
 
   useEffect(() => {
     if (plot.current) showSelection(plot.current, selected);
-  }, [selected?.[0], selected?.[1], series, isDark]);
+  }, [selected?.[0], selected?.[1], series, isDark, isLarge]);
 
   const summary = series
     .map((one) => `${one.name}: from ${short(one.histogram.lo)} to ${short(one.histogram.hi)} ${unit}`)

@@ -1,5 +1,6 @@
 import { volume } from '../../store/case/input';
 import { nameOf } from '../../store/case/legend/legend';
+import { Explain } from './explain';
 
 /** Labels to choose from, as small switches. */
 export function LabelChips(props: {
@@ -13,27 +14,30 @@ export function LabelChips(props: {
   const { legend, hint, chosen, taken } = props;
   const labels = volume.value?.labels.map(({ label }) => label) ?? [];
   return (
-    <fieldset class="label-chips" title={hint}>
-      <legend>{legend}</legend>
-      <div class="label-chip-row">
-        {labels
-          .filter((label) => !taken.includes(label))
-          .map((label) => (
-            <button
-              type="button"
-              key={label}
-              class="label-chip"
-              aria-pressed={chosen.includes(label)}
-              onClick={() => {
-                const without = chosen.filter((one) => one !== label);
-                const next = without.length < chosen.length ? without : [...chosen, label];
-                props.onChange(next.sort((a, b) => a - b));
-              }}
-            >
-              {nameOf(label)}
-            </button>
-          ))}
-      </div>
-    </fieldset>
+    <div class="label-choice">
+      <fieldset class="label-chips" title={hint}>
+        <legend>{legend}</legend>
+        <div class="label-chip-row">
+          {labels
+            .filter((label) => !taken.includes(label))
+            .map((label) => (
+              <button
+                type="button"
+                key={label}
+                class="label-chip"
+                aria-pressed={chosen.includes(label)}
+                onClick={() => {
+                  const without = chosen.filter((one) => one !== label);
+                  const next = without.length < chosen.length ? without : [...chosen, label];
+                  props.onChange(next.sort((a, b) => a - b));
+                }}
+              >
+                {nameOf(label)}
+              </button>
+            ))}
+        </div>
+      </fieldset>
+      <Explain of={legend} text={hint} />
+    </div>
   );
 }

@@ -1,6 +1,6 @@
 /** What this is: its version, licence, source, how to cite it, and what happens to data. */
-import { useState } from 'preact/hooks';
 import { schema } from '../../store/run/stages';
+import { CopyButton } from '../controls/copy_button';
 import { Dialog } from '../controls/dialog';
 
 const paper = `@inproceedings{lamecker2009adaptive,
@@ -26,17 +26,8 @@ ${paper}
 }
 
 export function AboutDialog({ close }: { close(): void }) {
-  const [copied, setCopied] = useState('');
   const version = schema.value?.version ?? 'still starting';
   const text = citation(version);
-  const copy = async () => {
-    try {
-      await navigator.clipboard.writeText(text);
-      setCopied('Copied');
-    } catch {
-      setCopied('The browser does not allow copying here; select the text and copy it.');
-    }
-  };
   return (
     <Dialog title="About voxtet" onClose={close}>
       <dl class="offer">
@@ -72,12 +63,7 @@ export function AboutDialog({ close }: { close(): void }) {
         {text}
       </pre>
       <div class="dialog-actions">
-        <span role="status" class="muted">
-          {copied}
-        </span>
-        <button type="button" class="button" onClick={() => void copy()}>
-          Copy BibTeX
-        </button>
+        <CopyButton text={text}>Copy BibTeX</CopyButton>
       </div>
     </Dialog>
   );

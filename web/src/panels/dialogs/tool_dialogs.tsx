@@ -17,6 +17,7 @@ import { recipe } from '../../store/case/recipe';
 import { simulated } from '../../store/run/frames';
 import { report, upToDate } from '../../store/run/report';
 import { activity } from '../../store/run/stages';
+import { CopyButton } from '../controls/copy_button';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
 import { Segments } from '../controls/fields';
@@ -135,20 +136,10 @@ function lengthNote(length: number): string {
 
 function ShareDialog({ close }: { close(): void }) {
   const [shared, setShared] = useState<SharedCase | null>(null);
-  const [copied, setCopied] = useState(false);
   const [trouble, setTrouble] = useState('');
   useEffect(() => {
     shareCase().then(setShared, (error: Error) => setTrouble(error.message));
   }, []);
-  const copy = async () => {
-    if (!shared) return;
-    try {
-      await navigator.clipboard.writeText(shared.url);
-      setCopied(true);
-    } catch {
-      setTrouble('The browser does not allow copying here; select the link and copy it.');
-    }
-  };
   const note = shared ? lengthNote(shared.url.length) : '';
   const files = recipe.value ? filesOf(recipe.value) : [];
   return (
@@ -198,9 +189,9 @@ function ShareDialog({ close }: { close(): void }) {
             {paintedName}
           </button>
         )}
-        <button type="button" class="button primary" disabled={!shared} onClick={() => void copy()}>
-          {copied ? 'Copied' : 'Copy link'}
-        </button>
+        <CopyButton class="button primary" text={shared?.url ?? ''} disabled={!shared}>
+          Copy link
+        </CopyButton>
       </div>
     </Dialog>
   );

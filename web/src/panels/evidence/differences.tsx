@@ -6,6 +6,7 @@ import { meshedRecipe } from '../../store/run/report';
 import { shownKeys } from '../../store/run/results';
 import { comparedFields, differenceFound } from '../../store/run/simulated_fields';
 import { colourBy } from '../../store/view';
+import { pathWords } from '../controls/field_words';
 import { short, whole } from '../controls/format';
 
 /** Three decimals are enough for what is smaller than one. */
@@ -71,14 +72,18 @@ function Changes({ run }: { run: PinnedRun }) {
   if (fields.length === 0) return null;
   return (
     <dl class="changes">
-      {fields.map(({ path, pinned: then, now: next }) => (
-        <div key={path}>
-          <dt>{path}</dt>
-          <dd>
-            {then} → {next}
-          </dd>
-        </div>
-      ))}
+      {fields.map(({ path, pinned: then, now: next }) => {
+        const { name, unit } = pathWords(path);
+        return (
+          <div key={path} title={path}>
+            <dt>{name}</dt>
+            <dd>
+              {then} → {next}
+              {unit}
+            </dd>
+          </div>
+        );
+      })}
     </dl>
   );
 }

@@ -2,6 +2,7 @@ import type { Report } from '../../engine/contract';
 import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
 import { alignment, upToDate } from '../../store/run/report';
+import { CopyButton } from '../controls/copy_button';
 import { fetched } from '../controls/fetched';
 import { Checklist } from './checklist';
 import { CompareSection } from './compare_section';
@@ -75,6 +76,12 @@ export function Evidence({ found }: { found: Report }) {
       <Messages title="Notes" messages={notesOf(found)} />
       <section class="section">
         <h2>Report</h2>
+        <p class="digest">
+          Digest <code title={found.digest}>{found.digest.slice(0, 12)}…</code>
+          <CopyButton class="icon-button small" label="Copy the digest" text={found.digest}>
+            <Icon name="copy" size={14} />
+          </CopyButton>
+        </p>
         <div class="compare-actions">
           <button
             type="button"

@@ -1,5 +1,6 @@
 import { expectation, report } from '../../store/run/report';
 import { fetched } from '../controls/fetched';
+import { Panel } from '../controls/panel';
 
 const Evidence = fetched(() => import('./evidence').then((part) => part.Evidence));
 const VerdictCard = fetched(() => import('./verdict_card').then((part) => part.VerdictCard));
@@ -7,7 +8,7 @@ const VerdictCard = fetched(() => import('./verdict_card').then((part) => part.V
 export function EvidencePanel() {
   const found = report.value;
   return (
-    <aside class="panel right" aria-label="Evidence">
+    <Panel part="evidence" class="right" label="Evidence">
       {expectation.value && <VerdictCard />}
       {!found && (
         <div class="panel-empty">
@@ -24,6 +25,6 @@ export function EvidencePanel() {
         </div>
       )}
       {found && <Evidence found={found} />}
-    </aside>
+    </Panel>
   );
 }

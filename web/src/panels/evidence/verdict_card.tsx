@@ -1,4 +1,5 @@
 import { expectation, report, verdict } from '../../store/run/report';
+import { CopyButton } from '../controls/copy_button';
 import { whole } from '../controls/format';
 import { Icon } from '../controls/icons';
 
@@ -54,7 +55,14 @@ export function VerdictCard() {
             <tr key={row.name} class={row.same ? '' : 'other'}>
               <th scope="row">{row.name}</th>
               <td title={row.expected}>{shown(row.name, row.expected)}</td>
-              <td title={row.found}>{shown(row.name, row.found)}</td>
+              <td title={row.found}>
+                {shown(row.name, row.found)}
+                {row.name === 'Digest' && (
+                  <CopyButton class="icon-button small" label="Copy the digest of this run" text={row.found}>
+                    <Icon name="copy" size={14} />
+                  </CopyButton>
+                )}
+              </td>
             </tr>
           ))}
         </tbody>

@@ -4,6 +4,7 @@ import { shownResult } from '../../store/run/results';
 import { focusTet, stageShown } from '../../store/view';
 import { SelectField } from '../controls/fields';
 import { sentence, short, unitSign } from '../controls/format';
+import { showView } from '../controls/page_shape';
 import { colourOf, nameOf } from '../../store/case/legend/legend';
 
 function flyTo(tet: number): void {
@@ -21,14 +22,18 @@ export function WorstList({ found }: { found: Report }) {
   const labels = shownResult('optimise')?.labels;
   const values = shownResult('quality')?.values[metric?.name ?? name];
   if (!metric || !labels || !values) return null;
+  const worst = metric.worst.slice(0, 50);
+  // One stop of the Tab key: the element that is shown, or the worst.
+  const stop = Math.max(0, worst.indexOf(focusTet.value ?? -1));
   const onKey = (event: KeyboardEvent & { currentTarget: HTMLElement }) => {
-    const way = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-    if (way === undefined) return;
     const rows = [...event.currentTarget.querySelectorAll('button')];
-    const next = rows[rows.indexOf(document.activeElement as HTMLButtonElement) + way];
-    next?.focus();
-    next?.click();
+    const now = rows.indexOf(document.activeElement as HTMLButtonElement);
+    const next = { ArrowDown: now + 1, ArrowUp: now - 1, Home: 0, End: rows.length - 1 }[event.key];
+    if (next === undefined) return;
     event.preventDefault();
+    if (!rows[next]) return;
+    rows[next].focus();
+    flyTo(worst[next]);
   };
   return (
     <section class="section">
@@ -40,13 +45,17 @@ export function WorstList({ found }: { found: Report }) {
         onChange={(next) => setName(next)}
       />
       <ol class="worst" onKeyDown={onKey}>
-        {metric.worst.slice(0, 50).map((tet, rank) => (
+        {worst.map((tet, rank) => (
           <li key={tet}>
             <button
               type="button"
+              tabIndex={rank === stop ? 0 : -1}
               aria-current={focusTet.value === tet}
               aria-label={`Fly to element ${tet}, number ${rank + 1} from the worst: ${short(values[tet])} ${unitSign(metric.unit)}, ${nameOf(labels[tet])}`}
-              onClick={() => flyTo(tet)}
+              onClick={() => {
+                flyTo(tet);
+                showView();
+              }}
             >
               <span class="rank">{rank + 1}</span>
               <span class="worst-value">

@@ -4,7 +4,7 @@ import 'uplot/dist/uPlot.min.css';
 import type { Simulated } from '../../engine/contract';
 import { labelColour } from '../../geometry/colours';
 import { seek } from '../../store/run/player';
-import { dark, time } from '../../store/view';
+import { dark, largeType, time } from '../../store/view';
 import { axisStyle } from '../controls/chart_style';
 import { short } from '../controls/format';
 
@@ -16,12 +16,11 @@ const height = 130;
 export function ElectrogramChart({ traces }: { traces: Traces }) {
   const host = useRef<HTMLDivElement>(null);
   const plot = useRef<uPlot | null>(null);
-  const isDark = dark.value;
+  const [isDark, isLarge] = [dark.value, largeType.value];
   useEffect(() => {
     const element = host.current;
     if (!element) return;
-    void isDark;
-    const axis = axisStyle();
+    void [isDark, isLarge];
     const chart = new uPlot(
       {
         width: element.clientWidth || 260,
@@ -31,8 +30,8 @@ export function ElectrogramChart({ traces }: { traces: Traces }) {
         cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
         scales: { x: { time: false } },
         axes: [
-          { ...axis, size: 22, gap: 4, values: (_, ticks) => ticks.map((tick) => short(tick)) },
-          { ...axis, size: 38, gap: 4, values: (_, ticks) => ticks.map((tick) => short(tick)) },
+          { ...axisStyle(22), values: (_, ticks) => ticks.map((tick) => short(tick)) },
+          { ...axisStyle(38), values: (_, ticks) => ticks.map((tick) => short(tick)) },
         ],
         series: [
           {},
@@ -56,12 +55,12 @@ export function ElectrogramChart({ traces }: { traces: Traces }) {
       plot.current = null;
       chart.destroy();
     };
-  }, [traces, isDark]);
+  }, [traces, isDark, isLarge]);
   const now = time.value;
   useEffect(() => {
     const chart = plot.current;
     if (chart) chart.setCursor({ left: chart.valToPos(now, 'x'), top: 0 }, false);
-  }, [now, traces, isDark]);
+  }, [now, traces, isDark, isLarge]);
   const titles = traces.electrodes.map(({ title }) => title).join(', ');
   return (
     <figure class="electrograms">
@@ -73,7 +72,7 @@ export function ElectrogramChart({ traces }: { traces: Traces }) {
           </span>
         ))}
       </figcaption>
-      <div ref={host} role="img" aria-label={`Potentials of ${titles}`} />
+      <div ref={host} class="electrogram" role="img" aria-label={`Potentials of ${titles}`} />
     </figure>
   );
 }

@@ -1,13 +1,15 @@
 import { exceeded, forecast } from '../../store/run/forecast';
 import { budgetEdge, budgetTets, fitBudget, tightMemoryMb } from '../../store/run/budget';
+import { volume } from '../../store/case/input';
+import { report, upToDate } from '../../store/run/report';
 import { activity } from '../../store/run/stages';
 import { whole } from '../controls/format';
 import { changeText, forecastParts, refusal } from './forecast_text';
 
-/** What a run will take, or why it will be refused. */
+/** What a run will take, or why it will be refused; nothing where the mesh is there. */
 export function ForecastNote() {
   const now = forecast.value;
-  if (!now) return null;
+  if (!now || !volume.value || (upToDate.value && report.value)) return null;
   const { numbers, problem, fresh, was } = now;
   if (!numbers)
     return (

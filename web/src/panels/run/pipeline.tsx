@@ -1,3 +1,4 @@
+import { useState } from 'preact/hooks';
 import type { StageName } from '../../engine/contract';
 import { runTo } from '../../store/run/run_stages';
 import { volume } from '../../store/case/input';
@@ -6,6 +7,8 @@ import { activity, caseStages, stages, staleStages, type StageStatus } from '../
 import { stageShown } from '../../store/view';
 import { about, seconds } from '../controls/format';
 import { Icon } from '../controls/icons';
+import { pageShape, showView, tabbed } from '../controls/page_shape';
+import { ForecastNote } from './forecast_note';
 
 const titles: Record<StageName, string> = {
   volume: 'Volume',
@@ -46,13 +49,41 @@ function detail(name: StageName, status: StageStatus): string {
   return `${size}, ${seconds(status.summary.seconds)}`;
 }
 
+/** All of it in one line, where there is no room for the stages side by side. */
+function PipelineNow({ open, onToggle }: { open: boolean; onToggle(): void }) {
+  const shown = shownKeys.value[stageShown.value] === undefined ? 'volume' : stageShown.value;
+  const { value: all } = stages;
+  const running = caseStages.value.find((name) => all[name].state === 'running');
+  const name = running ?? shown;
+  return (
+    <button type="button" class="pipeline-now" aria-expanded={open} aria-controls="stages" onClick={onToggle}>
+      <span class="pipeline-steps" aria-hidden="true">
+        {caseStages.value.map((one) => (
+          <span key={one} class={`${stateOf(one)}${one === shown ? ' shown' : ''}`} />
+        ))}
+      </span>
+      <span class="chip-name">{titles[name]}</span>
+      <span class="chip-detail">{detail(name, all[name])}</span>
+      <Icon name={open ? 'down' : 'up'} size={14} />
+    </button>
+  );
+}
+
+function stateOf(name: StageName): StageStatus['state'] | 'outdated' {
+  return staleStages.value.has(name) ? 'outdated' : stages.value[name].state;
+}
+
 export function Pipeline() {
+  const [open, setOpen] = useState(false);
   const touched = staleStages.value;
   const idle = activity.value === 'idle' && volume.value !== null;
   const busy = activity.value === 'run' || activity.value === 'preview';
+  const folded = pageShape.value === 'phone';
   return (
-    <nav class="pipeline" aria-label="Pipeline">
-      <ol>
+    <nav class={open ? 'pipeline open' : 'pipeline'} aria-label="Pipeline">
+      {folded && <PipelineNow open={open} onToggle={() => setOpen(!open)} />}
+      {tabbed.value && <ForecastNote />}
+      <ol id="stages">
         {caseStages.value.map((name) => {
           const status = stages.value[name];
           const ready = shownKeys.value[name] !== undefined;
@@ -61,20 +92,25 @@ export function Pipeline() {
             <li key={name}>
               <button
                 type="button"
-                class={`chip ${stale ? 'outdated' : status.state}`}
+                class={`chip ${stateOf(name)}`}
                 aria-current={stageShown.value === name && ready ? 'step' : undefined}
                 disabled={!ready}
                 title={stale ? `${lessons[name]}. The recipe has changed since.` : lessons[name]}
                 data-stage={name}
                 data-state={stale ? 'stale' : status.state}
                 data-kept={status.summary?.cached}
-                onClick={() => (stageShown.value = name)}
+                onClick={() => {
+                  stageShown.value = name;
+                  setOpen(false);
+                  showView();
+                }}
               >
                 <span class="chip-name">{titles[name]}</span>
                 <span class="chip-detail">
                   {stale && <span class="chip-stale">changed · </span>}
                   {detail(name, status)}
                 </span>
+                {folded && <span class="chip-lesson">{lessons[name]}</span>}
                 {busy && status.state === 'running' && (
                   <progress
                     max={1}

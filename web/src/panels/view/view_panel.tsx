@@ -43,7 +43,7 @@ export function ViewPanel() {
   }, [started]);
 
   return (
-    <main class="view" aria-label="View" data-layout={opened ? layout.value : undefined}>
+    <main id="part-view" class="view" aria-label="View" data-layout={opened ? layout.value : undefined}>
       {opened && <ViewToolbar />}
       <div class="view-body">
         <div class={opened && !comes ? 'view-host' : 'view-host waiting'} ref={host} />

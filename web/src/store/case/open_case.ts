@@ -17,7 +17,7 @@ import { fitRecipe } from './fit_recipe';
 import type { Example } from './gallery';
 import { awaitedFile, volume } from './input';
 import { amendRecipe, editRecipe, hasSource, recipe, redo, startRecipe, undo } from './recipe';
-import { notices, tell } from '../notices';
+import { dismissErrors, tell } from '../notices';
 import { expectation, type Expectation } from '../run/report';
 import { activity, defaults, forgetResults, schema } from '../run/stages';
 import { budgetTets, edgeFor } from '../run/budget';
@@ -64,6 +64,7 @@ export function openPhantom(params: Partial<PhantomParams>): Promise<void> {
 
 /** Opens a case of the page's own, about which there is nothing to ask. */
 async function openOwn(value: Record<string, unknown>): Promise<void> {
+  dismissErrors();
   try {
     await offerCase(value);
     acceptOffer(false);
@@ -116,7 +117,7 @@ function beginCase(summary: VolumeSummary, fileName: string, reading: Partial<Re
   const source = { ...fresh.source, ...reading, file: { name: fileName, sha256: summary.digest } };
   leaveCase();
   engine.files.forgetVolumes(summary.digest);
-  notices.value = notices.value.filter(({ tone }) => tone !== 'error');
+  dismissErrors();
   startRecipe({ ...fresh, source, sizing: { ...fresh.sizing, edge_mm: startingEdge(summary) } });
   expectation.value = null;
   showVolume(summary);

@@ -6,7 +6,7 @@ import { forecastUnderWay } from './forecast';
 import { awaitedFile, meshIsGiven, volume } from '../case/input';
 import { recipe } from '../case/recipe';
 import { dropResults, isKept, keepResult, showResult, shownKeys } from './results';
-import { announcement } from '../notices';
+import { announcement, dismissErrors } from '../notices';
 import { startClock, stopClock } from './clock';
 import { forgetReport, meshedMinimal, meshedRecipe, report } from './report';
 import {
@@ -124,6 +124,7 @@ async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<bool
   activity.value = kind;
   marked.value = null;
   if (kind === 'run') {
+    dismissErrors();
     for (const name of names) setStage(name, { state: 'waiting', fraction: 0 });
     announcement.value = 'Meshing started';
     startClock();

@@ -1,7 +1,12 @@
-import { sentence } from '../controls/format';
+import { sentence } from './format';
 
 /** Plain words for fields and choices whose names in the recipe say too little. */
 const words: Record<string, string> = {
+  'sizing.edge_mm': 'Edge length',
+  'sizing.gradation': 'Growth per mm',
+  'sizing.edge_min_mm': 'Smallest edge',
+  'sizing.edge_max_mm': 'Largest edge',
+  'sizing.labels.edge_mm': 'Edge length of a label',
   'volume.slice_ratio': 'Interpolate slices above',
   'volume.speck_voxels': 'Remove pieces below',
   'volume.hole_voxels': 'Fill holes below',
@@ -50,4 +55,32 @@ export function choiceWords(path: string, value: string): string {
 
 export function fieldUnit(path: string, unit = ''): string {
   return path === 'volume.slice_ratio' ? '×' : (units[unit] ?? unit);
+}
+
+/** What parts of the recipe are called on the page. */
+export const groupWords: Record<string, string> = {
+  source: 'Source',
+  labels: 'Labels',
+  merge: 'Labels meshed as one',
+  sizing: 'Element size',
+  volume: 'Volume',
+  surface: 'Label surface',
+  smooth: 'Smoothing',
+  remesh: 'Adapted surface',
+  tetra: 'Tetrahedra',
+  optimise: 'Better shapes',
+  quality: 'Evidence',
+  limits: 'Limits',
+  physics: 'Physics',
+};
+
+/** A path of the recipe in words, things of lists by number, and its unit: what is compared stands alone. */
+export function pathWords(path: string): { name: string; unit: string } {
+  const [group, ...rest] = path.split('.');
+  const number = rest.find((part) => /^\d+$/.test(part));
+  const field = fieldWords([group, ...rest.filter((part) => part !== number)].join('.'));
+  const title = groupWords[group] ?? sentence(group);
+  const name = rest.length === 0 ? title : `${title}: ${field.charAt(0).toLowerCase()}${field.slice(1)}`;
+  const unit = { mm: ' mm', deg: '°' }[path.slice(path.lastIndexOf('_') + 1)] ?? '';
+  return { name: number ? `${name}, number ${number}` : name, unit };
 }

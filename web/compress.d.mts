@@ -1,0 +1,1 @@
+export function compressFolder(folder: string): Promise<{ plain: number; br: number; gz: number }>;
