@@ -24,6 +24,7 @@
 #include "pipeline/session.h"
 #include "pipeline/sources/source_volume.h"
 #include "pipeline/version/engine_version.h"
+#include "types/stage_names.h"
 
 namespace voxtet {
 namespace {
@@ -99,6 +100,9 @@ class SessionBinding {
     if (!recipe) return reply(recipe.error());
     if (Status loaded = session_.load_volume(file.volume_file(), recipe->source.read); !loaded)
       return reply(loaded.error());
+    // Labels are known before they are prepared; what holds none is refused by the stage.
+    if (session_.files().volume)
+      if (json found = volume_json(session_); !found["labels"].empty()) return reply(found);
     RunContext ctx = context();
     if (Status ran = session_.run(Stage::kVolume, ctx); !ran) return reply(ran.error());
     return reply(volume_json(session_));
@@ -184,6 +188,10 @@ class SessionBinding {
       for (const StageArray& array : arrays_of(*stage))
         if (array.name == name)
           return std::visit([this](const auto& values) { return this->view_of(values); }, array.values);
+    // The voxels of a file can be looked at before its stage has run.
+    const LabelVolume* volume = session_.files().volume.get();
+    if (stage_name == kVolumeStage && name == "labels" && volume && !session_.is_current(Stage::kVolume))
+      return view_of(std::span<const Label>(volume->labels));
     return val::undefined();
   }
 

@@ -147,9 +147,12 @@ json sizes_of_body(const LabelVolume& volume, const SizingField& sizing) {
 }  // namespace
 
 json volume_json(const Session& session) {
-  json out = volume_json(*session.source_volume(), session.source_digest());
+  const bool prepared = session.source_volume() != nullptr;
+  json out = prepared ? volume_json(*session.source_volume(), session.source_digest())
+                      : volume_json(*session.files().volume, session.files().digest);
   const Source& source = session.recipe().source;
-  out["warnings"] = session.record(Stage::kVolume).warnings;
+  out["warnings"] =
+      prepared ? session.record(Stage::kVolume).warnings : session.files().remarks.warnings;
   out["name"] = source.file ? source.file->name : source.inlined ? source.inlined->name : "phantom";
   if (const OpenedMesh* opened = session.opened_mesh())
     out["mesh"] = {{"points", opened->mesh.points.size()},

@@ -12,7 +12,7 @@ namespace voxtet {
 nlohmann::json report_json(const Session& session);
 
 /// Name, size, spacing, affine, digest and labels of the volume as it was read, and the warnings of its
-/// stage.
+/// stage; of a file whose stage has not run, those of reading it.
 nlohmann::json volume_json(const Session& session);
 
 /// One entry of "stages" without its digest, which takes time to compute: name, seconds, cached, peak_mb,

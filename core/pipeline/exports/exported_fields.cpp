@@ -6,6 +6,7 @@
 
 #include "anatomy/facet_sets.h"
 #include "geometry/cut/cut_faces.h"
+#include "pipeline/exports/unmeshed_sides.h"
 
 namespace voxtet {
 namespace {
@@ -60,6 +61,17 @@ void add_cuts(const TetMesh& mesh, const CutPlanes& cuts, std::vector<NamedSet>&
   }
 }
 
+/// Adds of each set what no other surface has.
+void add_rest(std::vector<NamedSet> sets, std::size_t face_count, std::vector<NamedSet>& surfaces) {
+  std::vector<bool> named(face_count, false);
+  for (const NamedSet& set : surfaces)
+    for (const std::uint32_t face : set.members) named[face] = true;
+  for (NamedSet& set : sets) {
+    std::erase_if(set.members, [&](std::uint32_t face) { return named[face]; });
+    if (!set.members.empty()) surfaces.push_back(std::move(set));
+  }
+}
+
 /// Removes the fields that the format has no place for; returns their names.
 std::vector<std::string> leave_out(std::vector<Field>& fields, MeshFormat format) {
   std::vector<std::string> names;
@@ -84,6 +96,12 @@ Exported exported_fields(const Session& session, MeshFormat format, bool measure
   if (anatomy && anatomy->surfaces) out.options.surfaces = facet_sets(*anatomy->surfaces);
   add_cuts(*session.mesh(), session.result<VolumeResult>(Stage::kVolume)->prepared.cuts,
            out.options.surfaces);
+  if (!session.opened_mesh()) {
+    const LabelVolume& image = *session.result<VolumeResult>(Stage::kVolume)->prepared.anatomy;
+    const auto infos = with_legend(session.source_volume()->infos, session.recipe().legend);
+    add_rest(unmeshed_sides(*session.mesh(), image, infos), session.mesh()->faces.size(),
+             out.options.surfaces);
+  }
   if (!has_place_for_surfaces(format))
     for (NamedSet& set : std::exchange(out.options.surfaces, {})) out.left_out.push_back(std::move(set.name));
   return out;

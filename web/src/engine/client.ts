@@ -9,6 +9,7 @@ import {
   type FibreArrays,
   type FoundFields,
   type Frame,
+  type Labels,
   type Recipe,
   type Reply,
   type Report,
@@ -32,13 +33,8 @@ import {
   type EngineSetup,
   type Generation,
 } from './generation';
-import { recipeDefaults } from './generated';
-import { OpenedFiles, sideKey } from './opened_files';
+import { OpenedFiles, readOptions, sideKey } from './opened_files';
 import type { RecipeReply, RunHandlers, SimulationHandlers } from './handlers';
-
-/** How a file is read, as the engine is told: the source of a recipe without the file itself. */
-const readOptions = (source: Partial<Recipe['source']>): string =>
-  JSON.stringify({ ...recipeDefaults.source, ...source, phantom: undefined, file: undefined });
 
 const cancelled = () => failure('cancelled', 'The run was cancelled.');
 
@@ -73,15 +69,31 @@ export class EngineClient {
     return this.runningJobs > 0;
   }
 
-  /** Reads a label volume, as the source of a recipe says where there is one. On failure the earlier volumes stay. */
-  openVolume(file: VolumeFile, source: Partial<Recipe['source']> = {}): Promise<VolumeSummary> {
+  /** Reads a label volume, as the source of a recipe says, and gives its labels. On failure the earlier volumes stay. */
+  openVolume(
+    file: VolumeFile,
+    source: Partial<Recipe['source']> = {},
+    onLabels?: (labels: Labels) => void,
+  ): Promise<VolumeSummary> {
     return this.job(async (generation) => {
       generation.volume = null;
       const options = readOptions(source);
       const summary = await this.answer(generation, 'volume', generation.api.loadVolume(file, options));
       generation.volume = summary.digest + options;
       this.files.keepVolume(summary.digest, file);
+      if (onLabels) {
+        const read = await this.answer(generation, 'volume', generation.api.arrays('volume'));
+        if ('labels' in read) onLabels(read.labels as Labels);
+      }
       return summary;
+    });
+  }
+
+  /** The case with its label volume within it, so that whoever opens it needs no file. */
+  inlineCase(recipeJson: string, source: Partial<Recipe['source']>) {
+    return this.job(async (generation) => {
+      await this.prepare(generation, recipeJson, source);
+      return this.answer(generation, 'volume', generation.api.inlineCase());
     });
   }
 

@@ -255,6 +255,8 @@ export interface EngineApi {
   /** Takes a file that the recipe's sizing.masks or sizing.images name. */
   loadSideVolume(kind: SideKind, file: VolumeFile): Reply<SideSummary>;
   setRecipe(json: string): Reply<{ recipe: Recipe; minimal: Record<string, unknown> }>;
+  /** The case with its label volume within it, in the place of a file. */
+  inlineCase(): Reply<{ recipe: Recipe; minimal: Record<string, unknown> }>;
   run(
     stage: StageName | 'fibres',
     onProgress: (stage: StageName, fraction: number) => void,

@@ -1,5 +1,16 @@
-import type { SideKind, VolumeFile } from './contract';
+import type { Recipe, SideKind, VolumeFile } from './contract';
+import { recipeDefaults } from './generated';
 import type { Side } from './generation';
+
+/** How a file is read, as the engine is told: the source of a recipe without what is read. */
+export const readOptions = (source: Partial<Recipe['source']>): string =>
+  JSON.stringify({
+    ...recipeDefaults.source,
+    ...source,
+    phantom: undefined,
+    inline: undefined,
+    file: undefined,
+  });
 
 export const sideKey = (kind: SideKind, name: string): string => `${kind} ${name}`;
 

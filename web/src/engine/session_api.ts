@@ -32,6 +32,7 @@ export interface Session {
   loadVolume(name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>, source: string): string;
   loadSideVolume(kind: string, name: string, bytes: Uint8Array, siblings: Record<string, Uint8Array>): string;
   setRecipe(json: string): string;
+  inlineCase(): string;
   begin(stage: string): string;
   advance(budgetMs: number, onProgress: (stage: string, fraction: number) => void): string;
   end(): void;
@@ -157,6 +158,7 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
     loadSideVolume: (kind, { name, bytes, siblings }) =>
       guarded('sizing', () => JSON.parse(session.loadSideVolume(kind, name, bytes, siblings))),
 
+    inlineCase: () => guarded('volume', () => JSON.parse(session.inlineCase())),
     setRecipe: (json) =>
       guarded('recipe', () => {
         return JSON.parse(session.setRecipe(json)) as ReturnType<EngineApi['setRecipe']>;

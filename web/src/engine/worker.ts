@@ -69,6 +69,7 @@ const api: EngineApi = {
   loadVolume: (file, source) => current().loadVolume(file, source),
   loadSideVolume: (kind, file) => current().loadSideVolume(kind, file),
   setRecipe: (json) => current().setRecipe(json),
+  inlineCase: () => current().inlineCase(),
   run: (stage, onProgress) => releasing(current().run(stage, onProgress), onProgress),
   simulate: (stage, onProgress, onFrame) =>
     releasing(current().simulate(stage, onProgress, handing(onFrame)), onProgress, onFrame),

@@ -179,6 +179,11 @@ class Session {
     const labels = kind === 'mask' ? [1] : [];
     return JSON.stringify({ ok: true, value: { name, digest: hash(String(bytes)), labels } });
   }
+  inlineCase() {
+    const { file, ...source } = this.recipe.source;
+    const recipe = { ...this.recipe, source: { ...source, inline: { name: file.name, data: 'AQ' } } };
+    return JSON.stringify({ ok: true, value: { recipe, minimal: { source: recipe.source } } });
+  }
   setRecipe(text) {
     try {
       const minimal = JSON.parse(text);

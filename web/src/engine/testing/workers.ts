@@ -51,6 +51,7 @@ export class Workers {
         return session.loadSideVolume(kind, file);
       },
       setRecipe: (json) => session.setRecipe(json),
+      inlineCase: () => session.inlineCase(),
       run: (stage, onProgress) => {
         if (this.late && stage !== 'fibres') setTimeout(() => onProgress(stage, 1), 10);
         return stage === this.hang ? (new Promise(() => undefined) as never) : session.run(stage, onProgress);

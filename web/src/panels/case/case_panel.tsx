@@ -5,7 +5,7 @@ import { awaitedFile, meshIsGiven, volume } from '../../store/case/input';
 import { unnamed } from '../../store/case/legend/legend';
 import { likelyBackground } from '../../store/case/legend/proposals';
 import { developer } from '../../store/developer';
-import { editRecipe, recipe } from '../../store/case/recipe';
+import { editRecipe, hasSource, recipe } from '../../store/case/recipe';
 import { activity } from '../../store/run/stages';
 import { CurvatureList } from './sizes/curvature_list';
 import { dialogShown } from '../controls/dialog_shown';
@@ -139,7 +139,7 @@ export function CasePanel() {
   const awaited = awaitedFile.value;
   if (!current) return <Panel part="case" class="left" label="Case" />;
   const { physics } = current;
-  const chosen = current.source.phantom !== undefined || current.source.file !== undefined;
+  const chosen = hasSource(current);
   return (
     <Panel part="case" class="left" label="Case" busy={activity.value === 'opening'}>
       <SourceSection current={current} />

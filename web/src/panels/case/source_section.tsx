@@ -77,7 +77,7 @@ function ReadFacts({ known }: { known: VolumeSummary }) {
 const Flaws = fetched(() => import('./flaws').then((part) => part.Flaws));
 
 export function SourceSection({ current }: { current: Recipe }) {
-  const { phantom, file } = current.source;
+  const { phantom, inline, file } = current.source;
   const known = volume.value;
   return (
     <section class="section">
@@ -101,6 +101,11 @@ export function SourceSection({ current }: { current: Recipe }) {
               How it is read…
             </button>
           )}
+        </p>
+      )}
+      {inline && (
+        <p class="source-name" title={`${inline.name}, within the case`}>
+          <Icon name="file" /> {inline.name}
         </p>
       )}
       {phantom && <PhantomFields phantom={phantom} />}

@@ -1,6 +1,7 @@
 import { acceptOffer, offered, closeOffer } from '../../store/case/open_case';
 import { filesOf } from '../../store/case/input';
 import { droppedFiles, imageAsked, unread } from '../../store/case/open_files';
+import { needsNoFile } from '../../store/case/recipe';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
 import { whole } from '../controls/format';
@@ -15,14 +16,17 @@ function OfferDialog() {
   const offer = offered.value;
   if (!offer) return null;
   const { source, sizing, labels } = offer.recipe;
+  const ready = needsNoFile(offer.recipe);
   const rows: [string, string][] = [
     [
       'Volume',
       source.phantom
         ? `generated: ${source.phantom.kind.replaceAll('_', ' ')}, ${source.phantom.spacing_mm.join(' × ')} mm`
-        : source.file
-          ? `${source.file.name}${offer.origin !== 'interrupted' ? ', which you are asked to drop in' : ''}`
-          : 'none',
+        : source.inline
+          ? `${source.inline.name}, in the ${offer.origin === 'link' ? 'link' : 'case'} itself`
+          : source.file
+            ? `${source.file.name}${offer.origin !== 'interrupted' ? ', which you are asked to drop in' : ''}`
+            : 'none',
     ],
     ['Labels', labels.length > 0 ? labels.join(', ') : 'all'],
     [
@@ -78,14 +82,10 @@ function OfferDialog() {
         <button type="button" class="button" onClick={closeOffer}>
           Not now
         </button>
-        <button
-          type="button"
-          class={source.phantom ? 'button' : 'button primary'}
-          onClick={() => acceptOffer(false)}
-        >
+        <button type="button" class={ready ? 'button' : 'button primary'} onClick={() => acceptOffer(false)}>
           Open
         </button>
-        {source.phantom && (
+        {ready && (
           <button type="button" class="button primary" onClick={() => acceptOffer(true)}>
             <Icon name="play" /> Open and run
           </button>

@@ -10,7 +10,7 @@ import {
   shareCase,
   type SharedCase,
 } from '../../store/case/exchange';
-import { filesOf } from '../../store/case/input';
+import { filesOf, meshIsGiven } from '../../store/case/input';
 import { unread } from '../../store/case/open_files';
 import { paintedEdges, paintedName } from '../../store/case/painting';
 import { recipe } from '../../store/case/recipe';
@@ -20,7 +20,7 @@ import { activity } from '../../store/run/stages';
 import { CopyButton } from '../controls/copy_button';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
-import { Segments } from '../controls/fields';
+import { CheckField, Segments } from '../controls/fields';
 import { whole } from '../controls/format';
 import { Gallery } from '../case/gallery';
 import { Icon } from '../controls/icons';
@@ -137,11 +137,22 @@ function lengthNote(length: number): string {
 function ShareDialog({ close }: { close(): void }) {
   const [shared, setShared] = useState<SharedCase | null>(null);
   const [trouble, setTrouble] = useState('');
+  const [withVolume, setWithVolume] = useState(false);
   useEffect(() => {
-    shareCase().then(setShared, (error: Error) => setTrouble(error.message));
-  }, []);
+    let newest = true;
+    setTrouble('');
+    shareCase(withVolume).then(
+      (made) => newest && setShared(made),
+      (error: Error) => newest && setTrouble(error.message),
+    );
+    return () => {
+      newest = false;
+    };
+  }, [withVolume]);
   const note = shared ? lengthNote(shared.url.length) : '';
-  const files = recipe.value ? filesOf(recipe.value) : [];
+  const volumeFile = meshIsGiven.value ? undefined : recipe.value?.source.file;
+  const all = recipe.value ? filesOf(recipe.value) : [];
+  const files = withVolume ? all.filter((name) => name !== volumeFile?.name) : all;
   return (
     <Dialog title="Share this case" onClose={close}>
       <p>
@@ -149,6 +160,14 @@ function ShareDialog({ close }: { close(): void }) {
           ? `The link holds the recipe and the digest of this mesh (${whole(report.value?.tets ?? 0)} tetrahedra). Whoever opens it and runs sees whether it is reproduced.`
           : 'The link holds the recipe only: run first, and it will also hold the digest of the mesh.'}
       </p>
+      {volumeFile && (
+        <CheckField
+          label="With the volume itself"
+          hint="The label of every voxel becomes a part of the link: whoever opens it needs no file"
+          checked={withVolume}
+          onChange={setWithVolume}
+        />
+      )}
       {files.length > 0 && (
         <p>
           {files.join(', ')} {files.length === 1 ? 'is' : 'are'} not in the link. The receiver drops the same{' '}

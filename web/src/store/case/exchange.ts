@@ -174,8 +174,11 @@ export interface SharedCase {
   promises: boolean;
 }
 
-/** A link of this case; with the digest where the mesh that is shown is the recipe's. */
-export async function shareCase(): Promise<SharedCase> {
+/**
+ * A link of this case; with the digest where the mesh that is shown is the recipe's, and with the label volume itself
+ * where that is asked for.
+ */
+export async function shareCase(withVolume = false): Promise<SharedCase> {
   const current = recipe.value;
   if (!current) throw new Error('There is no case to share yet.');
   const found = upToDate.value ? report.value : null;
@@ -183,6 +186,10 @@ export async function shareCase(): Promise<SharedCase> {
     found && meshedMinimal.value ? meshedMinimal.value : (await engine.checkRecipe(current)).minimal;
   const minimal = { ...base };
   delete minimal.expected;
+  if (withVolume && current.source.file) {
+    const { source, legend } = (await engine.inlineCase(JSON.stringify(current), current.source)).minimal;
+    Object.assign(minimal, { source, ...(legend ? { legend } : {}) });
+  }
   if (found) minimal.expected = { engine: found.engine, digest: found.digest, tets: found.tets };
   const url = new URL(location.href);
   url.search = '';

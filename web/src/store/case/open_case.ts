@@ -4,6 +4,7 @@ import type { EngineClient } from '../../engine/client';
 import {
   EngineError,
   type Expected,
+  type Labels,
   type PhantomParams,
   type Recipe,
   type VolumeSummary,
@@ -21,6 +22,7 @@ import { dismissErrors, tell } from '../notices';
 import { expectation, type Expectation } from '../run/report';
 import { activity, defaults, forgetResults, schema } from '../run/stages';
 import { budgetTets, edgeFor } from '../run/budget';
+import { keepResult, showResult } from '../run/results';
 import { cancelRun, preview, previewSoon, runAll } from '../run/run_stages';
 import { forgetSides, holdSide, type SideFile } from './side_files';
 import { sameRecipe } from '../run/stage_inputs';
@@ -87,9 +89,10 @@ export function takeVolume(
   summary: VolumeSummary,
   fileName: string,
   reading: Partial<Recipe['source']> = {},
+  labels?: Labels,
 ): void {
   const awaited = awaitedFile.value;
-  if (!awaited) return beginCase(summary, fileName, reading);
+  if (!awaited) return beginCase(summary, fileName, reading, labels);
   if (awaited.sha256 && awaited.sha256 !== summary.digest) {
     tell(
       'error',
@@ -108,10 +111,15 @@ export function takeVolume(
     const source = { ...promise.recipe.source, file };
     expectation.value = { ...promise, recipe: { ...promise.recipe, source } };
   }
-  showVolume(summary);
+  showVolume(summary, labels);
 }
 
-function beginCase(summary: VolumeSummary, fileName: string, reading: Partial<Recipe['source']> = {}): void {
+function beginCase(
+  summary: VolumeSummary,
+  fileName: string,
+  reading: Partial<Recipe['source']> = {},
+  labels?: Labels,
+): void {
   if (!defaults.value) return;
   const fresh = structuredClone(defaults.value);
   const source = { ...fresh.source, ...reading, file: { name: fileName, sha256: summary.digest } };
@@ -120,14 +128,21 @@ function beginCase(summary: VolumeSummary, fileName: string, reading: Partial<Re
   dismissErrors();
   startRecipe({ ...fresh, source, sizing: { ...fresh.sizing, edge_mm: startingEdge(summary) } });
   expectation.value = null;
-  showVolume(summary);
+  showVolume(summary, labels);
 }
 
-function showVolume(summary: VolumeSummary): void {
+/** The key of labels that were read, before their stage has given them one. */
+const asRead = 'as read';
+
+function showVolume(summary: VolumeSummary, labels?: Labels): void {
   awaitedFile.value = null;
   volume.value = summary;
   forgetResults();
   resetView();
+  if (labels) {
+    keepResult('volume', asRead, { labels });
+    showResult('volume', asRead);
+  }
   void preview(true);
 }
 

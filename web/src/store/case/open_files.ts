@@ -1,6 +1,6 @@
 /** Files that the user opens or drops: volumes, cases, zips, what sizes come from, and values on the mesh. */
 import { signal } from '@preact/signals';
-import type { SideKind, VolumeFile, VolumeSummary } from '../../engine/contract';
+import type { Labels, SideKind, VolumeFile, VolumeSummary } from '../../engine/contract';
 import { parseCase } from '../../link/codec';
 import { offerCase, takeVolume } from './open_case';
 import { engine, takeTurn, tellError } from '../run/engine';
@@ -153,13 +153,15 @@ async function readVolume(files: readonly File[]): Promise<void> {
     if (!newest()) return;
     endStages();
     if (engine.busy) await engine.cancel();
-    const summary = await engine.openVolume(file, awaitedFile.value ? recipe.value?.source : {});
+    let labels: Labels | undefined;
+    const source = awaitedFile.value ? recipe.value?.source : {};
+    const summary = await engine.openVolume(file, source, (read) => (labels = read));
     if (!newest()) return;
     const message = awaitedFile.value
       ? undefined
       : summary.warnings.find((text) => text.includes(imageWords));
     if (message) imageAsked.value = { file, summary, message };
-    else takeVolume(summary, files[0].name);
+    else takeVolume(summary, files[0].name, {}, labels);
   } catch (error) {
     const { message } = error as Error;
     const mayAsk = file && !awaitedFile.value;

@@ -35,7 +35,7 @@ export const redoLabel = computed(() => future.value.at(-1)?.label ?? null);
 /** What the files of a case are called, without their suffixes. */
 export function caseName(): string {
   const source = recipe.value?.source;
-  const name = source?.file?.name ?? source?.phantom?.kind ?? 'mesh';
+  const name = source?.file?.name ?? source?.inline?.name ?? source?.phantom?.kind ?? 'mesh';
   return name.replace(/\.(nii\.gz|seg\.nrrd|[^.]+)$/i, '') || 'mesh';
 }
 
@@ -45,9 +45,13 @@ export const caseId = signal('');
 /** When the recipe last became another, in ms. Of two that are kept of a case, the later is the user's. */
 export const changedAt = computed(() => (recipe.value ? Date.now() : 0));
 
+/** Whether what is to be meshed is in the recipe itself. */
+export const needsNoFile = ({ source }: Recipe): boolean =>
+  source.phantom !== undefined || source.inline !== undefined;
+
 /** Whether a recipe says what is to be meshed. */
-export function hasSource({ source }: Recipe): boolean {
-  return source.phantom !== undefined || source.file !== undefined;
+export function hasSource(of: Recipe): boolean {
+  return needsNoFile(of) || of.source.file !== undefined;
 }
 
 /** Replaces the recipe and forgets its history: another case begins, or that of this name is taken up again. */

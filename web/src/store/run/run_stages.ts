@@ -4,7 +4,7 @@ import type { Recipe, StageName, VolumeSummary } from '../../engine/contract';
 import { engine, takeTurn, tellError } from './engine';
 import { forecastUnderWay } from './forecast';
 import { awaitedFile, meshIsGiven, volume } from '../case/input';
-import { recipe } from '../case/recipe';
+import { hasSource, recipe } from '../case/recipe';
 import { dropResults, isKept, keepResult, showResult, shownKeys } from './results';
 import { announcement, dismissErrors } from '../notices';
 import { startClock, stopClock } from './clock';
@@ -118,7 +118,7 @@ const drawn = () =>
 /** False where the stages failed, or where something newer has taken the engine. */
 async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<boolean> {
   const current = recipe.value;
-  if (!current || !(current.source.phantom || current.source.file) || awaitedFile.value) return false;
+  if (!current || !hasSource(current) || awaitedFile.value) return false;
   const newest = takeTurn();
   const names = caseStages.value.slice(0, caseStages.value.indexOf(last) + 1);
   activity.value = kind;
