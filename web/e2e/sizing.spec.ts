@@ -26,7 +26,8 @@ test('a wall is sized by its thickness, which is seen on slices and surface befo
   const wall = page.getByRole('group', { name: 'Wall', exact: true });
   await wall.getByRole('button', { name: 'RV myocardium' }).click();
   const inside = page.getByRole('group', { name: 'Inside of it' });
-  await inside.getByRole('button', { name: 'LV blood' }).click();
+  // What is inside of the left wall is proposed.
+  await expect(inside.getByRole('button', { name: 'LV blood' })).toHaveAttribute('aria-pressed', 'true');
   await inside.getByRole('button', { name: 'RV blood' }).click();
   await page.getByLabel('Colour by').selectOption('thickness_mm');
   await expect(page.locator('.legend')).toContainText('Wall thickness mm');

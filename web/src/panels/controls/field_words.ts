@@ -38,6 +38,8 @@ const words: Record<string, string> = {
   'optimise.insertion_deg': 'Insert vertices below',
   'optimise.slide': 'Slide on the surface',
   'quality.sample_spacing_voxels': 'Sample spacing',
+  'physics.tissue.kinds.along_mm_per_ms': 'Speed along',
+  'physics.tissue.kinds.across_mm_per_ms': 'Speed across',
   'limits.tets': 'Most tetrahedra',
   'limits.memory_mb': 'Most memory',
   'limits.seconds': 'Most time',
@@ -82,5 +84,5 @@ export function pathWords(path: string): { name: string; unit: string } {
   const title = groupWords[group] ?? sentence(group);
   const name = rest.length === 0 ? title : `${title}: ${field.charAt(0).toLowerCase()}${field.slice(1)}`;
   const unit = { mm: ' mm', deg: '°' }[path.slice(path.lastIndexOf('_') + 1)] ?? '';
-  return { name: number ? `${name}, number ${number}` : name, unit };
+  return { name: number ? `${name}, number ${Number(number) + 1}` : name, unit };
 }
