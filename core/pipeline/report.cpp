@@ -151,8 +151,7 @@ json volume_json(const Session& session) {
   json out = prepared ? volume_json(*session.source_volume(), session.source_digest())
                       : volume_json(*session.files().volume, session.files().digest);
   const Source& source = session.recipe().source;
-  out["warnings"] =
-      prepared ? session.record(Stage::kVolume).warnings : session.files().remarks.warnings;
+  out["warnings"] = prepared ? session.record(Stage::kVolume).warnings : session.files().remarks.warnings;
   out["name"] = source.file ? source.file->name : source.inlined ? source.inlined->name : "phantom";
   if (const OpenedMesh* opened = session.opened_mesh())
     out["mesh"] = {{"points", opened->mesh.points.size()},
