@@ -31,7 +31,7 @@ const headers = {
   'Referrer-Policy': 'no-referrer',
   'Content-Security-Policy':
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data: blob:; " +
-    "font-src 'self'; connect-src 'self' data:; worker-src 'self'; object-src 'none'; base-uri 'none'; " +
+    "font-src 'self'; connect-src 'self' data: https:; worker-src 'self'; object-src 'none'; base-uri 'none'; " +
     "form-action 'none'; frame-ancestors 'none'",
 };
 

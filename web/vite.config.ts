@@ -8,7 +8,8 @@ const contentPolicy = [
   "style-src 'self'",
   "img-src 'self' data: blob:",
   "font-src 'self'",
-  "connect-src 'self' data:",
+  // Files of cases may lie on other hosts; the page asks before it fetches one.
+  "connect-src 'self' data: https:",
   "worker-src 'self'",
   "object-src 'none'",
   "base-uri 'none'",

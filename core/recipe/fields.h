@@ -60,6 +60,7 @@ void visit_fields(V& v, FileSource& p) {
           p.name);
   v.field({"sha256", "", 0, 0, "Digest of its voxels and affine, or of its mesh; empty accepts any."},
           p.sha256);
+  v.field({"url", "", 0, 0, "Address where the file can be had."}, p.url);
 }
 
 template <class V>

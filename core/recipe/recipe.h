@@ -35,6 +35,7 @@ namespace voxtet {
 struct FileSource {
   std::string name;
   std::string sha256;  ///< empty: any file of that name
+  std::string url;     ///< where it can be had, for whoever has no such file; nothing here fetches it
 };
 
 /// A label volume within the recipe, so that a link brings it along.

@@ -29,10 +29,13 @@ export function realVolume(name: string): string | null {
   return existsSync(path) ? path : null;
 }
 
-/** Every test also promises a clean console and no request off the page's own origin. */
-export const test = base.extend<{ complaints: string[] }>({
+/**
+ * Every test also promises a clean console and no request off the page's own origin, but to the host that it is about.
+ */
+export const test = base.extend<{ otherHost: string; complaints: string[] }>({
+  otherHost: ['', { option: true }],
   complaints: [
-    async ({ page, baseURL }, use) => {
+    async ({ page, baseURL, otherHost }, use) => {
       const complaints: string[] = [];
       page.on('console', (message) => {
         if (['error', 'warning'].includes(message.type()))
@@ -41,7 +44,8 @@ export const test = base.extend<{ complaints: string[] }>({
       page.on('pageerror', (error) => complaints.push(`uncaught: ${error.message}`));
       page.on('request', (request) => {
         const url = request.url();
-        if (!url.startsWith(baseURL ?? '') && !/^(data|blob):/.test(url))
+        const expected = otherHost !== '' && url.startsWith(otherHost);
+        if (!url.startsWith(baseURL ?? '') && !expected && !/^(data|blob):/.test(url))
           complaints.push(`off-origin: ${url}`);
       });
       await use(complaints);

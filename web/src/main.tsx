@@ -8,7 +8,7 @@ import { keepCase, openAddress, startEngine } from './store/case/open_case';
 import { keepForecast } from './store/run/forecast';
 import { keepSizingShown } from './store/run/run_stages';
 import { dark, largeType, theme, type ThemeChoice } from './store/view';
-import { keepText, keptText } from './store/case/web_storage';
+import { keepText, keptText } from './store/case/keep/web_storage';
 import './styles/main.css';
 
 const themeKey = 'voxtet-theme';

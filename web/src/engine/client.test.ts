@@ -59,7 +59,7 @@ describe('EngineClient', () => {
     const file = mockFile('heart.elem');
     const summary = await client.openVolume(file);
     expect(summary.mesh?.tets).toBe(1);
-    const source = { file: { name: file.name, sha256: summary.digest } };
+    const source = { file: { name: file.name, sha256: summary.digest, url: '' } };
     const result = await client.run(JSON.stringify({ source }), source, 'smooth');
     expect(result.summaries.map(({ name }) => name)).toEqual(['volume', 'optimise', 'quality']);
     expect(result.report).toBeDefined();
@@ -153,7 +153,7 @@ describe('EngineClient', () => {
     const error = await failureOf(client.openVolume(mockFile('cut.nii', 3)));
     expect(error.code).toBe('bad_input');
     expect(error.message).toContain('cut.nii');
-    const source = { file: { name: 'good.nii', sha256: good.digest } };
+    const source = { file: { name: 'good.nii', sha256: good.digest, url: '' } };
     await client.run(JSON.stringify({ source }), source, 'smooth');
     expect(workers.loads).toBe(3);
   });
@@ -161,7 +161,7 @@ describe('EngineClient', () => {
   it('answers cancel although the worker hangs, and runs again with the volume it had', async () => {
     const client = start();
     const { digest } = await client.openVolume(mockFile('heart.nii'));
-    const source = { file: { name: 'heart.nii', sha256: digest } };
+    const source = { file: { name: 'heart.nii', sha256: digest, url: '' } };
     workers.hang = 'remesh';
     const run = failureOf(client.run(JSON.stringify({ source }), source, 'quality'));
     await new Promise((later) => setTimeout(later, 60));
@@ -200,7 +200,7 @@ describe('EngineClient', () => {
   });
 
   it('refuses a case whose file has not been dropped', async () => {
-    const source = { file: { name: 'absent.nii', sha256: 'a'.repeat(64) } };
+    const source = { file: { name: 'absent.nii', sha256: 'a'.repeat(64), url: '' } };
     const error = await failureOf(start().run(JSON.stringify({ source }), source, 'smooth'));
     expect(error.message).toContain('absent.nii');
   });
@@ -209,10 +209,10 @@ describe('EngineClient', () => {
     const client = start();
     await client.openVolume(mockFile('other.nii'));
     const sha256 = 'b'.repeat(64);
-    const reply = await client.checkRecipe({ source: { file: { name: 'heart.nii', sha256 } } });
+    const reply = await client.checkRecipe({ source: { file: { name: 'heart.nii', sha256, url: '' } } });
     expect(reply.recipe.source.file?.sha256).toBe(sha256);
     expect(
-      (await failureOf(client.checkRecipe({ source: { file: { name: 'x', sha256: 'zz' } } }))).code,
+      (await failureOf(client.checkRecipe({ source: { file: { name: 'x', sha256: 'zz', url: '' } } }))).code,
     ).toBe('usage');
     expect((await failureOf(client.checkRecipe({ nonsense: 1 }))).message).toContain('nonsense');
   });

@@ -50,6 +50,8 @@ export interface RecipeFields {
       name: string;
       /** Digest of its voxels and affine, or of its mesh; empty accepts any. */
       sha256: string;
+      /** Address where the file can be had. */
+      url: string;
     };
     /** Unit of the file's lengths, whatever it says; file: as it says. */
     unit: 'file' | 'm' | 'cm' | 'mm' | 'um' | 'nm';
@@ -549,7 +551,8 @@ export const optionalDefaults = {
   },
   "source.file": {
     "name": "",
-    "sha256": ""
+    "sha256": "",
+    "url": ""
   },
   "source.threshold": {
     "lower": 0,

@@ -11,7 +11,8 @@ export type Expected = RecipeFields['expected'];
 export type Source = Recipe['source'];
 export type PhantomParams = NonNullable<Source['phantom']>;
 export type PhantomKind = PhantomParams['kind'];
-export type FileSource = NonNullable<Source['file']>;
+/** A file by its name, and the digest of what it holds. */
+export type FileSource = Pick<NonNullable<Source['file']>, 'name' | 'sha256'>;
 
 export type SizeRegion = Recipe['sizing']['regions'][number];
 export type RegionShape = SizeRegion['shape'];

@@ -6,6 +6,7 @@ import { unnamed } from '../../store/case/legend/legend';
 import { likelyBackground } from '../../store/case/legend/proposals';
 import { developer } from '../../store/developer';
 import { editRecipe, hasSource, recipe } from '../../store/case/recipe';
+import { remoteAsked } from '../../store/case/remote';
 import { activity } from '../../store/run/stages';
 import { CurvatureList } from './sizes/curvature_list';
 import { dialogShown } from '../controls/dialog_shown';
@@ -143,7 +144,24 @@ export function CasePanel() {
   return (
     <Panel part="case" class="left" label="Case" busy={activity.value === 'opening'}>
       <SourceSection current={current} />
-      {awaited && <p class="hint">This case was made from {awaited.name}. Drop that file to go on.</p>}
+      {awaited && (
+        <p class="hint">
+          This case was made from {awaited.name}. Drop that file to go on
+          {awaited.url && (
+            <>
+              , or{' '}
+              <button
+                type="button"
+                class="link-button"
+                onClick={() => (remoteAsked.value = { kind: 'volume', url: awaited.url, name: awaited.name })}
+              >
+                fetch it
+              </button>
+            </>
+          )}
+          .
+        </p>
+      )}
       {chosen && (
         <>
           <LabelSection current={current} />

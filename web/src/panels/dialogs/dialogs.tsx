@@ -2,6 +2,7 @@ import { acceptOffer, offered, closeOffer } from '../../store/case/open_case';
 import { filesOf } from '../../store/case/input';
 import { droppedFiles, imageAsked, unread } from '../../store/case/open_files';
 import { needsNoFile } from '../../store/case/recipe';
+import { remoteAsked } from '../../store/case/remote';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
 import { whole } from '../controls/format';
@@ -10,6 +11,7 @@ import { Icon } from '../controls/icons';
 
 const DropDialog = fetched(() => import('./drop_dialog').then((part) => part.DropDialog));
 const ImageDialog = fetched(() => import('./image_dialog').then((part) => part.ImageDialog));
+const RemoteDialog = fetched(() => import('./remote_dialog').then((part) => part.RemoteDialog));
 const ToolDialogs = fetched(() => import('./tool_dialogs').then((part) => part.ToolDialogs));
 
 function OfferDialog() {
@@ -100,6 +102,7 @@ export function Dialogs() {
     <>
       <OfferDialog />
       {droppedFiles.value && <DropDialog />}
+      {remoteAsked.value && <RemoteDialog asked={remoteAsked.value} />}
       {imageAsked.value && <ImageDialog asked={imageAsked.value} />}
       {(dialogShown.value !== null || unread.value) && <ToolDialogs />}
     </>

@@ -16,7 +16,7 @@ export const fibresAreGiven = computed(() => volume.value?.mesh?.fibres ?? false
 export const fileRead = signal('');
 
 /** A file that the recipe needs and that has not been dropped in yet. */
-export const awaitedFile = signal<{ name: string; sha256: string } | null>(null);
+export const awaitedFile = signal<NonNullable<Recipe['source']['file']> | null>(null);
 
 /** The smallest voxel spacing of the grid that is meshed, mm. */
 export const voxelMm = computed(() => {

@@ -11,8 +11,8 @@ import {
 } from '../../engine/contract';
 import { canonicalJson } from '../../link/canonical';
 import { decodeFragment } from '../../link/codec';
-import { caseInAddress, keepAddress, nameEntry } from './address';
-import { autosave, savedCase, type SavedCase } from './autosave';
+import { caseInAddress, keepAddress, nameEntry } from './keep/address';
+import { autosave, savedCase, type SavedCase } from './keep/autosave';
 import { engine, tellError, useEngine } from '../run/engine';
 import { fitRecipe } from './fit_recipe';
 import type { Example } from './gallery';
@@ -24,6 +24,7 @@ import { activity, defaults, forgetResults, schema } from '../run/stages';
 import { budgetTets, edgeFor } from '../run/budget';
 import { keepResult, showResult } from '../run/results';
 import { cancelRun, preview, previewSoon, runAll } from '../run/run_stages';
+import { remoteAsked, remoteInAddress } from './remote';
 import { forgetSides, holdSide, type SideFile } from './side_files';
 import { sameRecipe } from '../run/stage_inputs';
 import { forgetPainting, restorePainting, strokesDone } from './painting';
@@ -103,7 +104,7 @@ export function takeVolume(
     );
     return;
   }
-  const file = { name: fileName, sha256: summary.digest };
+  const file = { ...awaited, name: fileName, sha256: summary.digest };
   amendRecipe((draft) => void (draft.source.file = file));
   // It is the promised volume, under whatever name.
   const promise = expectation.value;
@@ -122,7 +123,7 @@ function beginCase(
 ): void {
   if (!defaults.value) return;
   const fresh = structuredClone(defaults.value);
-  const source = { ...fresh.source, ...reading, file: { name: fileName, sha256: summary.digest } };
+  const source = { ...fresh.source, ...reading, file: { name: fileName, sha256: summary.digest, url: '' } };
   leaveCase();
   engine.files.forgetVolumes(summary.digest);
   dismissErrors();
@@ -176,6 +177,7 @@ export async function openFragment(fragment: string): Promise<void> {
  * has put into the address, or has saved, is the user's own: there is nothing to ask.
  */
 export async function openAddress(): Promise<void> {
+  remoteAsked.value = remoteInAddress(location.search);
   const { link, own, changedAt = 0 } = caseInAddress();
   // Without storage there is nothing to take up, and nothing to say.
   const found = await savedCase().catch(() => null);

@@ -39,7 +39,9 @@ async function readCase(reading: Reading): Promise<boolean> {
   if (!source || !file) return false;
   const summary = await engine.openVolume(file, { ...source, ...reading });
   editRecipe('How the file is read', (draft) => {
-    Object.assign(draft.source, reading, { file: { name: file.name, sha256: summary.digest } });
+    Object.assign(draft.source, reading, {
+      file: { ...source.file, name: file.name, sha256: summary.digest },
+    });
   });
   volume.value = summary;
   void preview(true);

@@ -30,5 +30,9 @@ describe('stages that an edit touches', () => {
     expect(touchedBy((draft) => void (draft.tetra.radius_edge = 2))).toEqual(['optimise', 'quality']);
     expect(touchedBy((draft) => void (draft.quality.histogram_bins = 9))).toEqual(['quality']);
     expect(touchedBy((draft) => void (draft.merge = [[1, 2]]))).toEqual([...stageNames]);
+    const file = { name: 'a.nii', sha256: 'ab', url: '' };
+    expect(touchedBy((draft) => void (draft.source.file = file))).toEqual([...stageNames]);
+    const at = (url: string) => ({ ...defaults, source: { ...defaults.source, file: { ...file, url } } });
+    expect(stageInput(at('https://a.org/a.nii'), 'volume')).toBe(stageInput(at(''), 'volume'));
   });
 });

@@ -14,7 +14,13 @@ for (const { name, inputs, reads } of stageSpecs) {
 
 /** Everything of the recipe that a stage's result depends on: where it differs, the stage has to run again. */
 export function stageInput(recipe: Recipe, stage: StageName): string {
-  return canonicalJson([...(groupsOf.get(stage) ?? [])].sort().map((group) => recipe[group]));
+  const groups = [...(groupsOf.get(stage) ?? [])].sort();
+  return canonicalJson(groups.map((group) => (group === 'source' ? sourceOf(recipe) : recipe[group])));
+}
+
+/** Where a file can be had changes nothing that is made of it. */
+function sourceOf({ source }: Recipe): Recipe['source'] {
+  return source.file ? { ...source, file: { ...source.file, url: '' } } : source;
 }
 
 /** Whether two recipes ask for the same, in whatever order their fields stand. */

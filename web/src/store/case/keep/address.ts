@@ -3,12 +3,12 @@
  * browser's history carries the name of the case that the page has put there; a link from elsewhere has no name.
  */
 import { effect } from '@preact/signals';
-import { EngineError } from '../../engine/contract';
-import { encodeFragment, isCaseFragment } from '../../link/codec';
-import { engine } from '../run/engine';
-import { caseId, changedAt, hasSource, recipe } from './recipe';
-import { expectation } from '../run/report';
-import { sameMesh } from '../run/stage_inputs';
+import { EngineError } from '../../../engine/contract';
+import { encodeFragment, isCaseFragment } from '../../../link/codec';
+import { engine } from '../../run/engine';
+import { caseId, changedAt, hasSource, recipe } from '../recipe';
+import { expectation } from '../../run/report';
+import { sameMesh } from '../../run/stage_inputs';
 
 /** Edits within this time are written as one. */
 const delayMs = 300;

@@ -1,10 +1,10 @@
 /** The tab's case in IndexedDB, so that a reload loses nothing. One case: the last one edited. */
 import { effect } from '@preact/signals';
-import type { Recipe, VolumeFile } from '../../engine/contract';
-import { caseId, changedAt, hasSource, recipe } from './recipe';
-import { expectation, type Expectation } from '../run/report';
-import { activity } from '../run/stages';
-import { heldSides, type SideFile } from './side_files';
+import type { Recipe, VolumeFile } from '../../../engine/contract';
+import { caseId, changedAt, hasSource, recipe } from '../recipe';
+import { expectation, type Expectation } from '../../run/report';
+import { activity } from '../../run/stages';
+import { heldSides, type SideFile } from '../side_files';
 import { keepText, keptText } from './web_storage';
 
 export interface SavedCase {

@@ -1,8 +1,8 @@
 import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
-import { EngineClient } from '../../engine/client';
-import type { Recipe } from '../../engine/contract';
-import { Workers } from '../../engine/testing/workers';
-import { decodeFragment, encodePlainFragment } from '../../link/codec';
+import { EngineClient } from '../../../engine/client';
+import type { Recipe } from '../../../engine/contract';
+import { Workers } from '../../../engine/testing/workers';
+import { decodeFragment, encodePlainFragment } from '../../../link/codec';
 import {
   acceptOffer,
   closeOffer,
@@ -12,12 +12,12 @@ import {
   openPhantom,
   startEngine,
   undoEdit,
-} from './open_case';
+} from '../open_case';
 import type { SavedCase } from './autosave';
-import { caseId, changedAt, editRecipe, recipe } from './recipe';
-import { expectation, report } from '../run/report';
-import { activity } from '../run/stages';
-import { cancelRun, runAll } from '../run/run_stages';
+import { caseId, changedAt, editRecipe, recipe } from '../recipe';
+import { expectation, report } from '../../run/report';
+import { activity } from '../../run/stages';
+import { cancelRun, runAll } from '../../run/run_stages';
 
 /** What the tab before has saved. */
 const kept = vi.hoisted(() => ({ saved: null as unknown, interrupted: false }));
