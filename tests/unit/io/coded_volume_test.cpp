@@ -2,6 +2,7 @@
 #include "io/volume/coded/coded_volume.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "io/volume/read_volume.h"
 #include "support/data.h"
@@ -53,6 +54,11 @@ TEST(CodedVolume, ComesBackExactly) {
   LabelVolume full = blobs({4, 4, 4}, 0, 1);
   full.labels.assign(64, 9);
   expect_same_after_coding(full);
+}
+
+TEST(CodedVolume, HasTheSameBytesOnEveryPlatform) {
+  const Bytes bytes = *code_volume(blobs({30, 26, 18}, 9, 11));
+  EXPECT_EQ(crc32(0, bytes.data(), static_cast<uInt>(bytes.size())), 3361173120U);
 }
 
 TEST(CodedVolume, RefusesWhatALinkCannotHold) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <initializer_list>
 #include <limits>
+#include <utility>
 
 #include "io/volume/coded/binary_coder.h"
 
@@ -54,21 +55,18 @@ class LabelCoder {
   }
 
  private:
+  /// The nearest first.
   std::vector<Neighbour> neighbours() const {
     constexpr int kReach = 2, kFarthest2 = 6;
-    std::vector<std::pair<int, std::ptrdiff_t>> found;  // squared distance, offset
-    for (int k = -kReach; k <= 0; ++k)
-      for (int j = -kReach; j <= kReach; ++j)
-        for (int i = -kReach; i <= kReach; ++i) {
-          const bool before = k < 0 || j < 0 || (j == 0 && i < 0);
-          const int distance2 = i * i + j * j + k * k;
-          if (before && distance2 <= kFarthest2)
-            found.emplace_back(distance2, i + static_cast<std::ptrdiff_t>(row_) * j + slice_ * k);
-        }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Neighbour> out;
-    for (const auto& [distance2, offset] : found) out.push_back({offset, 1.0 / distance2});
+    for (int distance2 = 1; distance2 <= kFarthest2; ++distance2)
+      for (int k = -kReach; k <= 0; ++k)
+        for (int j = -kReach; j <= kReach; ++j)
+          for (int i = -kReach; i <= kReach; ++i) {
+            const bool before = k < 0 || j < 0 || (j == 0 && i < 0);
+            if (before && i * i + j * j + k * k == distance2)
+              out.push_back({i + static_cast<std::ptrdiff_t>(row_) * j + slice_ * k, 1.0 / distance2});
+          }
     return out;
   }
 
@@ -102,8 +100,10 @@ class LabelCoder {
       if (vote_[of] == 0) seen_[found_++] = of;
       vote_[of] += n.weight;
     }
-    std::stable_sort(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(found_),
-                     [&](std::uint8_t a, std::uint8_t b) { return vote_[a] > vote_[b]; });
+    // Few, and nearly sorted: the label that more of the near voxels have comes first.
+    for (std::size_t next = 1; next < found_; ++next)
+      for (std::size_t at = next; at > 0 && vote_[seen_[at]] > vote_[seen_[at - 1]]; --at)
+        std::swap(seen_[at], seen_[at - 1]);
     candidates_ = std::min(found_, kMostCandidates);
     for (std::size_t c = 0; c < candidates_; ++c) {
       candidate_[c] = seen_[c];
