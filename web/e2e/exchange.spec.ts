@@ -82,6 +82,8 @@ test('a zip holds mesh, report, case and painted mask, and opens again as the sa
     'biventricle.case.json',
     'biventricle.report.html',
     'biventricle.report.json',
+    // The walls towards the blood that is not meshed.
+    'biventricle.surfaces.vtu',
     'biventricle.vtu',
     'painted.nrrd',
   ]);
