@@ -126,10 +126,10 @@ json transfer_json(const LabelTransfer& found) {
   return labels;
 }
 
-/// The smallest and largest target edge length within what is meshed. Of a large volume some millions of
-/// voxels are looked at.
+/// The smallest and largest target edge length within what is meshed. Of a large volume some hundred thousand
+/// voxels are looked at: this is asked for with every edit of sizes.
 json sizes_of_body(const LabelVolume& volume, const SizingField& sizing) {
-  constexpr std::size_t kMostVoxels = 4'000'000;
+  constexpr std::size_t kMostVoxels = 500'000;
   const int stride =
       1 + static_cast<int>(std::cbrt(static_cast<double>(volume.voxel_count()) / double{kMostVoxels}));
   double low = std::numeric_limits<double>::infinity(), high = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "anatomy/facet_sets.h"
@@ -33,43 +34,40 @@ std::vector<Field> point_fields(const Session& session) {
   return fields;
 }
 
-/// Cuts that were asked for have all of their faces, and take the place of a surface of the same name. Those
-/// of the image's border have what no other surface has.
-void add_cuts(const TetMesh& mesh, const CutPlanes& cuts, std::vector<NamedSet>& surfaces) {
-  const auto faces_in = [&](const auto& sets) {
-    std::vector<bool> named(mesh.faces.size(), false);
-    for (const NamedSet& set : sets)
-      for (const std::uint32_t face : set.members) named[face] = true;
-    return named;
-  };
-  const auto leave_out_of = [](NamedSet& set, const std::vector<bool>& faces) {
-    std::erase_if(set.members, [&](std::uint32_t face) { return faces[face]; });
-  };
-  CutPlanes given = cuts;
-  std::erase_if(given, [](const CutPlane& cut) { return !cut.is_given(); });
-  for (NamedSet& set : cut_sets(mesh, given)) {
-    const std::vector<bool> own = faces_in(std::vector<NamedSet>{set});
-    for (NamedSet& other : surfaces) leave_out_of(other, own);
-    std::erase_if(surfaces,
-                  [&](const NamedSet& other) { return other.name == set.name || other.members.empty(); });
-    surfaces.push_back(std::move(set));
-  }
-  const std::vector<bool> named = faces_in(surfaces);
-  for (NamedSet& set : cut_sets(mesh, cuts_of_border(cuts))) {
+/// Of all faces whether one of these sets has them.
+std::vector<bool> faces_in(std::span<const NamedSet> sets, std::size_t face_count) {
+  std::vector<bool> faces(face_count, false);
+  for (const NamedSet& set : sets)
+    for (const std::uint32_t face : set.members) faces[face] = true;
+  return faces;
+}
+
+void leave_out_of(NamedSet& set, const std::vector<bool>& faces) {
+  std::erase_if(set.members, [&](std::uint32_t face) { return faces[face]; });
+}
+
+/// Adds of each set what no other surface has.
+void add_rest(std::vector<NamedSet> sets, std::size_t face_count, std::vector<NamedSet>& surfaces) {
+  const std::vector<bool> named = faces_in(surfaces, face_count);
+  for (NamedSet& set : sets) {
     leave_out_of(set, named);
     if (!set.members.empty()) surfaces.push_back(std::move(set));
   }
 }
 
-/// Adds of each set what no other surface has.
-void add_rest(std::vector<NamedSet> sets, std::size_t face_count, std::vector<NamedSet>& surfaces) {
-  std::vector<bool> named(face_count, false);
-  for (const NamedSet& set : surfaces)
-    for (const std::uint32_t face : set.members) named[face] = true;
-  for (NamedSet& set : sets) {
-    std::erase_if(set.members, [&](std::uint32_t face) { return named[face]; });
-    if (!set.members.empty()) surfaces.push_back(std::move(set));
+/// Cuts that were asked for have all of their faces, and take the place of a surface of the same name. Those
+/// of the image's border have what no other surface has.
+void add_cuts(const TetMesh& mesh, const CutPlanes& cuts, std::vector<NamedSet>& surfaces) {
+  CutPlanes given = cuts;
+  std::erase_if(given, [](const CutPlane& cut) { return !cut.is_given(); });
+  for (NamedSet& set : cut_sets(mesh, given)) {
+    const std::vector<bool> own = faces_in({&set, 1}, mesh.faces.size());
+    for (NamedSet& other : surfaces) leave_out_of(other, own);
+    std::erase_if(surfaces,
+                  [&](const NamedSet& other) { return other.name == set.name || other.members.empty(); });
+    surfaces.push_back(std::move(set));
   }
+  add_rest(cut_sets(mesh, cuts_of_border(cuts)), mesh.faces.size(), surfaces);
 }
 
 /// Removes the fields that the format has no place for; returns their names.

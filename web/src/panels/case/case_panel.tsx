@@ -128,8 +128,7 @@ const SimulationSection = fetched(() =>
 
 const StackSection = fetched(() => import('./stack_section').then((part) => part.StackSection));
 
-/** Whether the slices are so thick that they are interpolated, or would be. */
-/** Whether the engine would interpolate: its tolerance is a thousandth. */
+/** Whether the slices are so thick that the engine would interpolate: its tolerance is a thousandth. */
 function isStack(sliceRatio: number): boolean {
   const spacing = volume.value?.spacing_mm;
   return spacing !== undefined && Math.max(...spacing) > 1.001 * (sliceRatio || 2) * Math.min(...spacing);
