@@ -7,7 +7,8 @@ import { toIndex } from '../geometry/orientation';
 import { borderTriangles } from '../geometry/section';
 import { pinned, pinnedArrays } from '../store/run/compare';
 import { addRegion, bodiesOf } from '../store/case/bodies';
-import { volume } from '../store/case/input';
+import { volume, voxelCount } from '../store/case/input';
+import { meshedLabels } from '../store/case/labels';
 import { recipe } from '../store/case/recipe';
 import { tellError } from '../store/run/engine';
 import { mayStimulate } from '../store/run/frames';
@@ -95,7 +96,7 @@ function whenNeeded(isNeeded: () => boolean, load: () => Promise<() => () => voi
 }
 
 /** As text, so that other edits of the recipe do not count. */
-const meshedLabels = computed(() => recipe.value?.labels.join() ?? '');
+const meshedText = computed(() => [...meshedLabels.value].join());
 
 export function mountScene(container: HTMLElement): () => void {
   const canvas = new Canvas(container);
@@ -199,12 +200,12 @@ export function mountScene(container: HTMLElement): () => void {
     effect(() => {
       const labels = shownResult('volume')?.labels;
       const image = untracked(() => volume.value);
-      const voxels = image?.size.reduce((product, n) => product * n, 1);
-      const meshed = new Set(meshedLabels.value.split(','));
+      void meshedText.value;
+      const meshed = untracked(() => meshedLabels.value);
       const hidden = hiddenLabels.value;
-      const all = meshed.has('');
-      const counts = (label: number) => (all || meshed.has(String(label))) && !hidden.has(label);
-      if (image && labels?.length === voxels) setSurroundings(labels!, image, counts);
+      const counts = (label: number) => meshed.has(label) && !hidden.has(label);
+      if (image && labels?.length === untracked(() => voxelCount.value))
+        setSurroundings(labels, image, counts);
       else forgetSurroundings();
       cutSurroundings(untracked(planeNow));
       canvas.invalidate();
