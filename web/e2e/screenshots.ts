@@ -51,7 +51,8 @@ test('compare.png', async ({ page }) => {
 /** The view on nothing, without what lies around it. */
 const viewAlone = {
   content: `html, body, .app, .view, .view-body { background: none !important }
-    .triad, .scale-bar { display: none !important }
+    .view-host, .view-host * { --cards: 0 !important }
+    .triad, .scale-bar, .view-buttons, .tool-options, .label-key, .legend { display: none !important }
     .pipeline, .panel { visibility: hidden }`,
 };
 
@@ -65,7 +66,8 @@ test.describe('view alone', () => {
       await page.setViewportSize({ width: 976, height: 482 });
       await openAndRun(page, recipe);
       await page.addStyleTag(viewAlone);
-      await page.waitForTimeout(1000);
+      await page.keyboard.press('f');
+      await page.waitForTimeout(1500);
       await page
         .locator('.view-host')
         .screenshot({ path: join(pictures, `${name}.png`), omitBackground: true });
