@@ -29,6 +29,7 @@ const maySee = {
     ...['store/case/recipe', 'store/case/input', 'store/case/side_files'],
   ],
   'store/case': ['engine', 'geometry', 'link', 'report', 'dicom', 'store/run', 'store/view', 'store/notices'],
+  lessons: [...engineAndShapes, 'link', 'store'],
   scene: [...engineAndShapes, 'store', 'scene'],
   'scene/frame': [...engineAndShapes, 'store'],
   'scene/mesh': [...engineAndShapes, 'store', 'scene/frame'],
@@ -39,8 +40,12 @@ const maySee = {
   'panels/physics': [...aroundPanels, 'panels/controls'],
   'panels/case': [...aroundPanels, 'panels/controls', 'panels/run', 'panels/physics'],
   'panels/view': [...aroundPanels, 'panels/controls', 'panels/case', 'scene/scene'],
+  'panels/lessons': [...aroundPanels, 'lessons', 'panels/controls'],
   'panels/evidence': [...aroundPanels, 'panels/controls'],
-  'panels/dialogs': [...aroundPanels, 'panels/controls', 'panels/run', 'panels/case', 'panels/view'],
+  'panels/dialogs': [
+    ...aroundPanels,
+    ...['panels/controls', 'panels/run', 'panels/case', 'panels/view', 'panels/lessons'],
+  ],
   verification: ['styles'],
   styles: [],
 };
@@ -53,7 +58,7 @@ const packages = {
   '@itk-wasm/dicom': ['dicom'],
   uplot: ['panels'],
   preact: ['panels', '.'],
-  '@preact/signals': ['store', 'scene', 'panels', 'verification', '.'],
+  '@preact/signals': ['store', 'lessons', 'scene', 'panels', 'verification', '.'],
 };
 /** Made by generate_contract.mjs, not written. */
 const generated = 'engine/generated.ts';

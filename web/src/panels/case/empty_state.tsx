@@ -1,4 +1,5 @@
 import { awaitedFile } from '../../store/case/input';
+import { dialogShown } from '../controls/dialog_shown';
 import { Gallery } from './gallery';
 import { FileButton } from './source_section';
 
@@ -32,6 +33,12 @@ export function EmptyState() {
           </div>
           <p class="empty-or">or begin with an example</p>
           <Gallery />
+          <p class="empty-or">
+            or{' '}
+            <button type="button" class="link-button" onClick={() => (dialogShown.value = 'lessons')}>
+              take a lesson
+            </button>
+          </p>
         </>
       )}
     </div>

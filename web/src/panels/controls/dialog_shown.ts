@@ -1,5 +1,16 @@
 import { signal } from '@preact/signals';
 
 export const dialogShown = signal<
-  'export' | 'share' | 'examples' | 'keys' | 'sizes' | 'reading' | 'about' | 'memory' | 'glossary' | null
+  | 'export'
+  | 'share'
+  | 'examples'
+  | 'keys'
+  | 'sizes'
+  | 'reading'
+  | 'about'
+  | 'memory'
+  | 'glossary'
+  | 'lessons'
+  | 'sheet'
+  | null
 >(null);

@@ -24,6 +24,8 @@ import { CheckField, Segments } from '../controls/fields';
 import { whole } from '../controls/format';
 import { Gallery } from '../case/gallery';
 import { Icon } from '../controls/icons';
+import { LessonList } from '../lessons/lesson_list';
+import { SheetDialog } from '../lessons/sheet_dialog';
 import { KeyList } from '../view/key_list';
 import { SizesDialog } from '../run/sizes_dialog';
 import { AboutDialog } from './about_dialog';
@@ -240,8 +242,18 @@ export function ToolDialogs() {
       return (
         <Dialog title="Examples" onClose={close}>
           <Gallery onOpen={close} />
+          <h3>Lessons</h3>
+          <LessonList onOpen={close} />
         </Dialog>
       );
+    case 'lessons':
+      return (
+        <Dialog title="Lessons" onClose={close}>
+          <LessonList onOpen={close} />
+        </Dialog>
+      );
+    case 'sheet':
+      return <SheetDialog close={close} />;
     case 'keys':
       return (
         <Dialog title="Keys" onClose={close}>

@@ -57,7 +57,7 @@ export async function startEngine(client: EngineClient): Promise<void> {
   }
 }
 
-export function openExample({ recipe: value }: Example): Promise<void> {
+export function openExample({ recipe: value }: Pick<Example, 'recipe'>): Promise<void> {
   return openOwn(value);
 }
 
