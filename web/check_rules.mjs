@@ -55,6 +55,7 @@ const packages = {
   comlink: ['engine'],
   immer: ['store'],
   fflate: ['store'],
+  'lean-qr': ['panels'],
   '@itk-wasm/dicom': ['dicom'],
   uplot: ['panels'],
   preact: ['panels', '.'],
