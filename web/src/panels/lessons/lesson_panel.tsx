@@ -27,6 +27,13 @@ import { StepQuestion } from './question';
 
 const LessonEditor = fetched(() => import('./editor/lesson_editor').then((part) => part.LessonEditor));
 
+async function editCopy(of: Lesson): Promise<void> {
+  const { beginDraft } = await import('../../lessons/draft');
+  beginDraft(of);
+  leave();
+  lessonAsked.value = { from: 'editor' };
+}
+
 /** Takes the focus, so that whoever does not see the page hears what has come. */
 function Heading({ text, of }: { text: string; of: unknown }) {
   const element = useRef<HTMLHeadingElement>(null);
@@ -60,6 +67,16 @@ function Intro({ of }: { of: Lesson }) {
         <button type="button" class="button" onClick={() => (dialogShown.value = 'sheet')}>
           Sheet to print
         </button>
+        {lessonAsked.value?.from !== 'editor' && (
+          <button
+            type="button"
+            class="button"
+            title="Write a lesson of yours from it"
+            onClick={() => void editCopy(of)}
+          >
+            Edit a copy
+          </button>
+        )}
         {progress && (
           <button type="button" class="button" onClick={start}>
             From the beginning
@@ -103,12 +120,11 @@ function StepView({ of, now, index }: { of: Lesson; now: Step; index: number }) 
         {hasCase && (
           <button
             type="button"
-            class="icon-button"
-            aria-label="The case of this step again"
-            title="The case of this step again"
+            class="button"
+            title="Opens the case of this step again, as it was"
             onClick={reopenCase}
           >
-            <Icon name="undo" />
+            Reset
           </button>
         )}
         {!done && leftHints > 0 && (
@@ -182,7 +198,7 @@ function Course({ of }: { of: Lesson }) {
   return (
     <>
       {index >= 0 && <Steps of={of} />}
-      <div class="lesson-body" lang={of.language} data-testid="lesson-step" data-step={index + 1}>
+      <div class="lesson-body lesson-step" lang={of.language} data-testid="lesson-step" data-step={index + 1}>
         {now ? <StepView of={of} now={now} index={index} /> : index < 0 ? <Intro of={of} /> : <End of={of} />}
       </div>
     </>

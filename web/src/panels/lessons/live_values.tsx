@@ -5,7 +5,7 @@ import { short } from '../controls/format';
 
 export function foundText(found: Found, unit: string): string {
   if (found === null) return '–';
-  return typeof found === 'string' ? found : `${short(found)}${unit && ` ${unit}`}`;
+  return typeof found === 'string' ? found : `${short(found)}${unit === '°' ? unit : unit && ` ${unit}`}`;
 }
 
 /** Numbers of the app as they are now. */

@@ -2,6 +2,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { expectedNumber, isRight, titleOf, wordsOf } from '../../lessons/checks';
 import { lesson } from '../../lessons/course';
+import { finished } from '../../lessons/draft';
 import type { Lesson, Question } from '../../lessons/lesson';
 import { lessonAddress } from '../../lessons/lesson_link';
 import { lessonAsked } from '../../store/case/lesson_asked';
@@ -93,8 +94,7 @@ function Sheet({ of, solutions }: { of: Lesson; solutions: boolean }) {
 
 export function SheetDialog({ close }: { close(): void }) {
   const [solutions, setSolutions] = useState(false);
-  const of = lesson.value;
-  if (!of) return null;
+  const [of] = useState(() => lesson.value ?? finished());
   return (
     <Dialog title="Sheet to print" onClose={close}>
       <Sheet of={of} solutions={solutions} />
