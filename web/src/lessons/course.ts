@@ -201,10 +201,15 @@ function setView(view: StepView | undefined): void {
   });
 }
 
-export function leave(): void {
+/** Back to writing, from a lesson that was tried. */
+export function endTrial(): void {
   waiting?.();
   allowedControls.value = null;
   lesson.value = null;
+}
+
+export function leave(): void {
+  endTrial();
   keepLessonOpen(null);
   lessonAsked.value = null;
   const address = new URL(location.href);

@@ -31,14 +31,13 @@ export function EmptyState() {
           <div class="empty-actions">
             <FileButton label="Open a file…" primary />
           </div>
-          <p class="empty-or">or begin with an example</p>
-          <Gallery />
           <p class="empty-or">
-            or{' '}
+            or begin with an example, or{' '}
             <button type="button" class="link-button" onClick={() => (dialogShown.value = 'lessons')}>
               take a lesson
             </button>
           </p>
+          <Gallery />
         </>
       )}
     </div>

@@ -8,11 +8,11 @@ import { upToDate } from '../../store/run/report';
 import { activity } from '../../store/run/stages';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
+import { fetched } from '../controls/fetched';
 import { Segments } from '../controls/fields';
 import { Gallery } from '../case/gallery';
 import { Icon } from '../controls/icons';
 import { LessonList } from '../lessons/lesson_list';
-import { SheetDialog } from '../lessons/sheet_dialog';
 import { KeyList } from '../view/key_list';
 import { SizesDialog } from '../run/sizes_dialog';
 import { AboutDialog } from './about_dialog';
@@ -20,6 +20,8 @@ import { GlossaryDialog } from './glossary_dialog';
 import { MemoryDialog } from './memory_dialog';
 import { ReadingDialog } from './reading_dialog';
 import { ShareDialog } from './share_dialog';
+
+const SheetDialog = fetched(() => import('../lessons/sheet_dialog').then((part) => part.SheetDialog));
 
 const formatNotes: Record<ExportFormat, [string, string]> = {
   vtu: ['VTU', 'ParaView, PyVista: tetrahedra and labels, mm'],

@@ -2,6 +2,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import {
   at,
+  endTrial,
   goOn,
   goTo,
   hintsShown,
@@ -17,6 +18,7 @@ import {
   trouble,
 } from '../../lessons/course';
 import type { Lesson, Step } from '../../lessons/lesson';
+import { volume } from '../../store/case/input';
 import { lessonAsked, type LessonAsked } from '../../store/case/lesson_asked';
 import { dialogShown } from '../controls/dialog_shown';
 import { fetched } from '../controls/fetched';
@@ -54,13 +56,13 @@ function Intro({ of }: { of: Lesson }) {
     ...(of.minutes ? [`about ${of.minutes} minutes`] : []),
     ...(of.author ? [`by ${of.author}`] : []),
   ];
-  const opens = of.steps.some(({ case: recipe }) => recipe !== undefined);
+  const replaces = volume.value !== null && of.steps.some(({ case: own }) => own !== undefined);
   return (
     <>
       <Heading text={of.title} of={of} />
       <LessonText text={of.summary} />
       <p class="facts">{facts.join(', ')}.</p>
-      {opens && (
+      {replaces && (
         <p class="facts">It opens a case of its own. Yours stays a step back in the browser’s history.</p>
       )}
       <div class="lesson-actions">
@@ -113,8 +115,8 @@ function StepView({ of, now, index }: { of: Lesson; now: Step; index: number }) 
       <Heading text={now.title} of={now} />
       <LessonText text={now.text} />
       {now.picture && <img class="lesson-picture" src={now.picture.source} alt={now.picture.alt} />}
-      {now.show && <LiveValues refs={now.show} />}
       {question && <StepQuestion key={index} question={question} />}
+      {now.show && <LiveValues refs={now.show} />}
       <Hints hints={hints} />
       <div class="lesson-actions">
         {hasCase && (
@@ -218,7 +220,7 @@ export function LessonPanel({ asked }: { asked: LessonAsked }) {
           {writes && !of ? 'Writing a lesson' : (of?.title ?? 'Lesson')}
         </span>
         {writes && of ? (
-          <button type="button" class="button small" onClick={() => (lesson.value = null)}>
+          <button type="button" class="button small" onClick={endTrial}>
             Back to writing
           </button>
         ) : (
