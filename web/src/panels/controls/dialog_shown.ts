@@ -12,5 +12,6 @@ export const dialogShown = signal<
   | 'glossary'
   | 'lessons'
   | 'sheet'
+  | 'review'
   | null
 >(null);

@@ -19,6 +19,7 @@ import { AboutDialog } from './about_dialog';
 import { GlossaryDialog } from './glossary_dialog';
 import { MemoryDialog } from './memory_dialog';
 import { ReadingDialog } from './reading_dialog';
+import { ReviewDialog } from './review_dialog';
 import { ShareDialog } from './share_dialog';
 
 const SheetDialog = fetched(() => import('../lessons/sheet_dialog').then((part) => part.SheetDialog));
@@ -94,7 +95,7 @@ function ExportDialog({ close }: { close(): void }) {
         <button
           type="button"
           class="button"
-          title="The mesh with its report, the case and the masks of sizes"
+          title="The mesh with its report, the case and the masks of sizes, described as a research object (RO-Crate)"
           disabled={!upToDate.value}
           onClick={() => {
             close();
@@ -135,6 +136,8 @@ export function ToolDialogs() {
       return <SizesDialog close={close} />;
     case 'memory':
       return <MemoryDialog close={close} />;
+    case 'review':
+      return <ReviewDialog close={close} />;
     case 'glossary':
       return <GlossaryDialog close={close} />;
     case 'about':
