@@ -2,7 +2,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
-import { expect, idle, meshed, test } from './support';
+import { dropFile, expect, idle, meshed, test } from './support';
 
 const panel = (page: Page) => page.locator('.panel.lesson');
 const next = (page: Page) => panel(page).getByRole('button', { name: 'Next', exact: true }).click();
@@ -141,7 +141,9 @@ test('a teacher writes a lesson, and a pupil takes it from its link to its end',
   await editor.getByRole('button', { name: 'File' }).click();
   const file = await saved;
   expect(file.suggestedFilename()).toBe('rings.lesson.json');
-  const written = JSON.parse(await readFile(await file.path(), 'utf8')) as { steps: object[] };
+  const path = test.info().outputPath('rings.lesson.json');
+  await file.saveAs(path);
+  const written = JSON.parse(await readFile(path, 'utf8')) as { steps: object[] };
   expect(written.steps).toHaveLength(2);
   await editor.getByRole('button', { name: 'Try it' }).click();
   await expect(panel(page).getByRole('heading', { name: 'Rings' })).toBeVisible();
@@ -173,6 +175,13 @@ test('a teacher writes a lesson, and a pupil takes it from its link to its end',
   await panel(pupil).getByRole('button', { name: 'Finish' }).click();
   await expect(pupil.getByTestId('lesson-end')).toContainText('2 of 2 questions answered');
   await other.close();
+
+  await dropFile(page, path);
+  await expect(panel(page).getByRole('button', { name: 'Start' })).toBeVisible();
+  await panel(page).getByRole('button', { name: 'Edit a copy' }).click();
+  await editor.getByLabel('Title of the lesson').fill('Rings and balls');
+  await page.getByRole('button', { name: 'Go back to it' }).click();
+  await expect(editor.getByLabel('Title of the lesson')).toHaveValue('Rings');
 });
 
 test('the sheet has questions and lines, and solutions only where they are asked for', async ({ page }) => {

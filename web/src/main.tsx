@@ -8,7 +8,7 @@ import { keepCase, openAddress, startEngine } from './store/case/open_case';
 import { keepSharedView } from './store/case/shared_view';
 import { keepForecast } from './store/run/forecast';
 import { keepSizingShown } from './store/run/run_stages';
-import { followLessons } from './store/case/lesson_asked';
+import { followLessons } from './store/case/keep/lesson_asked';
 import { dark, largeType, theme, type ThemeChoice } from './store/view';
 import { keepText, keptText } from './store/case/keep/web_storage';
 import './styles/main.css';

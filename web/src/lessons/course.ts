@@ -3,7 +3,12 @@ import { computed, effect, signal, untracked } from '@preact/signals';
 import { EngineError, stageNames } from '../engine/contract';
 import { openExample } from '../store/case/open_case';
 import { keepText, keptText } from '../store/case/keep/web_storage';
-import { allowedControls, keepLessonOpen, lessonAsked, type LessonAsked } from '../store/case/lesson_asked';
+import {
+  allowedControls,
+  keepLessonOpen,
+  lessonAsked,
+  type LessonAsked,
+} from '../store/case/keep/lesson_asked';
 import { announcement } from '../store/notices';
 import { engine } from '../store/run/engine';
 import { shownKeys } from '../store/run/results';

@@ -2,7 +2,7 @@
  * A lesson: steps that a pupil takes in the app itself. Plain JSON, so that a teacher can write it by hand, send it as a
  * file or put it into a link. `read_lesson.ts` says what is accepted.
  */
-import type { ControlName } from '../store/case/lesson_asked';
+import type { ControlName } from '../store/case/keep/lesson_asked';
 import type { Layout, SliceOverlay } from '../store/view';
 
 export interface Lesson {

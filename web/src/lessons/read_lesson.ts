@@ -1,5 +1,5 @@
 /** What is accepted as a lesson. Whatever comes in is untrusted: every field is known, and bounded in size. */
-import { controlNames } from '../store/case/lesson_asked';
+import { controlNames } from '../store/case/keep/lesson_asked';
 import { stageNames } from '../engine/contract';
 import { depthExceeds, maxDepth } from '../link/codec';
 import type { Check, Lesson, Option, Picture, Question, Step, StepView, ValueRef } from './lesson';

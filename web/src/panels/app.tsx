@@ -1,5 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
-import { allowedControls, lessonAsked, mayUse } from '../store/case/lesson_asked';
+import { allowedControls, lessonAsked, mayUse } from '../store/case/keep/lesson_asked';
 import { dropFiles } from '../store/case/open_files';
 import { announcement, dismiss, notices } from '../store/notices';
 import { activity, lastCancelMs } from '../store/run/stages';

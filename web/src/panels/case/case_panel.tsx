@@ -6,7 +6,7 @@ import { unnamed } from '../../store/case/legend/legend';
 import { likelyBackground } from '../../store/case/legend/proposals';
 import { developer } from '../../store/developer';
 import { editRecipe, hasSource, recipe } from '../../store/case/recipe';
-import { mayUse } from '../../store/case/lesson_asked';
+import { mayUse } from '../../store/case/keep/lesson_asked';
 import { remoteAsked } from '../../store/case/remote';
 import { activity } from '../../store/run/stages';
 import { CurvatureList } from './sizes/curvature_list';

@@ -2,7 +2,7 @@ import type { Recipe, SchemaField } from '../../engine/contract';
 import { previewSoon } from '../../store/run/run_stages';
 import { editRecipe } from '../../store/case/recipe';
 import { schema } from '../../store/run/stages';
-import { allowedControls, mayUse } from '../../store/case/lesson_asked';
+import { allowedControls, mayUse } from '../../store/case/keep/lesson_asked';
 import { exceeded } from '../../store/run/forecast';
 import { choiceWords, fieldUnit, fieldWords, groupWords } from '../controls/field_words';
 import { CheckField, NumberField, SelectField } from '../controls/fields';

@@ -1,6 +1,6 @@
 /** How the page is laid out: by its size, and by that of its type. */
 import { computed, effect, signal } from '@preact/signals';
-import { lessonAsked } from '../../store/case/lesson_asked';
+import { lessonAsked } from '../../store/case/keep/lesson_asked';
 import { largeType, marked } from '../../store/view';
 
 /** What large type multiplies all lengths of the page by; `--type` in the styles. */

@@ -1,5 +1,5 @@
 import { shipped } from '../../lessons/shipped';
-import { lessonAsked } from '../../store/case/lesson_asked';
+import { lessonAsked } from '../../store/case/keep/lesson_asked';
 import { openFiles } from '../../store/case/open_files';
 import { FileInput } from '../controls/file_input';
 import { Icon } from '../controls/icons';

@@ -19,7 +19,7 @@ import {
 } from '../../lessons/course';
 import type { Lesson, Step } from '../../lessons/lesson';
 import { volume } from '../../store/case/input';
-import { lessonAsked, type LessonAsked } from '../../store/case/lesson_asked';
+import { lessonAsked, type LessonAsked } from '../../store/case/keep/lesson_asked';
 import { dialogShown } from '../controls/dialog_shown';
 import { fetched } from '../controls/fetched';
 import { Icon } from '../controls/icons';

@@ -5,7 +5,7 @@ import { lesson } from '../../lessons/course';
 import { finished } from '../../lessons/draft';
 import type { Lesson, Question } from '../../lessons/lesson';
 import { lessonAddress } from '../../lessons/lesson_link';
-import { lessonAsked } from '../../store/case/lesson_asked';
+import { lessonAsked } from '../../store/case/keep/lesson_asked';
 import { Dialog } from '../controls/dialog';
 import { CheckField } from '../controls/fields';
 import { short } from '../controls/format';

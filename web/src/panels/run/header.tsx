@@ -2,7 +2,7 @@ import { redoEdit, undoEdit } from '../../store/case/open_case';
 import { volume } from '../../store/case/input';
 import { caseName, recipe, redoLabel, undoLabel } from '../../store/case/recipe';
 import { report } from '../../store/run/report';
-import { mayUse } from '../../store/case/lesson_asked';
+import { mayUse } from '../../store/case/keep/lesson_asked';
 import { activity } from '../../store/run/stages';
 import { dialogShown } from '../controls/dialog_shown';
 import { Icon } from '../controls/icons';

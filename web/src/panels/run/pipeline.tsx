@@ -3,7 +3,7 @@ import type { StageName } from '../../engine/contract';
 import { runTo } from '../../store/run/run_stages';
 import { volume } from '../../store/case/input';
 import { shownKeys } from '../../store/run/results';
-import { mayUse } from '../../store/case/lesson_asked';
+import { mayUse } from '../../store/case/keep/lesson_asked';
 import { activity, caseStages, stages, staleStages, type StageStatus } from '../../store/run/stages';
 import { stageShown } from '../../store/view';
 import { about, seconds } from '../controls/format';

@@ -3,7 +3,7 @@ import { volume } from '../../store/case/input';
 import { elapsedSeconds } from '../../store/run/clock';
 import { exceeded, forecast } from '../../store/run/forecast';
 import { cancelRun, runAll } from '../../store/run/run_stages';
-import { mayUse } from '../../store/case/lesson_asked';
+import { mayUse } from '../../store/case/keep/lesson_asked';
 import { activity } from '../../store/run/stages';
 import { dialogShown } from '../controls/dialog_shown';
 import { seconds } from '../controls/format';

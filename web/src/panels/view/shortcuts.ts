@@ -6,7 +6,7 @@ import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
 import { volume } from '../../store/case/input';
 import { shownKeys } from '../../store/run/results';
-import { mayUse } from '../../store/case/lesson_asked';
+import { mayUse } from '../../store/case/keep/lesson_asked';
 import { activity } from '../../store/run/stages';
 import { dialogShown } from '../controls/dialog_shown';
 import { extraKeys } from '../controls/extra_keys';

@@ -5,7 +5,7 @@ import { parseCase } from '../../link/codec';
 import { offerCase, takeVolume } from './open_case';
 import { engine, takeTurn, tellError } from '../run/engine';
 import { awaitedFile, fileRead, volume } from './input';
-import { lessonAsked } from './lesson_asked';
+import { lessonAsked } from './keep/lesson_asked';
 import { announcement, tell } from '../notices';
 import { activity, endStages } from '../run/stages';
 import { previewSoon } from '../run/run_stages';

@@ -14,7 +14,7 @@ import {
 } from '../../../lessons/draft';
 import { maxSteps } from '../../../lessons/read_lesson';
 import { lessonAddress } from '../../../lessons/lesson_link';
-import { keepLessonOpen } from '../../../store/case/lesson_asked';
+import { keepLessonOpen } from '../../../store/case/keep/lesson_asked';
 import { dialogShown } from '../../controls/dialog_shown';
 import { CopyButton } from '../../controls/copy_button';
 import { lengthNote, whole } from '../../controls/format';

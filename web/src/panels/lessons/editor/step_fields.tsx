@@ -1,7 +1,7 @@
 import { draft, editStep, takeCase, takePicture, takeView, written } from '../../../lessons/draft';
 import type { Step } from '../../../lessons/lesson';
 import { hasSource, recipe } from '../../../store/case/recipe';
-import { controlNames, type ControlName } from '../../../store/case/lesson_asked';
+import { controlNames, type ControlName } from '../../../store/case/keep/lesson_asked';
 import { tellError } from '../../../store/run/engine';
 import { sceneMounted } from '../../../store/view';
 import { CheckField } from '../../controls/fields';

@@ -1,6 +1,6 @@
 /** What the page knows of lessons before their code is fetched: which one is asked for, and what it lets be used. */
 import { signal } from '@preact/signals';
-import { keepText, keptText } from './keep/web_storage';
+import { keepText, keptText } from './web_storage';
 
 /** A lesson that ships with the page, by its name; or the text of one, as a link or file brought it. */
 export type LessonAsked = (
