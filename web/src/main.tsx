@@ -47,3 +47,5 @@ await openAddress();
 keepCase();
 keepSizingShown();
 keepForecast();
+if (import.meta.env.PROD)
+  void import('./store/case/keep/offline').then(({ keepOffline }) => keepOffline(import.meta.url));
