@@ -142,34 +142,38 @@ async function nextVersion(root: string): Promise<string> {
   return next;
 }
 
-test('a new version is announced, and the page goes on with its own until it is reloaded', async ({
-  page,
-  host,
-}) => {
-  await page.goto('./');
-  await kept(page);
-  await rename(host.root, `${host.root}-before`);
-  await rename(await nextVersion(`${host.root}-before`), host.root);
-  // As when one comes back to the tab.
-  await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
-  const notice = page.getByText('A new version is there');
-  await expect(notice).toBeVisible();
+test.describe('where only the service worker keeps files', () => {
+  test.use({ plain: true });
 
-  host.asked.length = 0;
-  await page.goto(link(await example()));
-  await page.getByRole('button', { name: 'Open and run' }).click();
-  await meshed(page);
-  await reproduced(page);
-  await expect(page).toHaveTitle(/^(?!Next)/);
-  expect(host.asked.filter((path) => path !== '/sw.js')).toEqual([]);
+  test('a new version is announced, and the page goes on with its own until it is reloaded', async ({
+    page,
+    host,
+  }) => {
+    await page.goto('./');
+    await kept(page);
+    await rename(host.root, `${host.root}-before`);
+    await rename(await nextVersion(`${host.root}-before`), host.root);
+    // As when one comes back to the tab.
+    await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')));
+    const notice = page.getByText('A new version is there');
+    await expect(notice).toBeVisible();
 
-  await page.getByRole('button', { name: 'Reload' }).click();
-  await expect(page).toHaveTitle(/^Next/);
-  await idle(page);
-  await page.getByTestId('run').click();
-  await meshed(page);
-  await reproduced(page);
-  await expect(notice).toBeHidden();
-  // Nobody needs the version before any more.
-  await expect.poll(() => page.evaluate(() => caches.keys())).toHaveLength(1);
+    host.asked.length = 0;
+    await page.goto(link(await example()));
+    await page.getByRole('button', { name: 'Open and run' }).click();
+    await meshed(page);
+    await reproduced(page);
+    await expect(page).toHaveTitle(/^(?!Next)/);
+    expect(host.asked.filter((path) => path !== '/sw.js')).toEqual([]);
+
+    await page.getByRole('button', { name: 'Reload' }).click();
+    await expect(page).toHaveTitle(/^Next/);
+    await idle(page);
+    await page.getByTestId('run').click();
+    await meshed(page);
+    await reproduced(page);
+    await expect(notice).toBeHidden();
+    // Nobody needs the version before any more.
+    await expect.poll(() => page.evaluate(() => caches.keys())).toHaveLength(1);
+  });
 });
