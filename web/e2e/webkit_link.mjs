@@ -1,20 +1,25 @@
 #!/usr/bin/env node
 /**
  * Opens an example's link in WebKitGTK, which has Safari's engines, presses Open and run, and prints what became of its
- * promise: xvfb-run -a node e2e/webkit_link.mjs [EXAMPLE] [--offline]. With --offline once more without the host.
+ * promise: xvfb-run -a node e2e/webkit_link.mjs [EXAMPLE] [--offline] [--picture FILE.png]. With --offline once more
+ * without the host.
  */
 import { spawn } from 'node:child_process';
-import { readFile } from 'node:fs/promises';
+import { readFile, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
 import { serve } from '../serve.mjs';
 
 const web = join(dirname(fileURLToPath(import.meta.url)), '..');
 // The driver takes no port that was in use a minute ago.
 const port = 20_000 + (process.pid % 20_000);
 const browser = process.env.MINIBROWSER ?? '/usr/lib/x86_64-linux-gnu/webkit2gtk-4.1/MiniBrowser';
-const offline = process.argv.includes('--offline');
-const example = process.argv.slice(2).find((word) => !word.startsWith('--')) ?? 'wall-layers';
+const { values, positionals } = parseArgs({
+  options: { offline: { type: 'boolean' }, picture: { type: 'string' } },
+  allowPositionals: true,
+});
+const [example = 'wall-layers'] = positionals;
 
 async function ask(path, body, method = 'POST') {
   const response = await fetch(`http://127.0.0.1:${port}${path}`, {
@@ -80,7 +85,13 @@ try {
   await ask(`${session}/url`, { url: `http://127.0.0.1:${at}/${await linkOf(example)}` });
   await press('Open and run');
   await tell();
-  if (offline) {
+  if (values.picture) {
+    // Time to draw.
+    await new Promise((waited) => setTimeout(waited, 3000));
+    const png = await ask(`${session}/screenshot`, undefined, 'GET');
+    await writeFile(values.picture, Buffer.from(png, 'base64'));
+  }
+  if (values.offline) {
     await eventually('the offline copy', () =>
       run(`return navigator.serviceWorker.controller?.state === 'activated'`),
     );
