@@ -1,1 +1,1 @@
-export function writeServiceWorker(folder: string): Promise<string[]>;
+export function writeServiceWorker(folder: string): Promise<void>;
