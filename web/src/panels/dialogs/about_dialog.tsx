@@ -2,28 +2,7 @@
 import { schema } from '../../store/run/stages';
 import { CopyButton } from '../controls/copy_button';
 import { Dialog } from '../controls/dialog';
-
-const paper = `@inproceedings{lamecker2009adaptive,
-  title     = {Adaptive Tetrahedral Meshing for Personalized Cardiac Simulations},
-  author    = {Lamecker, Hans and Mansi, Tommaso and Relan, Jatin and Billet, Florence and
-               Sermesant, Maxime and Ayache, Nicholas and Delingette, Herv{\\'e}},
-  booktitle = {CI2BM09: MICCAI Workshop on Cardiovascular Interventional Imaging and
-               Biophysical Modelling},
-  year      = {2009}
-}`;
-
-/** BibTeX of this version, and of the article whose method it follows. */
-export function citation(version: string): string {
-  return `@software{voxtet,
-  title   = {voxtet: adaptive tetrahedral meshes from segmented volumes},
-  author  = {{voxtet contributors}},
-  version = {${version}},
-  license = {AGPL-3.0-or-later}
-}
-
-${paper}
-`;
-}
+import { citation } from './citation';
 
 export function AboutDialog({ close }: { close(): void }) {
   const version = schema.value?.version ?? 'still starting';
@@ -35,6 +14,15 @@ export function AboutDialog({ close }: { close(): void }) {
           <dt>Version</dt>
           <dd>
             <code>{version}</code>: engines of the same version make the same meshes, byte for byte
+          </dd>
+        </div>
+        <div>
+          <dt>Manual</dt>
+          <dd>
+            <a href="docs/" target="_blank" rel="noopener">
+              Documentation
+            </a>
+            : each stage, every field of a case, formats, the command line
           </dd>
         </div>
         <div>
