@@ -18,6 +18,7 @@ export default defineConfig({
   title: 'voxtet',
   description: 'From a segmented volume to a simulation-ready tetrahedral mesh, in a browser tab.',
   lang: 'en',
+  srcExclude: ['README.md'],
   base,
   // Its transitions would be held by a style in the page.
   appearance: { disableTransition: false } as never,

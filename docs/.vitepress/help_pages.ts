@@ -54,13 +54,9 @@ export function helpPages(text: string): string {
       });
       const table =
         rows.length > 0 ? `| argument or option | what it does |\n|---|---|\n${rows.join('\n')}\n` : '';
-      return [
-        `## ${name} {#${name}}\n`,
-        `${capital(purpose)}.\n`,
-        `\`\`\`\n${usage}\n\`\`\`\n`,
-        table,
-        ...others,
-      ].join('\n');
+      return [`## ${name}\n`, `${capital(purpose)}.\n`, `\`\`\`\n${usage}\n\`\`\`\n`, table, ...others].join(
+        '\n',
+      );
     })
     .join('\n');
 }

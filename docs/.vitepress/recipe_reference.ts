@@ -83,9 +83,9 @@ export function recipeReference({ fields, optional_groups }: Schema): string {
       optional.length > 0
         ? `A case need not have ${optional.map((one) => `\`${one}\``).join(', ')}; the defaults are those that a group has once it is there.\n\n`
         : '';
-    const words = groupWords[group]?.toLowerCase() ?? group;
-    const title = words === group ? group : `${group}: ${words}`;
-    return `## ${title} {#${group}}\n\n${note}| field | meaning |\n|---|---|\n${rowsOf(own, '').join('\n')}\n`;
+    const words = groupWords[group];
+    const title = words && words.toLowerCase() !== group ? `In the app: “${words}”.\n\n` : '';
+    return `## ${group}\n\n${title}${note}| field | meaning |\n|---|---|\n${rowsOf(own, '').join('\n')}\n`;
   });
   return sections.join('\n');
 }
