@@ -16,7 +16,7 @@ export interface Field {
 export interface Schema {
   fields: Field[];
   optional_groups: string[];
-  presets: Record<string, object>;
+  presets: Record<string, Record<string, object>>;
   stages: { name: string; title: string; inputs: string[]; reads: string[] }[];
 }
 
@@ -90,11 +90,15 @@ export function recipeReference({ fields, optional_groups }: Schema): string {
   return sections.join('\n');
 }
 
+/** Which fields a preset sets, and to what. */
 export function presets(schema: Schema): string {
-  const rows = Object.entries(schema.presets).map(
-    ([name, fields]) => `| ${name.replaceAll('_', ' ')} | \`${JSON.stringify(fields)}\` |`,
-  );
-  return ['| preset | fields |', '|---|---|', ...rows, ''].join('\n');
+  const rows = Object.entries(schema.presets).map(([name, groups]) => {
+    const fields = Object.entries(groups).flatMap(([group, values]) =>
+      Object.entries(values).map(([field, value]) => `\`${group}.${field}\` ${value}`),
+    );
+    return `| ${name.replaceAll('_', ' ')} | ${fields.join(', ')} |`;
+  });
+  return ['| preset | sets |', '|---|---|', ...rows, ''].join('\n');
 }
 
 export function stages(schema: Schema): string {

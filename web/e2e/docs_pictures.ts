@@ -56,6 +56,7 @@ test('stages', async ({ page }) => {
   await page.getByRole('button', { name: 'Slices', exact: true }).click();
   // Whoever has zoomed is told no more how it is done.
   for (const key of ['+', '0']) await page.locator('.pane.axial .pane-surface').press(key);
+  await page.locator('.pane.axial .pane-surface').blur();
   await shot(view, 'volume');
   await page.getByRole('group', { name: 'Slices show' }).getByRole('button', { name: 'Edge length' }).click();
   await stage(page, 'sizing').click();
