@@ -50,6 +50,7 @@ const packages = {
   comlink: ['engine'],
   immer: ['store'],
   fflate: ['store'],
+  'lean-qr': ['panels'],
   '@itk-wasm/dicom': ['dicom'],
   uplot: ['panels'],
   preact: ['panels', '.'],

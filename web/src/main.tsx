@@ -5,6 +5,7 @@ import { EngineClient } from './engine/client';
 import { App } from './panels/app';
 import { followPageSize } from './panels/controls/page_shape';
 import { keepCase, openAddress, startEngine } from './store/case/open_case';
+import { keepSharedView } from './store/case/shared_view';
 import { keepForecast } from './store/run/forecast';
 import { keepSizingShown } from './store/run/run_stages';
 import { dark, largeType, theme, type ThemeChoice } from './store/view';
@@ -42,8 +43,12 @@ followType();
 followPageSize();
 const root = document.getElementById('app');
 if (root) render(<App />, root);
-await startEngine(new EngineClient(browserSetup()));
+await startEngine(
+  new EngineClient(browserSetup()),
+  (folder, files) => new EngineClient(browserSetup(folder), files),
+);
 await openAddress();
 keepCase();
+keepSharedView();
 keepSizingShown();
 keepForecast();

@@ -15,8 +15,8 @@ function mayHaveThreads(): boolean {
  * Workers, module and locks of the page. The engine's files stand in a folder beside it, which a built page names by
  * their digest (vite.config.ts), those with threads in a folder of that one.
  */
-export function browserSetup(): EngineSetup {
-  const files = new URL(import.meta.env.VITE_ENGINE ?? 'engine/', document.baseURI);
+export function browserSetup(engineFolder = import.meta.env.VITE_ENGINE ?? 'engine/'): EngineSetup {
+  const files = new URL(engineFolder, document.baseURI);
   const folder = mayHaveThreads() ? new URL('threads/', files) : files;
   const scriptUrl = new URL('voxtet_engine.mjs', folder).href;
   const wasmUrl = new URL('voxtet_engine.wasm', folder).href;

@@ -16,7 +16,6 @@ import {
   type SideKind,
   type SideSummary,
   type SimulationName,
-  type Simulated,
   type SimulationSummary,
   type Space,
   type Stimulus,
@@ -25,6 +24,7 @@ import {
   type VolumeFile,
   type VolumeSummary,
 } from './contract';
+import { withoutFileDigest } from './file_digest';
 import {
   endSimulation,
   failure,
@@ -45,7 +45,7 @@ const cancelled = () => failure('cancelled', 'The run was cancelled.');
  * nothing that the user did is lost.
  */
 export class EngineClient {
-  readonly files = new OpenedFiles();
+  readonly files: OpenedFiles;
   private readonly setup: EngineSetup;
   private module: Promise<WebAssembly.Module> | undefined;
   private generation: Generation;
@@ -55,8 +55,9 @@ export class EngineClient {
   private runningJobs = 0;
   private generationCount = 0;
 
-  constructor(setup: EngineSetup) {
+  constructor(setup: EngineSetup, files = new OpenedFiles()) {
     this.setup = setup;
+    this.files = files;
     this.generation = this.spawn();
   }
 
@@ -128,24 +129,8 @@ export class EngineClient {
   }
 
   private async check(generation: Generation, value: object): Promise<RecipeReply> {
-    const { file } = (value as { source?: { file?: unknown } }).source ?? {};
-    const digest = (file as { sha256?: unknown } | undefined)?.sha256;
-    if (digest === undefined) {
-      return this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(value)));
-    }
-    if (typeof digest !== 'string' || !/^([0-9a-f]{64})?$/.test(digest)) {
-      throw failure('usage', 'source.file.sha256: expected 64 hexadecimal digits', 'recipe');
-    }
-    // With its digest, the engine would hold the case against the volume that is loaded now.
-    const loose = {
-      ...value,
-      source: { ...(value as Recipe).source, file: { ...(file as object), sha256: '' } },
-    };
-    const reply = await this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(loose)));
-    for (const half of [reply.recipe, reply.minimal] as { source: { file: object } }[]) {
-      half.source = { ...half.source, file: { ...half.source.file, sha256: digest } };
-    }
-    return reply;
+    const [loose, putBack] = withoutFileDigest(value);
+    return putBack(await this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(loose))));
   }
 
   /**
@@ -206,7 +191,7 @@ export class EngineClient {
     source: Partial<Recipe['source']>,
     stage: SimulationName,
     handlers: SimulationHandlers,
-  ): Promise<{ summary: SimulationSummary; found: FoundFields; told: Simulated }> {
+  ): Promise<{ summary: SimulationSummary; found: FoundFields; report: Report }> {
     return this.job(async (generation) => {
       await this.prepare(generation, recipeJson, source);
       const progress = Comlink.proxy((name: string, fraction: number) => handlers.onProgress(name, fraction));
@@ -216,8 +201,8 @@ export class EngineClient {
       try {
         const summary = await simulation;
         const found = await this.answer(generation, stage, generation.api.found(stage));
-        const { simulation: told = {} } = await this.answer(generation, stage, generation.api.report());
-        return { summary, found, told };
+        const report = await this.answer(generation, stage, generation.api.report());
+        return { summary, found, report };
       } finally {
         generation.simulation = null;
       }
@@ -277,6 +262,15 @@ export class EngineClient {
       await this.remesh(generation, recipeJson, source, handlers);
       return this.answer(generation, 'export', generation.api.exportMesh(format, space, name, measures));
     });
+  }
+
+  /** Ends it for good; whatever it was asked fails as cancelled. */
+  close(): void {
+    for (const generation of [this.generation, this.spare]) {
+      generation?.end(cancelled());
+      generation?.worker.terminate();
+    }
+    this.spare = null;
   }
 
   /** Ends whatever runs. Resolves when the engine answers again, with the milliseconds that took. */
