@@ -21,7 +21,7 @@ const maySee = {
   engine: ['geometry'],
   geometry: ['engine/contract'],
   link: ['engine/contract'],
-  report: engineAndShapes,
+  report: [...engineAndShapes, 'link'],
   dicom: ['geometry'],
   store: [...engineAndShapes, 'store/case/input'],
   'store/run': [

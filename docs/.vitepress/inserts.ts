@@ -8,7 +8,7 @@
  */
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { citation } from '../../web/src/panels/dialogs/citation';
+import { citation } from '../../web/src/report/citation';
 import { helpPages } from './help_pages';
 import { presets, recipeReference, stages } from './recipe_reference';
 

@@ -1,8 +1,8 @@
 /** What this is: its version, licence, source, how to cite it, and what happens to data. */
+import { citation } from '../../report/citation';
 import { schema } from '../../store/run/stages';
 import { CopyButton } from '../controls/copy_button';
 import { Dialog } from '../controls/dialog';
-import { citation } from './citation';
 
 export function AboutDialog({ close }: { close(): void }) {
   const version = schema.value?.version ?? 'still starting';

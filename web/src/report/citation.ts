@@ -1,5 +1,3 @@
-/** How to cite voxtet: in the dialog about it, and in the documentation. */
-
 const paper = `@inproceedings{lamecker2009adaptive,
   title     = {Adaptive Tetrahedral Meshing for Personalized Cardiac Simulations},
   author    = {Lamecker, Hans and Mansi, Tommaso and Relan, Jatin and Billet, Florence and
