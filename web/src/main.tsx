@@ -54,3 +54,5 @@ keepCase();
 keepSharedView();
 keepSizingShown();
 keepForecast();
+if (import.meta.env.PROD)
+  void import('./store/case/keep/offline').then(({ keepOffline }) => keepOffline(import.meta.url));

@@ -1,8 +1,12 @@
 import type { EngineSetup } from './generation';
 
-/** Whether the page may share memory between threads, and the engine's, which grows to 4 GB, can be had. */
+/**
+ * Whether the page may share memory between threads, and the engine's, which grows to 4 GB, can be had. `?threads=off` in
+ * the page's address does without. WebKitGTK calls a page isolated and has no SharedArrayBuffer.
+ */
 function mayHaveThreads(): boolean {
-  if (!globalThis.crossOriginIsolated) return false;
+  if (new URLSearchParams(location.search).get('threads') === 'off') return false;
+  if (!crossOriginIsolated || !('SharedArrayBuffer' in globalThis)) return false;
   try {
     new WebAssembly.Memory({ initial: 1, maximum: 65_536, shared: true });
     return true;

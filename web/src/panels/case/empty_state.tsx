@@ -38,6 +38,11 @@ export function EmptyState() {
             </button>
           </p>
           <Gallery />
+          <p class="empty-or">
+            <a href="docs/" target="_blank" rel="noopener">
+              Documentation
+            </a>
+          </p>
         </>
       )}
     </div>
