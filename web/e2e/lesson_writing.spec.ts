@@ -5,7 +5,11 @@ import type { Page } from '@playwright/test';
 import { dropFile, expect, idle, meshed, test } from './support';
 
 const panel = (page: Page) => page.locator('.panel.lesson');
-const next = (page: Page) => panel(page).getByRole('button', { name: 'Next', exact: true }).click();
+async function next(page: Page): Promise<void> {
+  await panel(page).getByRole('button', { name: 'Next', exact: true }).click();
+  await expect(page.getByTestId('lesson-step')).toHaveAttribute('aria-busy', 'false');
+  await idle(page);
+}
 const question = (page: Page) => page.getByTestId('question');
 const check = (page: Page) => question(page).getByRole('button', { name: 'Check' }).click();
 
@@ -21,7 +25,6 @@ test('a wrong answer is told so, hints help, and a reload goes on with the step'
   await panel(page).getByRole('button', { name: 'Start' }).click();
   await idle(page);
   await next(page);
-  await idle(page);
   const answer = question(page).getByLabel('Answer');
   await answer.fill('two');
   await check(page);
@@ -38,7 +41,6 @@ test('a wrong answer is told so, hints help, and a reload goes on with the step'
   await check(page);
   await expect(question(page)).toHaveAttribute('data-done', 'true');
   await next(page);
-  await idle(page);
   await question(page)
     .getByLabel(/smaller/)
     .check();
@@ -67,7 +69,6 @@ test('a question of the app’s numbers waits for a run', async ({ page }) => {
   await panel(page).getByRole('button', { name: 'Start' }).click();
   await idle(page);
   await next(page);
-  await idle(page);
   await question(page).getByLabel('Answer').fill('1');
   await check(page);
   await expect(question(page).getByRole('status')).toHaveText('The app cannot tell yet: run first.');
@@ -263,7 +264,6 @@ for (const colorScheme of ['light', 'dark'] as const) {
       .check();
     await check(page);
     await next(page);
-    await idle(page);
     await page.getByTestId('run').click();
     await meshed(page);
     expect(await seriousFaults(page)).toEqual([]);

@@ -12,10 +12,13 @@ async function begin(page: Page, name: string): Promise<void> {
   await next(page);
 }
 
+/** On to the next step; the case that it brings is open. */
 async function next(page: Page): Promise<void> {
   await panel(page)
     .getByRole('button', { name: /^(Next|Finish)$/ })
     .click();
+  await expect(page.getByTestId('lesson-step')).toHaveAttribute('aria-busy', 'false');
+  await idle(page);
 }
 
 /** The question is answered, and the lesson goes on. */

@@ -35,8 +35,9 @@ export const at = signal(-1);
 export const solved = signal<ReadonlySet<number>>(new Set());
 export const hintsShown = signal(0);
 export const feedback = signal<Feedback | null>(null);
-/** The case of the step is on its way; what is there still belongs to the one before. */
-const opening = signal(false);
+/** Cases on their way: what is there still belongs to the step before. */
+const opening = signal(0);
+export const caseComes = computed(() => opening.value > 0);
 /** The farthest step so far: its case and those before it have been opened. */
 let reached = -1;
 
@@ -176,9 +177,9 @@ export function reopenCase(): void {
   const steps = lesson.value?.steps.slice(0, at.value + 1) ?? [];
   const found = steps.findLast(({ case: recipe }) => recipe !== undefined)?.case;
   if (!found) return;
-  opening.value = true;
+  opening.value++;
   void openExample({ recipe: found }).then(() => {
-    opening.value = false;
+    opening.value--;
     setView(step.value?.view);
   });
 }
@@ -257,7 +258,7 @@ export function answerNumber(typed: string): void {
 effect(() => {
   const { question, right } = step.value ?? {};
   if (question?.kind !== 'do' || solved.value.has(at.value)) return;
-  if (opening.value || activity.value !== 'idle') return;
+  if (caseComes.value || activity.value !== 'idle') return;
   if (!allHold(question.checks)) return;
   untracked(() => {
     solve(right ?? 'Done.');

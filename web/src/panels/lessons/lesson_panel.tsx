@@ -2,6 +2,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import {
   at,
+  caseComes,
   endTrial,
   goOn,
   goTo,
@@ -200,7 +201,13 @@ function Course({ of }: { of: Lesson }) {
   return (
     <>
       {index >= 0 && <Steps of={of} />}
-      <div class="lesson-body lesson-step" lang={of.language} data-testid="lesson-step" data-step={index + 1}>
+      <div
+        class="lesson-body lesson-step"
+        aria-busy={caseComes.value}
+        lang={of.language}
+        data-testid="lesson-step"
+        data-step={index + 1}
+      >
         {now ? <StepView of={of} now={now} index={index} /> : index < 0 ? <Intro of={of} /> : <End of={of} />}
       </div>
     </>
