@@ -21,6 +21,7 @@ const maySee = {
   engine: ['geometry'],
   geometry: ['engine/contract'],
   link: ['engine/contract'],
+  mesher: ['engine', 'link'],
   report: engineAndShapes,
   dicom: ['geometry'],
   store: [...engineAndShapes, 'store/case/input'],
@@ -48,6 +49,10 @@ const maySee = {
 const packages = {
   three: ['scene'],
   comlink: ['engine'],
+  'node:fs': ['engine'],
+  'node:module': ['engine'],
+  'node:os': ['engine'],
+  'node:worker_threads': ['engine'],
   immer: ['store'],
   fflate: ['store'],
   '@itk-wasm/dicom': ['dicom'],

@@ -1,6 +1,6 @@
 import { effect } from '@preact/signals';
 import { render } from 'preact';
-import { browserSetup } from './engine/browser_setup';
+import { appSetup } from './engine/app_setup';
 import { EngineClient } from './engine/client';
 import { App } from './panels/app';
 import { followPageSize } from './panels/controls/page_shape';
@@ -42,7 +42,7 @@ followType();
 followPageSize();
 const root = document.getElementById('app');
 if (root) render(<App />, root);
-await startEngine(new EngineClient(browserSetup()));
+await startEngine(new EngineClient(appSetup()));
 await openAddress();
 keepCase();
 keepSizingShown();

@@ -35,6 +35,7 @@ import {
 } from './generation';
 import { OpenedFiles, readOptions, sideKey } from './opened_files';
 import type { RecipeReply, RunHandlers, SimulationHandlers } from './handlers';
+import { withoutDigest } from './without_digest';
 
 const cancelled = () => failure('cancelled', 'The run was cancelled.');
 
@@ -54,6 +55,7 @@ export class EngineClient {
   private tail: Promise<unknown> = Promise.resolve();
   private runningJobs = 0;
   private generationCount = 0;
+  private closed = false;
 
   constructor(setup: EngineSetup) {
     this.setup = setup;
@@ -127,25 +129,10 @@ export class EngineClient {
     return this.job((generation) => this.check(generation, value));
   }
 
-  private async check(generation: Generation, value: object): Promise<RecipeReply> {
-    const { file } = (value as { source?: { file?: unknown } }).source ?? {};
-    const digest = (file as { sha256?: unknown } | undefined)?.sha256;
-    if (digest === undefined) {
-      return this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(value)));
-    }
-    if (typeof digest !== 'string' || !/^([0-9a-f]{64})?$/.test(digest)) {
-      throw failure('usage', 'source.file.sha256: expected 64 hexadecimal digits', 'recipe');
-    }
-    // With its digest, the engine would hold the case against the volume that is loaded now.
-    const loose = {
-      ...value,
-      source: { ...(value as Recipe).source, file: { ...(file as object), sha256: '' } },
-    };
-    const reply = await this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(loose)));
-    for (const half of [reply.recipe, reply.minimal] as { source: { file: object } }[]) {
-      half.source = { ...half.source, file: { ...half.source.file, sha256: digest } };
-    }
-    return reply;
+  private check(generation: Generation, value: object): Promise<RecipeReply> {
+    return withoutDigest(value, (loose) =>
+      this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(loose))),
+    );
   }
 
   /**
@@ -182,22 +169,15 @@ export class EngineClient {
         summaries: StageSummary[];
         report?: Report;
       };
-    });
+    }, handlers.signal);
   }
 
   /** What meshing will take; with `elements` above 0 also the sizes that give so many. `signal` calls it off. */
   forecast(recipeJson: string, source: Partial<Recipe['source']>, elements = 0, signal?: AbortSignal) {
     return this.job(async (generation) => {
-      if (signal?.aborted) throw cancelled();
-      const end = () => generation.alive && this.replace(cancelled());
-      signal?.addEventListener('abort', end);
-      try {
-        await this.prepare(generation, recipeJson, source);
-        return await this.answer(generation, 'forecast', generation.api.forecast(elements));
-      } finally {
-        signal?.removeEventListener('abort', end);
-      }
-    });
+      await this.prepare(generation, recipeJson, source);
+      return this.answer(generation, 'forecast', generation.api.forecast(elements));
+    }, signal);
   }
 
   /** Computes on the mesh of this recipe; stages that the worker no longer holds run before. */
@@ -221,7 +201,7 @@ export class EngineClient {
       } finally {
         generation.simulation = null;
       }
-    });
+    }, handlers.signal);
   }
 
   /** Frames of a file with values at the points of the mesh of this recipe. */
@@ -276,7 +256,7 @@ export class EngineClient {
     return this.job(async (generation) => {
       await this.remesh(generation, recipeJson, source, handlers);
       return this.answer(generation, 'export', generation.api.exportMesh(format, space, name, measures));
-    });
+    }, handlers.signal);
   }
 
   /** Ends whatever runs. Resolves when the engine answers again, with the milliseconds that took. */
@@ -287,6 +267,15 @@ export class EngineClient {
       await this.generation.started;
     }
     return performance.now() - begin;
+  }
+
+  /** Ends the engine for good. */
+  close(): void {
+    this.closed = true;
+    for (const generation of [this.generation, this.spare]) {
+      generation?.end(cancelled());
+      generation?.worker.terminate();
+    }
   }
 
   private async prepare(generation: Generation, recipeJson: string, source: Partial<Recipe['source']>) {
@@ -330,16 +319,22 @@ export class EngineClient {
     await this.answer(generation, 'optimise', generation.api.run('quality', progress));
   }
 
-  private job<T>(body: (generation: Generation) => Promise<T>): Promise<T> {
+  private job<T>(body: (generation: Generation) => Promise<T>, signal?: AbortSignal): Promise<T> {
     const turn = this.tail.then(async () => {
+      if (this.closed) throw failure('usage', 'The engine has been closed.');
+      // An engine that cannot be started says so to the next job.
+      const end = () => void this.cancel().catch(() => undefined);
       if (!this.generation.alive) this.generation = this.spawn();
       const generation = this.generation;
       this.runningJobs++;
       try {
         await unlessEnded(generation, generation.started);
         this.spare ??= this.spawn();
+        if (signal?.aborted) throw cancelled();
+        signal?.addEventListener('abort', end);
         return await body(generation);
       } finally {
+        signal?.removeEventListener('abort', end);
         this.runningJobs--;
       }
     });
