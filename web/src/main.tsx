@@ -3,13 +3,17 @@ import { render } from 'preact';
 import { appSetup } from './engine/app_setup';
 import { EngineClient } from './engine/client';
 import { App } from './panels/app';
+import { fetched } from './panels/controls/fetched';
 import { followPageSize } from './panels/controls/page_shape';
 import { keepCase, openAddress, startEngine } from './store/case/open_case';
+import { embedded } from './store/embedded';
 import { keepForecast } from './store/run/forecast';
 import { keepSizingShown } from './store/run/run_stages';
 import { dark, largeType, theme, type ThemeChoice } from './store/view';
 import { keepText, keptText } from './store/case/keep/web_storage';
 import './styles/main.css';
+
+const Embed = fetched(() => import('./panels/embed/embed').then((part) => part.Embed));
 
 const themeKey = 'voxtet-theme';
 const typeKey = 'voxtet-type';
@@ -41,9 +45,14 @@ followTheme();
 followType();
 followPageSize();
 const root = document.getElementById('app');
-if (root) render(<App />, root);
+if (root) render(embedded ? <Embed /> : <App />, root);
 await startEngine(new EngineClient(appSetup()));
-await openAddress();
-keepCase();
-keepSizingShown();
-keepForecast();
+if (embedded) {
+  const { serveHost } = await import('./store/embed/serve_host');
+  await serveHost();
+} else {
+  await openAddress();
+  keepCase();
+  keepSizingShown();
+  keepForecast();
+}

@@ -196,9 +196,9 @@ function finishRun(
   minimal: Record<string, unknown>,
   current: Recipe,
 ): void {
-  report.value = found;
   meshedRecipe.value = current;
   meshedMinimal.value = minimal;
+  report.value = found;
   brush.value = null;
   focusTet.value = null;
   picked.value = null;

@@ -1,0 +1,47 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { MessageError, readRequest } from './embed_messages';
+
+describe('messages of the page around', () => {
+  it.each([
+    [{ type: 'voxtet:run' }, { type: 'voxtet:run' }],
+    [
+      { type: 'voxtet:open', case: { labels: [1] }, version: 1 },
+      { type: 'voxtet:open', case: { labels: [1] } },
+    ],
+    [
+      { type: 'voxtet:view', colour: 'label', cut: false },
+      { type: 'voxtet:view', colour: 'label', cut: false },
+    ],
+  ])('are read: %j', (message, request) => {
+    expect(JSON.parse(JSON.stringify(readRequest(message)))).toEqual(request);
+  });
+
+  it.each([
+    [{ type: 'voxtet:run', version: 2 }, 'version'],
+    [{ type: 'voxtet:open', case: 7 }, 'recipe'],
+    [{ type: 'voxtet:view', edges: 'yes' }, 'edges'],
+    [{ type: 'voxtet:view', look: 'X' }, 'look'],
+    [{ type: 'voxtet:view', cut: { normal: [0, 0, Number.NaN], place: 0.5 } }, 'cut.normal'],
+    [{ type: 'voxtet:view', cut: { normal: [0, 0, 1], place: 2 } }, 'cut.place'],
+    [{ type: 'voxtet:view', cut: null }, 'cut'],
+    [{ type: 'voxtet:other' }, 'voxtet:other'],
+  ])('are refused with what is wrong: %j', (message, word) => {
+    expect(() => readRequest(message)).toThrow(word);
+  });
+
+  it('end in a request, in nothing or in a MessageError, whatever they are', () => {
+    const types = fc.constantFrom('voxtet:open', 'voxtet:view', 'voxtet:run', 'voxtet:x', 'x');
+    const fields = fc.dictionary(fc.constantFrom('case', 'cut', 'look', 'colour', 'version'), fc.anything());
+    const messages = fc.tuple(types, fields).map(([type, rest]) => ({ ...rest, type }));
+    fc.assert(
+      fc.property(fc.oneof(fc.anything(), messages), (message) => {
+        try {
+          readRequest(message);
+        } catch (error) {
+          expect(error).toBeInstanceOf(MessageError);
+        }
+      }),
+    );
+  });
+});
