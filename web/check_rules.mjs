@@ -57,6 +57,7 @@ const packages = {
   'node:worker_threads': ['engine'],
   immer: ['store'],
   fflate: ['store'],
+  'lean-qr': ['panels'],
   '@itk-wasm/dicom': ['dicom'],
   uplot: ['panels'],
   preact: ['panels', '.'],

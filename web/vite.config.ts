@@ -1,6 +1,7 @@
 import { createHash } from 'node:crypto';
 import { existsSync, readdirSync, readFileSync, renameSync } from 'node:fs';
 import { defineConfig, type Plugin } from 'vite';
+import { engineInterface } from './src/engine/interface';
 
 const contentPolicy = [
   "default-src 'self'",
@@ -65,10 +66,18 @@ function namedEngine(): Plugin {
   for (const name of names.sort())
     if (/\.\w+$/.test(name)) digest.update(name).update(readFileSync(new URL(name, files)));
   const folder = `assets/engine-${digest.digest('hex').slice(0, 8)}`;
+  const list = () => {
+    const { version } = JSON.parse(readFileSync(new URL('version.json', files), 'utf8'));
+    return `${JSON.stringify({ [version]: { folder: `${folder}/`, interface: engineInterface } }, null, 1)}\n`;
+  };
   return {
     name: 'named-engine',
     apply: 'build',
     config: () => ({ define: { 'import.meta.env.VITE_ENGINE': JSON.stringify(`${folder}/`) } }),
+    // Which versions are here; keep_engines.mjs adds those of earlier builds.
+    generateBundle() {
+      if (names.length > 0) this.emitFile({ type: 'asset', fileName: 'engines.json', source: list() });
+    },
     closeBundle: () =>
       renameSync(new URL('dist/engine', import.meta.url), new URL(`dist/${folder}`, import.meta.url)),
   };

@@ -276,7 +276,7 @@ Result<Expected> expected_of(const Recipe& recipe, const std::string& input) {
     return Error{
         ErrorCode::kBadInput, "verify", beside + ": expected a JSON object with the text field digest", {}};
   nlohmann::json promise = nlohmann::json::object();
-  for (const char* field : {"engine", "digest", "tets"})
+  for (const char* field : {"engine", "digest", "tets", "physics", "stages"})
     if (value.contains(field)) promise[field] = value[field];
   Result<Recipe> read = parse_recipe(nlohmann::json{{"expected", promise}});
   if (!read) return Error{ErrorCode::kBadInput, "verify", beside + ": " + read.error().message, {}};

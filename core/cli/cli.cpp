@@ -12,6 +12,7 @@
 #include "cli/options.h"
 #include "cli/print.h"
 #include "cli/simulate.h"
+#include "cli/verify.h"
 #include "cli/words/option_texts.h"
 #include "io/bytes/files.h"
 #include "io/mesh/read_mesh.h"
@@ -140,33 +141,6 @@ int run_url(const CaseOptions& options, const std::string& base, bool inlined) {
   return kExitOk;
 }
 
-int run_verify(const CaseOptions& options, const Output& output) {
-  RunContext ctx = context_of(output);
-  Session session;
-  if (Status opened = open_case(options, session); !opened) return fail(opened.error(), output);
-  Result<Expected> expected = expected_of(session.recipe(), options.input);
-  if (!expected) return fail(expected.error(), output);
-  if (Status done = session.run(Stage::kOptimise, ctx); !done) return fail_run(done.error(), output);
-  const std::string digest = digest_of(*session.mesh());
-  const bool same = digest == expected->digest;
-  const bool same_engine = expected->engine.empty() || expected->engine == engine_version();
-  const std::string verdict = same ? "reproduced" : same_engine ? "differs" : "made with another engine";
-  if (output.as_json)
-    print_json({{"verdict", verdict},
-                {"digest", digest},
-                {"expected", expected->digest},
-                {"tets", session.mesh()->tets.size()},
-                {"expected_tets", expected->tets},
-                {"engine", engine_version()},
-                {"expected_engine", expected->engine}});
-  else
-    std::printf("%s\n  engine %s, expected %s\n  digest %s, expected %s\n  tets %zu, expected %u\n",
-                verdict.c_str(), engine_version().c_str(),
-                expected->engine.empty() ? "any" : expected->engine.c_str(), digest.c_str(),
-                expected->digest.c_str(), session.mesh()->tets.size(), expected->tets);
-  return same ? kExitOk : kExitDiffers;
-}
-
 }  // namespace
 
 int run_cli(int argc, const char* const* argv) {
@@ -205,7 +179,7 @@ int run_cli(int argc, const char* const* argv) {
       ->check(number_as("how many as 500000", [](double n) { return n > 0; }));
   forecast->callback([&] { code = run_forecast(options, elements, output); });
 
-  CLI::App* verify = app.add_subcommand("verify", "mesh a case and compare with the digest it promises");
+  CLI::App* verify = app.add_subcommand("verify", "run a case and compare with the digests it promises");
   add_case_options(*verify, options, output, "CASE.json");
   verify->callback([&] { code = run_verify(options, output); });
 
@@ -239,7 +213,9 @@ int run_cli(int argc, const char* const* argv) {
   url->callback([&] { code = run_url(options, base, inlined); });
 
   CLI::App* schema = app.add_subcommand("schema", "the fields of a case, as JSON");
-  schema->callback([&] { print_json(schema_json()); });
+  bool standard = false;
+  schema->add_flag("--json-schema", standard, "as a JSON Schema, for editors and validators");
+  schema->callback([&] { print_json(standard ? recipe_json_schema() : schema_json()); });
 
   try {
     app.parse(argc, argv);

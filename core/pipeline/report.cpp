@@ -202,8 +202,10 @@ json report_json(const Session& session) {
   }
   if (session.transfer() && !session.transfer()->labels.empty())
     out["transfer"] = transfer_json(*session.transfer());
-  if (json simulation = simulation_json(session); !simulation.empty())
+  if (json simulation = simulation_json(session); !simulation.empty()) {
     out["simulation"] = std::move(simulation);
+    out["physics"] = physics_version();
+  }
   if (session.quality()) {
     out["quality"] = quality_json(*session.quality());
     if (session.smooth()) out["fidelity"] = fidelity_json(*session.quality());

@@ -7,8 +7,8 @@
 
 namespace voxtet {
 
-/// engine, digest, tets, points, source, stages, transfer, quality, fidelity, layers, recipe, warnings; parts
-/// whose stage has not run are absent.
+/// engine, digest, tets, points, source, stages, transfer, physics, simulation, quality, fidelity, layers,
+/// recipe, warnings; parts whose stage has not run are absent.
 nlohmann::json report_json(const Session& session);
 
 /// Name, size, spacing, affine, digest and labels of the volume as it was read, and the warnings of its

@@ -49,7 +49,7 @@ Status Session::load_volume(const VolumeFile& file, const ReadOptions& options) 
   files_.options = options;
   files_.remarks = std::move(remarks);
   recipe_.source = {};
-  recipe_.source.file = FileSource{file.name, files_.digest};
+  recipe_.source.file = FileSource{file.name, files_.digest, ""};
   recipe_.source.read = options;
   files_changed();
   return std::monostate{};

@@ -1,6 +1,7 @@
 // How a field of the recipe is declared, and the fields that several tables have.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -14,8 +15,10 @@ struct FieldInfo {
   const char* unit;
   double min, max;
   const char* description;
-  const char* formerly = nullptr;  ///< an older name under which it is still read
 };
+
+/// Items that a list may have.
+inline constexpr std::size_t kMaxListItems = 1000;
 
 inline constexpr double kAnyMin = std::numeric_limits<double>::lowest();
 inline constexpr double kAnyMax = std::numeric_limits<double>::max();
@@ -24,7 +27,6 @@ template <class Enum>
 struct Choice {
   const char* name;
   Enum value;
-  const char* formerly = nullptr;  ///< as in FieldInfo
 };
 
 template <class Enum>

@@ -103,6 +103,9 @@ void visit_fields(V& v, Expected& p) {
   v.field({"engine", "", 0, 0, "Version of voxtet that made the mesh."}, p.engine);
   v.field({"digest", "", 0, 0, "SHA-256 of the mesh's points, tetrahedra and labels."}, p.digest);
   v.field({"tets", "", 0, 4294967295.0, "Number of tetrahedra."}, p.tets);
+  v.field({"physics", "", 0, 0, "Version of the physics that was simulated; empty: none is promised."},
+          p.physics);
+  v.group({"stages", "", 0, 0, "SHA-256 of what simulations found."}, p.stages);
 }
 
 template <class V>
@@ -282,8 +285,7 @@ void visit_fields(V& v, SizingParams& p) {
 template <class V>
 void visit_fields(V& v, RemeshParams& p) {
   v.choice({"method", "", 0, 0, "How the adapted surface is made."}, p.method,
-           Choices<RemeshMethod>{{"delaunay", RemeshMethod::kDelaunay},
-                                 {"adapt", RemeshMethod::kAdapt, "remesh"}});
+           Choices<RemeshMethod>{{"delaunay", RemeshMethod::kDelaunay}, {"adapt", RemeshMethod::kAdapt}});
   v.choice({"keep_topology", "", 0, 0,
             "What makes method delaunay give way to adapt: a lost or self-touching label, any change of "
             "topology, or nothing."},
@@ -372,7 +374,48 @@ void visit_fields(V& v, LegendEntry& p) {
 }
 
 template <class V>
+void visit_fields(V& v, ViewParams& p) {
+  v.field({"stage", "", 0, 0, "Stage whose result is shown; empty: the last one."}, p.stage);
+  v.field({"colour", "", 0, 0, "Field that the mesh is coloured by; empty: labels."}, p.colour);
+  v.choice({"layout", "", 0, 0, "The body alone, or beside slices of the image."}, p.layout,
+           Choices<ViewLayout>{{"model", ViewLayout::kModel}, {"slices", ViewLayout::kSlices}});
+  v.optional_group({"camera", "", 0, 0, "From where the body is seen, z upwards; absent: from its front."},
+                   p.camera);
+  v.optional_group({"cut", "", 0, 0, "Plane that the body is cut along."}, p.cut);
+  v.field({"crosshair", "", 0, 1, "Place of the slices, as a fraction of the image along its axes."},
+          p.crosshair);
+  v.field({"hidden", "", 1, 65535, "Labels that are not shown."}, p.hidden);
+  v.field({"element", "", -1, 2147483647, "Tetrahedron that is singled out, by its number from 0; -1: none."},
+          p.element);
+  v.field({"edges", "", 0, 0, "Edges of the elements are drawn."}, p.edges);
+  v.field({"explode", "", 0, 2, "How far labels are pulled apart; 1 doubles the distances of their middles."},
+          p.explode);
+  v.field({"time_ms", "ms", 0, 1e9, "Time that is shown of a simulation."}, p.time_ms);
+}
+
+template <class V>
+void visit_fields(V& v, ViewCamera& p) {
+  v.field({"position_mm", "mm", -1e6, 1e6, "Where it stands; RAS."}, p.position_mm);
+  v.field({"target_mm", "mm", -1e6, 1e6, "What it looks at; RAS."}, p.target_mm);
+}
+
+template <class V>
+void visit_fields(V& v, ViewCut& p) {
+  v.field({"normal", "", -1, 1, "Direction of the side that is taken away; RAS."}, p.normal);
+  v.field({"place", "", 0, 1, "How far along it the plane lies: 0 and 1 are the ends of the body."}, p.place);
+  v.field({"flat", "", 0, 0, "Through the elements; else they stay whole."}, p.flat);
+}
+
+template <class V>
+void visit_fields(V& v, ExpectedStages& p) {
+  v.field({"eikonal", "", 0, 0, "Digest of the activation map; empty: none is promised."}, p.eikonal);
+  v.field({"monodomain", "", 0, 0, "Digest of the wave; empty: none is promised."}, p.monodomain);
+}
+
+template <class V>
 void visit_fields(V& v, Recipe& r) {
+  v.field({"version", "", 1, kRecipeVersion, "Version of the recipe's format; absent: the first."},
+          r.version);
   v.group({"source", "", 0, 0, "Where the labels come from."}, r.source);
   v.list({"legend", "", 0, 0, "Names and colours of labels, before those of the file."}, r.legend);
   v.field({"labels", "", 1, 65535, "Labels to mesh; none: all."}, r.labels);
@@ -384,12 +427,13 @@ void visit_fields(V& v, Recipe& r) {
   v.group({"remesh", "", 0, 0, "The adapted surface."}, r.remesh);
   v.group({"tetra", "", 0, 0, "The tetrahedra."}, r.tetra);
   v.group({"optimise", "", 0, 0, "Better shapes for the tetrahedra."}, r.optimise);
-  v.group({"transfer", "", 0, 0, "Labels transferred to tetrahedra instead of meshed.", "lookup"},
-          r.transfer);
+  v.group({"transfer", "", 0, 0, "Labels transferred to tetrahedra instead of meshed."}, r.transfer);
   v.group({"quality", "", 0, 0, "The evidence."}, r.quality);
   v.optional_group({"physics", "", 0, 0, "What is simulated on the mesh."}, r.physics);
   v.group({"limits", "", 0, 0, "What meshing may take."}, r.limits);
   v.group({"expected", "", 0, 0, "What a shared case promises."}, r.expected);
+  v.optional_group({"view", "", 0, 0, "What a page shows first; nothing that is made depends on it."},
+                   r.view);
 }
 
 }  // namespace voxtet

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
 #include "recipe/fields.h"
+#include "recipe/migrate.h"
 #include "recipe/recipe.h"
 
 namespace voxtet {
@@ -14,7 +14,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxRecipeBytes = 1 << 20;
-constexpr std::size_t kMaxListItems = 1000;
 constexpr int kMaxDepth = 16;
 
 /// Thrown and caught within this file only.
@@ -48,7 +47,6 @@ class Reader {
     for (const auto& [key, value] : object_.items()) {
       bool known = false;
       for (const std::string& name : seen_) known = known || name == key;
-      for (const std::string& name : formerly_) known = known || name == key;
       if (known) continue;
       std::string names;
       for (const std::string& name : seen_) names += (names.empty() ? "" : ", ") + name;
@@ -67,7 +65,7 @@ class Reader {
     if (!found) return;
     std::string names;
     for (const Choice<Enum>& choice : choices) {
-      if (*found == choice.name || (choice.formerly && *found == choice.formerly)) {
+      if (*found == choice.name) {
         value = choice.value;
         return;
       }
@@ -109,13 +107,7 @@ class Reader {
   const json* find(const FieldInfo& info) {
     seen_.emplace_back(info.name);
     const auto it = object_.find(info.name);
-    const auto former = info.formerly ? object_.find(info.formerly) : object_.end();
-    if (former == object_.end()) return it == object_.end() ? nullptr : &*it;
-    if (it != object_.end())
-      throw FieldError(at(info.formerly) + ": found beside " + at(info.name) +
-                       ", which is its name today; expected one of them");
-    formerly_.emplace_back(info.formerly);
-    return &*former;
+    return it == object_.end() ? nullptr : &*it;
   }
 
   static void check_list(const std::string& path, const json& found) {
@@ -188,22 +180,7 @@ class Reader {
 
   const json& object_;
   std::string path_;
-  std::vector<std::string> seen_, formerly_;
-};
-
-/// The groups of the recipe that have a former name: former name, name.
-struct FormerGroups {
-  std::map<std::string, std::string> names;
-  template <class T>
-  void group(const FieldInfo& info, T&) {
-    if (info.formerly) names[info.formerly] = info.name;
-  }
-  template <class... Rest>
-  void field(const FieldInfo&, Rest&...) {}
-  template <class... Rest>
-  void list(const FieldInfo&, Rest&...) {}
-  template <class... Rest>
-  void optional_group(const FieldInfo&, Rest&...) {}
+  std::vector<std::string> seen_;
 };
 
 }  // namespace
@@ -228,9 +205,11 @@ Result<Recipe> parse_recipe(std::string_view text) {
 }
 
 Result<Recipe> parse_recipe(const json& value) {
+  const Result<json> today = migrated(value);
+  if (!today) return today.error();
   Recipe recipe;
   try {
-    Reader::read_object(value, "", recipe);
+    Reader::read_object(*today, "", recipe);
     const Source& source = recipe.source;
     if (source.phantom.has_value() + source.inlined.has_value() + source.file.has_value() > 1)
       throw FieldError(std::string("source: found ") + (source.phantom ? "phantom" : "inline") + " and " +
@@ -243,17 +222,14 @@ Result<Recipe> parse_recipe(const json& value) {
 }
 
 Result<Recipe> with_field(const Recipe& recipe, const std::string& path, const std::string& text) {
-  FormerGroups former;
-  Recipe any;
-  visit_fields(former, any);
-  const std::size_t end = std::min(path.find('.'), path.size());
-  const auto named = former.names.find(path.substr(0, end));
-  std::string pointer = "/" + (named == former.names.end() ? path : named->second + path.substr(end));
+  json value = json::parse(text, nullptr, false);
+  if (value.is_discarded()) value = text;
+  std::string today = path;
+  migrate_field(today, value);
+  std::string pointer = "/" + today;
   for (char& c : pointer)
     if (c == '.' || c == '[') c = '/';
   std::erase(pointer, ']');
-  json value = json::parse(text, nullptr, false);
-  if (value.is_discarded()) value = text;
   json whole = recipe_to_json(recipe);
   try {
     whole[json::json_pointer(pointer)] = value;

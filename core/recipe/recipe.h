@@ -16,6 +16,7 @@
 #include "physics/ventricles/fibre_params.h"
 #include "quality/measure_quality.h"
 #include "recipe/legend.h"
+#include "recipe/migrate.h"
 #include "remesh/remesh_params.h"
 #include "sizing/build_sizing_field.h"
 #include "surface/extract/extract_surface.h"
@@ -70,15 +71,50 @@ struct PhysicsParams {
   std::optional<DiffusionParams> diffusion;
 };
 
+/// Digests of what simulations find.
+struct ExpectedStages {
+  std::string eikonal, monodomain;
+};
+
 /// What a shared case promises; empty fields promise nothing.
 struct Expected {
-  std::string engine;
+  std::string engine;  ///< engine_version()
   std::string digest;  ///< digest_of(TetMesh)
   std::uint32_t tets = 0;
+  std::string physics = {};  ///< physics_version(), where a simulation is promised
+  ExpectedStages stages = {};
+};
+
+enum class ViewLayout { kModel, kSlices };
+
+struct ViewCamera {
+  Eigen::Vector3d position_mm{0, 0, 0}, target_mm{0, 0, 0};
+};
+
+struct ViewCut {
+  Eigen::Vector3d normal{0, 1, 0};
+  double place = 0.5;
+  bool flat = false;
+};
+
+/// What a page shows first of a shared case: "look at this". No stage reads it.
+struct ViewParams {
+  std::string stage;
+  std::string colour;
+  ViewLayout layout = ViewLayout::kModel;
+  std::optional<ViewCamera> camera;
+  std::optional<ViewCut> cut;
+  Eigen::Vector3d crosshair{0.5, 0.5, 0.5};
+  std::vector<Label> hidden;
+  std::int32_t element = -1;
+  bool edges = true;
+  double explode = 0;
+  double time_ms = 0;
 };
 
 /// The whole case. Field names, units, ranges and sentences are declared once, in recipe/fields.h.
 struct Recipe {
+  int version = kRecipeVersion;
   Source source;
   std::vector<LegendEntry> legend;
   std::vector<Label> labels;      ///< labels to mesh; empty: all
@@ -95,6 +131,7 @@ struct Recipe {
   std::optional<PhysicsParams> physics;
   Limits limits;
   Expected expected;
+  std::optional<ViewParams> view;
 };
 
 /// Parses strictly: unknown fields, wrong types and values out of range are errors that name the field's
@@ -113,11 +150,15 @@ nlohmann::json thick_stack_preset();
 /// Usual cleaning of noise (kUsualCleaning), for the fields of a recipe's JSON that are 0.
 nlohmann::json cleaning_preset();
 
-/// Every field with its value, or (`minimal`) only those that differ from their default.
+/// Every field with its value, or (`minimal`) only the version and those that differ from their default.
 nlohmann::json recipe_to_json(const Recipe& recipe, bool minimal = false);
 
 /// The table of fields: {fields: [{path, type, unit, default, min, max, values, description, items}],
 /// optional_groups: [path], presets: {thick_stack, cleaning}}. A recipe may leave out the optional groups.
 nlohmann::json recipe_schema();
+
+/// The same fields as a JSON Schema (draft 2020-12) of the present version, for editors and validators. What
+/// it accepts may still be refused: a file's digest, or fields that contradict each other.
+nlohmann::json recipe_json_schema();
 
 }  // namespace voxtet

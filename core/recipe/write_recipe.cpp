@@ -68,6 +68,7 @@ json recipe_to_json(const Recipe& recipe, bool minimal) {
   if (!minimal) return full;
   Recipe defaults;
   json out = difference(full, Writer::write(defaults));
+  out["version"] = recipe.version;
   if (recipe.source.phantom) {
     PhantomParams standard;
     out["source"]["phantom"] = difference(full["source"]["phantom"], Writer::write(standard));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/huge_pages.h"
+#include "cli/program/huge_pages.h"
 #include "verify.h"
 
 namespace {

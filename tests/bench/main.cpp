@@ -1,7 +1,7 @@
 // What all benchmarks start with: memory as the command line has it.
 #include <benchmark/benchmark.h>
 
-#include "cli/huge_pages.h"
+#include "cli/program/huge_pages.h"
 
 int main(int argc, char** argv) {
   voxtet::use_huge_pages(argv);

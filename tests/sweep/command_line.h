@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/huge_pages.h"
+#include "cli/program/huge_pages.h"
 
 namespace voxtet::sweep {
 

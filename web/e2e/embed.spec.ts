@@ -46,7 +46,7 @@ interface Told {
   code?: string;
   message?: string;
   report?: { digest: string; tets: number };
-  verdict?: string | null;
+  verdict?: { mesh: string } | null;
 }
 
 /** Opens a page with the app in it, which keeps what it is told. */
@@ -112,12 +112,10 @@ for (const isolated of [true, false])
     await expect(frame.locator('.poster')).toContainText('promised');
     await say(page, {
       type: 'voxtet:view',
-      colour: 'mean_ratio',
-      from: 'A',
-      cut: { normal: [0, 1, 0], place: 0.5 },
+      view: { colour: 'mean_ratio', cut: { normal: [0, 1, 0], place: 0.5 } },
     });
     await say(page, { type: 'voxtet:run' });
-    expect((await told(page, 'voxtet:done')).verdict).toBe('reproduced');
+    expect((await told(page, 'voxtet:done')).verdict?.mesh).toBe('reproduced');
     await expect(frame.locator('.embed-status')).toContainText('reproduced');
     await expect(frame.locator('.legend-title, .legend')).not.toHaveCount(0);
   });
@@ -130,7 +128,8 @@ test('what makes no sense is answered by an error, and strangers are not heard',
     [{ type: 'voxtet:open', case: { sizing: { edge: 1 } } }, 'edge'],
     [{ type: 'voxtet:open', case: { source: { file: { name: 'heart.nii' } } } }, 'needs a file'],
     [{ type: 'voxtet:run', version: 2 }, 'version'],
-    [{ type: 'voxtet:view', cut: { normal: [0, 0, 0], place: 1 } }, 'cut.normal'],
+    [{ type: 'voxtet:view', view: { cut: { place: 2 } } }, 'view.cut.place'],
+    [{ type: 'voxtet:view', view: { colours: 'label' } }, 'view.colours'],
     [{ type: 'voxtet:fetch', url: 'https://data.example/heart.nii' }, 'voxtet:fetch'],
   ] as const) {
     await forget(page);

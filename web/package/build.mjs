@@ -87,6 +87,7 @@ writeJson(join(made, 'package.json'), {
   ...readJson(join(here, 'package.json')),
   version: readJson(join(web, 'package.json')).version,
 });
+cpSync(join(web, 'public/recipe.schema.json'), join(made, 'schema.json'));
 cpSync(join(here, 'README.md'), join(made, 'README.md'));
 cpSync(join(root, 'LICENSE'), join(made, 'LICENSE'));
 checkContents();

@@ -6,6 +6,7 @@ import { App } from './panels/app';
 import { fetched } from './panels/controls/fetched';
 import { followPageSize } from './panels/controls/page_shape';
 import { keepCase, openAddress, startEngine } from './store/case/open_case';
+import { keepSharedView } from './store/case/shared_view';
 import { embedded } from './store/embedded';
 import { keepForecast } from './store/run/forecast';
 import { keepSizingShown } from './store/run/run_stages';
@@ -46,7 +47,8 @@ followType();
 followPageSize();
 const root = document.getElementById('app');
 if (root) render(embedded ? <Embed /> : <App />, root);
-await startEngine(new EngineClient(appSetup()));
+await startEngine(new EngineClient(appSetup()), (folder, files) => new EngineClient(appSetup(folder), files));
+keepSharedView();
 if (embedded) {
   const { serveHost } = await import('./store/embed/serve_host');
   await serveHost();

@@ -10,4 +10,7 @@ namespace voxtet {
 /// links, cases and the keys of stages.
 std::string engine_version();
 
+/// Likewise of the sources that decide what a simulation finds on a mesh.
+std::string physics_version();
+
 }  // namespace voxtet

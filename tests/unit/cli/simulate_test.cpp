@@ -75,6 +75,45 @@ TEST_F(CliTest, SimulatesAWaveAndWritesWhatWasFound) {
   EXPECT_EQ(traces[10].substr(0, 3), "10,");
 }
 
+TEST_F(CliTest, VerifiesWhatACasePromisesOfItsSimulations) {
+  json small = ball();
+  write("case.json", small.dump());
+  ASSERT_EQ(run({"simulate", at("case.json"), "--report", at("r.json")}), kExitOk);
+  ASSERT_EQ(run({"simulate", at("case.json"), "--what", "eikonal", "--report", at("e.json")}), kExitOk);
+  const auto digest_in = [&](const char* report, const char* stage) {
+    const json all = read_json(report);
+    for (const json& one : all["stages"])
+      if (one["name"] == stage) return one["digest"].get<std::string>();
+    return std::string();
+  };
+  const json report = read_json("r.json");
+  small["expected"] = {
+      {"engine", report["engine"]}, {"digest", report["digest"]}, {"physics", report["physics"]}};
+  small["expected"]["stages"] = {{"monodomain", digest_in("r.json", "monodomain")},
+                                 {"eikonal", digest_in("e.json", "eikonal")}};
+  const auto verify = [&] {
+    write("case.json", small.dump());
+    testing::internal::CaptureStdout();
+    const int code = run({"verify", at("case.json"), "--json"});
+    json out = json::parse(testing::internal::GetCapturedStdout());
+    out["code"] = code;
+    return out;
+  };
+  json out = verify();
+  EXPECT_EQ(out["code"], kExitOk);
+  EXPECT_EQ(out["verdict"], "reproduced");
+  EXPECT_EQ(out["stages"]["eikonal"]["digest"], small["expected"]["stages"]["eikonal"]);
+
+  small["physics"]["stimuli"][0]["radius_mm"] = 5;
+  out = verify();
+  EXPECT_EQ(out["code"], kExitDiffers) << "the mesh is the same";
+  EXPECT_EQ(out["verdict"], "differs");
+  EXPECT_EQ(out["digest"], out["expected"]);
+  EXPECT_NE(out["stages"]["monodomain"]["digest"], out["stages"]["monodomain"]["expected"]);
+  small["expected"]["physics"] = "0.1.0+0123456789ab";
+  EXPECT_EQ(verify()["verdict"], "made with another engine");
+}
+
 TEST_F(CliTest, SimulatesTwoBeatsAndWritesTheTimesOfBoth) {
   json paced = ball();
   paced["physics"]["stimuli"][0].update({{"count", 2}, {"interval_ms", 400}});

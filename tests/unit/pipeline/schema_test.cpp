@@ -17,6 +17,11 @@ TEST(SchemaJson, IsTheOneThatTheContractOfTheWebIsMadeFrom) {
   json schema = schema_json();
   schema.erase("version");
   EXPECT_EQ(json::parse(committed->begin(), committed->end()), schema) << "run scripts/update_contract";
+
+  const Result<Bytes> published = read_file(VOXTET_SOURCE_DIR "/web/public/recipe.schema.json");
+  ASSERT_TRUE(published.ok()) << published.error().message;
+  EXPECT_EQ(json::parse(published->begin(), published->end()), recipe_json_schema())
+      << "run scripts/update_contract";
 }
 
 }  // namespace

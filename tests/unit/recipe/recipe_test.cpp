@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace voxtet {
 namespace {
@@ -18,7 +20,7 @@ TEST(ParseRecipe, KeepsDefaultsForAbsentFields) {
   const Result<Recipe> recipe = parse_recipe(std::string_view("{}"));
   ASSERT_TRUE(recipe.ok());
   EXPECT_EQ(recipe_to_json(*recipe), recipe_to_json(Recipe{}));
-  EXPECT_EQ(recipe_to_json(*recipe, true), json::object());
+  EXPECT_EQ(recipe_to_json(*recipe, true), json({{"version", kRecipeVersion}}));
 }
 
 TEST(ParseRecipe, ReadsEveryKindOfField) {
@@ -135,15 +137,65 @@ TEST(ParseRecipe, ReadsFormerNamesAndWritesThoseOfToday) {
   ASSERT_TRUE(old.ok()) << old.error().message;
   EXPECT_EQ(old->remesh.method, RemeshMethod::kAdapt);
   EXPECT_EQ(old->transfer.labels, std::vector<Label>{5});
-  EXPECT_EQ(recipe_to_json(*old, true),
-            nlohmann::json::parse(R"({"remesh": {"method": "adapt"}, "transfer": {"labels": [5]}})"));
+  EXPECT_EQ(
+      recipe_to_json(*old, true),
+      nlohmann::json::parse(R"({"remesh": {"method": "adapt"}, "transfer": {"labels": [5]}, "version": 2})"));
   EXPECT_EQ(with_field(*old, "lookup.labels", "[6]")->transfer.labels, std::vector<Label>{6});
+  EXPECT_EQ(with_field(Recipe{}, "remesh.method", "remesh")->remesh.method, RemeshMethod::kAdapt);
 
   const auto both =
       parse_recipe(std::string_view(R"({"transfer": {"labels": [5]}, "lookup": {"labels": [6]}})"));
   ASSERT_FALSE(both.ok());
   EXPECT_EQ(both.error().message,
             "lookup: found beside transfer, which is its name today; expected one of them");
+}
+
+TEST(ParseRecipe, KnowsTheVersionsOfItsFormat) {
+  const auto message = [](std::string_view text) { return parse_recipe(text).error().message; };
+  EXPECT_TRUE(parse_recipe(std::string_view(R"({"version": 1, "lookup": {"labels": [5]}})")).ok());
+  EXPECT_TRUE(parse_recipe(std::string_view(R"({"version": 2, "transfer": {"labels": [5]}})")).ok());
+  EXPECT_TRUE(message(R"({"version": 2, "lookup": {"labels": [5]}})").starts_with("lookup: unknown field"))
+      << "a name of version 1";
+  EXPECT_EQ(message(R"({"version": 3})"),
+            "version: found 3, a recipe of a later voxtet; expected 2 or less: open it with a newer voxtet");
+  for (const char* bad : {"0", "-1", "1.5", "\"2\"", "null", "[2]"})
+    EXPECT_EQ(message(std::string(R"({"version": )") + bad + "}"),
+              std::string("version: found ") + bad + ", expected a whole number from 1 to 2");
+  EXPECT_EQ(parse_recipe(recipe_to_json(Recipe{}, true))->version, kRecipeVersion);
+}
+
+TEST(ParseRecipe, ReadsWhatAPageShowsFirst) {
+  const std::string text =
+      R"({"camera":{"position_mm":[1,2,300],"target_mm":[0,0,5]},"colour":"dihedral","cut":{"flat":true},"element":17})";
+  const auto read = parse_recipe(json{{"view", json::parse(text)}});
+  ASSERT_TRUE(read.ok()) << read.error().message;
+  EXPECT_EQ(read->view->camera->position_mm, Eigen::Vector3d(1, 2, 300));
+  EXPECT_TRUE(read->view->cut->flat);
+  EXPECT_EQ(read->view->element, 17);
+  EXPECT_EQ(parse_recipe(recipe_to_json(*read, true))->view->colour, "dihedral");
+  EXPECT_FALSE(parse_recipe(std::string_view(R"({"view": {"crosshair": [0, 0, 2]}})")).ok());
+}
+
+// Every field of the table has its place in the JSON Schema, with its default.
+TEST(RecipeJsonSchema, HasEveryField) {
+  const json schema = recipe_json_schema();
+  const json fields = recipe_schema()["fields"];
+  EXPECT_GT(fields.size(), 100U);
+  for (const json& field : fields) {
+    const json* at = &schema;
+    const std::string path = field["path"];
+    for (std::size_t begin = 0; begin < path.size();) {
+      const std::size_t end = std::min(path.find('.', begin), path.size());
+      const std::string name = path.substr(begin, end - begin);
+      ASSERT_TRUE((*at)["properties"].contains(name)) << path;
+      at = &(*at)["properties"][name];
+      begin = end + 1;
+    }
+    if (field["type"] != "list") {
+      EXPECT_EQ((*at)["default"], field["default"]) << path;
+    }
+    EXPECT_NE((*at)["description"], "") << path;
+  }
 }
 
 TEST(ParseRecipe, ReadsHowAVolumeIsRead) {
@@ -170,7 +222,7 @@ TEST(RecipeSchema, DescribesEveryFieldOfTheRecipe) {
   EXPECT_EQ(schema["optional_groups"],
             json({"source.phantom", "source.inline", "source.file", "source.threshold", "physics",
                   "physics.anatomy", "physics.fibres", "physics.fibres.septum", "physics.monodomain",
-                  "physics.diffusion"}));
+                  "physics.diffusion", "view", "view.camera", "view.cut"}));
   for (const json& field : schema["fields"]) {
     EXPECT_FALSE(field["description"].get<std::string>().empty()) << field;
     paths.push_back(field["path"]);

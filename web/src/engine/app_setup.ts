@@ -5,8 +5,8 @@ import type { EngineSetup } from './generation';
  * The engine of the app: its files stand in a folder beside the page, which a built page names by their digest
  * (vite.config.ts), those with threads in a folder of that one.
  */
-export function appSetup(): EngineSetup {
-  const files = new URL(import.meta.env.VITE_ENGINE ?? 'engine/', document.baseURI);
+export function appSetup(engineFolder = import.meta.env.VITE_ENGINE ?? 'engine/'): EngineSetup {
+  const files = new URL(engineFolder, document.baseURI);
   const folder = mayHaveThreads() ? new URL('threads/', files) : files;
   return browserSetup(
     { script: new URL('voxtet_engine.mjs', folder), module: new URL('voxtet_engine.wasm', folder) },

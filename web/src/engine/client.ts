@@ -16,7 +16,6 @@ import {
   type SideKind,
   type SideSummary,
   type SimulationName,
-  type Simulated,
   type SimulationSummary,
   type Space,
   type Stimulus,
@@ -25,6 +24,7 @@ import {
   type VolumeFile,
   type VolumeSummary,
 } from './contract';
+import { withoutFileDigest } from './file_digest';
 import {
   endSimulation,
   failure,
@@ -35,7 +35,6 @@ import {
 } from './generation';
 import { OpenedFiles, readOptions, sideKey } from './opened_files';
 import type { RecipeReply, RunHandlers, SimulationHandlers } from './handlers';
-import { withoutDigest } from './without_digest';
 
 const cancelled = () => failure('cancelled', 'The run was cancelled.');
 
@@ -46,7 +45,7 @@ const cancelled = () => failure('cancelled', 'The run was cancelled.');
  * nothing that the user did is lost.
  */
 export class EngineClient {
-  readonly files = new OpenedFiles();
+  readonly files: OpenedFiles;
   private readonly setup: EngineSetup;
   private module: Promise<WebAssembly.Module> | undefined;
   private generation: Generation;
@@ -57,8 +56,9 @@ export class EngineClient {
   private generationCount = 0;
   private closed = false;
 
-  constructor(setup: EngineSetup) {
+  constructor(setup: EngineSetup, files = new OpenedFiles()) {
     this.setup = setup;
+    this.files = files;
     this.generation = this.spawn();
   }
 
@@ -129,10 +129,9 @@ export class EngineClient {
     return this.job((generation) => this.check(generation, value));
   }
 
-  private check(generation: Generation, value: object): Promise<RecipeReply> {
-    return withoutDigest(value, (loose) =>
-      this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(loose))),
-    );
+  private async check(generation: Generation, value: object): Promise<RecipeReply> {
+    const [loose, putBack] = withoutFileDigest(value);
+    return putBack(await this.answer(generation, 'recipe', generation.api.setRecipe(JSON.stringify(loose))));
   }
 
   /**
@@ -186,7 +185,7 @@ export class EngineClient {
     source: Partial<Recipe['source']>,
     stage: SimulationName,
     handlers: SimulationHandlers,
-  ): Promise<{ summary: SimulationSummary; found: FoundFields; told: Simulated }> {
+  ): Promise<{ summary: SimulationSummary; found: FoundFields; report: Report }> {
     return this.job(async (generation) => {
       await this.prepare(generation, recipeJson, source);
       const progress = Comlink.proxy((name: string, fraction: number) => handlers.onProgress(name, fraction));
@@ -196,8 +195,8 @@ export class EngineClient {
       try {
         const summary = await simulation;
         const found = await this.answer(generation, stage, generation.api.found(stage));
-        const { simulation: told = {} } = await this.answer(generation, stage, generation.api.report());
-        return { summary, found, told };
+        const report = await this.answer(generation, stage, generation.api.report());
+        return { summary, found, report };
       } finally {
         generation.simulation = null;
       }
@@ -259,6 +258,16 @@ export class EngineClient {
     }, handlers.signal);
   }
 
+  /** Ends it for good; whatever it was asked fails as cancelled. */
+  close(): void {
+    this.closed = true;
+    for (const generation of [this.generation, this.spare]) {
+      generation?.end(cancelled());
+      generation?.worker.terminate();
+    }
+    this.spare = null;
+  }
+
   /** Ends whatever runs. Resolves when the engine answers again, with the milliseconds that took. */
   async cancel(): Promise<number> {
     const begin = performance.now();
@@ -267,15 +276,6 @@ export class EngineClient {
       await this.generation.started;
     }
     return performance.now() - begin;
-  }
-
-  /** Ends the engine for good. */
-  close(): void {
-    this.closed = true;
-    for (const generation of [this.generation, this.spare]) {
-      generation?.end(cancelled());
-      generation?.worker.terminate();
-    }
   }
 
   private async prepare(generation: Generation, recipeJson: string, source: Partial<Recipe['source']>) {

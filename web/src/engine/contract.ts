@@ -15,6 +15,9 @@ export const stagesOfMesh: readonly StageName[] = ['volume', 'optimise', 'qualit
 /** Stages of physics. They run when they are asked for; those that are worked on in short steps give frames. */
 export type SimulationName = 'eikonal' | 'monodomain' | 'diffusion';
 
+/** Those whose result a case may promise. */
+export const promisedStages = ['eikonal', 'monodomain'] as const;
+
 export type ErrorCode =
   | 'usage'
   | 'bad_input'

@@ -4,6 +4,8 @@ export type Vec3 = [number, number, number];
 
 /** Every field of the recipe, as the engine declares them. */
 export interface RecipeFields {
+  /** Version of the recipe's format; absent: the first. */
+  version: number;
   source: {
     phantom?: {
       /** Which body. */
@@ -426,11 +428,54 @@ export interface RecipeFields {
     digest: string;
     /** Number of tetrahedra. */
     tets: number;
+    /** Version of the physics that was simulated; empty: none is promised. */
+    physics: string;
+    stages: {
+      /** Digest of the activation map; empty: none is promised. */
+      eikonal: string;
+      /** Digest of the wave; empty: none is promised. */
+      monodomain: string;
+    };
+  };
+  view?: {
+    /** Stage whose result is shown; empty: the last one. */
+    stage: string;
+    /** Field that the mesh is coloured by; empty: labels. */
+    colour: string;
+    /** The body alone, or beside slices of the image. */
+    layout: 'model' | 'slices';
+    camera?: {
+      /** Where it stands; RAS; mm. */
+      position_mm: Vec3;
+      /** What it looks at; RAS; mm. */
+      target_mm: Vec3;
+    };
+    cut?: {
+      /** Direction of the side that is taken away; RAS. */
+      normal: Vec3;
+      /** How far along it the plane lies: 0 and 1 are the ends of the body. */
+      place: number;
+      /** Through the elements; else they stay whole. */
+      flat: boolean;
+    };
+    /** Place of the slices, as a fraction of the image along its axes. */
+    crosshair: Vec3;
+    /** Labels that are not shown. */
+    hidden: number[];
+    /** Tetrahedron that is singled out, by its number from 0; -1: none. */
+    element: number;
+    /** Edges of the elements are drawn. */
+    edges: boolean;
+    /** How far labels are pulled apart; 1 doubles the distances of their middles. */
+    explode: number;
+    /** Time that is shown of a simulation; ms. */
+    time_ms: number;
   };
 }
 
 /** The recipe before anybody has changed it. */
 export const recipeDefaults = {
+  "version": 2,
   "source": {
     "unit": "file",
     "precedence": [],
@@ -513,7 +558,12 @@ export const recipeDefaults = {
   "expected": {
     "engine": "",
     "digest": "",
-    "tets": 0
+    "tets": 0,
+    "physics": "",
+    "stages": {
+      "eikonal": "",
+      "monodomain": ""
+    }
   }
 } as const;
 
@@ -598,6 +648,42 @@ export const optionalDefaults = {
     "end_ms": 100,
     "step_ms": 1,
     "frame_ms": 5
+  },
+  "view": {
+    "stage": "",
+    "colour": "",
+    "layout": "model",
+    "crosshair": [
+      0.5,
+      0.5,
+      0.5
+    ],
+    "hidden": [],
+    "element": -1,
+    "edges": true,
+    "explode": 0,
+    "time_ms": 0
+  },
+  "view.camera": {
+    "position_mm": [
+      0,
+      0,
+      0
+    ],
+    "target_mm": [
+      0,
+      0,
+      0
+    ]
+  },
+  "view.cut": {
+    "normal": [
+      0,
+      1,
+      0
+    ],
+    "place": 0.5,
+    "flat": false
   }
 } as const;
 

@@ -3,9 +3,12 @@ import type { RecipeFields } from './generated';
 
 export type { Vec3 } from './generated';
 
-/** The full recipe: every field present. What a link promises (`expected`) is kept apart from it. */
-export type Recipe = Omit<RecipeFields, 'expected'>;
-export type Expected = RecipeFields['expected'];
+/** The full recipe: every field present. What a link promises and what it shows first are kept apart from it. */
+export type Recipe = Omit<RecipeFields, 'expected' | 'view'>;
+/** What a case promises of its mesh, and of what is simulated on it where there is anything. */
+export type Expected = Pick<RecipeFields['expected'], 'engine' | 'digest' | 'tets'> &
+  Partial<Pick<RecipeFields['expected'], 'physics' | 'stages'>>;
+export type SharedView = NonNullable<RecipeFields['view']>;
 
 /** At most one is set; none: nothing has been chosen yet. */
 export type Source = Recipe['source'];

@@ -141,8 +141,9 @@ export interface Report {
   points: number;
   source: VolumeSummary;
   stages: (Omit<StageSummary, 'key'> & { digest: string })[];
-  /** Absent where nothing was simulated. */
+  /** What was simulated, and the version of the physics; absent where nothing was. */
   simulation?: Simulated;
+  physics?: string;
   /** Absent where no label was to be transferred. */
   transfer?: TransferredLabel[];
   /** Absent where no number of layers is a target. */

@@ -10,8 +10,8 @@ describe('messages of the page around', () => {
       { type: 'voxtet:open', case: { labels: [1] } },
     ],
     [
-      { type: 'voxtet:view', colour: 'label', cut: false },
-      { type: 'voxtet:view', colour: 'label', cut: false },
+      { type: 'voxtet:view', view: { colour: 'label' } },
+      { type: 'voxtet:view', view: { colour: 'label' } },
     ],
   ])('are read: %j', (message, request) => {
     expect(JSON.parse(JSON.stringify(readRequest(message)))).toEqual(request);
@@ -20,11 +20,8 @@ describe('messages of the page around', () => {
   it.each([
     [{ type: 'voxtet:run', version: 2 }, 'version'],
     [{ type: 'voxtet:open', case: 7 }, 'recipe'],
-    [{ type: 'voxtet:view', edges: 'yes' }, 'edges'],
-    [{ type: 'voxtet:view', look: 'X' }, 'look'],
-    [{ type: 'voxtet:view', cut: { normal: [0, 0, Number.NaN], place: 0.5 } }, 'cut.normal'],
-    [{ type: 'voxtet:view', cut: { normal: [0, 0, 1], place: 2 } }, 'cut.place'],
-    [{ type: 'voxtet:view', cut: null }, 'cut'],
+    [{ type: 'voxtet:view', view: 'R' }, 'view'],
+    [{ type: 'voxtet:view' }, 'view'],
     [{ type: 'voxtet:other' }, 'voxtet:other'],
   ])('are refused with what is wrong: %j', (message, word) => {
     expect(() => readRequest(message)).toThrow(word);
@@ -32,7 +29,7 @@ describe('messages of the page around', () => {
 
   it('end in a request, in nothing or in a MessageError, whatever they are', () => {
     const types = fc.constantFrom('voxtet:open', 'voxtet:view', 'voxtet:run', 'voxtet:x', 'x');
-    const fields = fc.dictionary(fc.constantFrom('case', 'cut', 'look', 'colour', 'version'), fc.anything());
+    const fields = fc.dictionary(fc.constantFrom('case', 'view', 'version'), fc.anything());
     const messages = fc.tuple(types, fields).map(([type, rest]) => ({ ...rest, type }));
     fc.assert(
       fc.property(fc.oneof(fc.anything(), messages), (message) => {

@@ -1,29 +1,17 @@
 /** What a page and the app embedded in it say to each other, by postMessage. Whatever comes in is untrusted. */
 import type { ErrorCode } from '../engine/contract';
-import type { VerdictKind } from './verdict';
+import type { Verdict } from './verdict';
 
 /** A change of these messages that an older page would not understand has another number. */
 export const embedVersion = 1;
-
-const directions = ['R', 'L', 'A', 'P', 'S', 'I'] as const;
-
-/** How the mesh is shown; what is left out stays as it is. */
-export interface EmbedView {
-  /** `label`, or the name of a measure or of what a simulation found. */
-  colour?: string;
-  edges?: boolean;
-  /** A plane by its normal, RAS, and its place: 0 and 1 are the ends of the body. `flat`: through the elements. */
-  cut?: false | { normal: [number, number, number]; place: number; flat?: boolean };
-  /** The camera looks from the patient's right, left, front, back, head or feet. */
-  look?: (typeof directions)[number];
-}
 
 /** From the page to the app. */
 export type EmbedRequest =
   /** A recipe, or a link with one. It is checked and shown; nothing runs. */
   | { type: 'voxtet:open'; case: object | string }
   | { type: 'voxtet:run' }
-  | ({ type: 'voxtet:view' } & EmbedView);
+  /** How it is shown: the `view` of a recipe. */
+  | { type: 'voxtet:view'; view: object };
 
 /** From the app to the page. */
 export type EmbedEvent =
@@ -33,7 +21,7 @@ export type EmbedEvent =
       type: 'voxtet:done';
       report: { engine: string; digest: string; tets: number; points: number; passed: boolean };
       /** What the case promised against what came; null where it promised nothing. */
-      verdict: VerdictKind | null;
+      verdict: Pick<Verdict, 'mesh' | 'simulation'> | null;
     }
   | { type: 'voxtet:error'; code: ErrorCode; stage: string; message: string };
 
@@ -42,27 +30,7 @@ export class MessageError extends Error {
   override readonly name = 'MessageError';
 }
 
-const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
-
-function expectThat(holds: boolean, field: string, expected: string): void {
-  if (!holds) throw new MessageError(`voxtet:view: ${field}: expected ${expected}`);
-}
-
-function readView(data: Record<string, unknown>): EmbedView {
-  const { colour, edges, cut, look } = data;
-  expectThat(colour === undefined || (typeof colour === 'string' && colour.length < 100), 'colour', 'a name');
-  expectThat(edges === undefined || typeof edges === 'boolean', 'edges', 'true or false');
-  const known = look === undefined || directions.includes(look as 'R');
-  expectThat(known, 'look', `one of ${directions.join(' ')}`);
-  if (cut !== undefined && cut !== false) {
-    const { normal, place, flat } = (cut ?? {}) as Record<string, unknown>;
-    const isVector = Array.isArray(normal) && normal.length === 3 && normal.every(isNumber);
-    expectThat(isVector && Math.hypot(...normal) > 0, 'cut.normal', 'three numbers that are not all 0');
-    expectThat(isNumber(place) && place >= 0 && place <= 1, 'cut.place', 'a number from 0 to 1');
-    expectThat(flat === undefined || typeof flat === 'boolean', 'cut.flat', 'true or false');
-  }
-  return { colour, edges, cut, look } as EmbedView;
-}
+const isObject = (value: unknown): value is object => typeof value === 'object' && value !== null;
 
 /** The request of a message; null where it is not meant for the app. Throws MessageError where it cannot be read. */
 export function readRequest(data: unknown): EmbedRequest | null {
@@ -74,14 +42,15 @@ export function readRequest(data: unknown): EmbedRequest | null {
   switch (type) {
     case 'voxtet:open': {
       const given = message.case;
-      if (typeof given !== 'string' && (typeof given !== 'object' || given === null))
+      if (typeof given !== 'string' && !isObject(given))
         throw new MessageError('voxtet:open: case: expected a recipe, or a link with one');
       return { type, case: given };
     }
     case 'voxtet:run':
       return { type };
     case 'voxtet:view':
-      return { type, ...readView(message) };
+      if (!isObject(message.view)) throw new MessageError('voxtet:view: view: expected that of a recipe');
+      return { type, view: message.view };
     default:
       throw new MessageError(`${type.slice(0, 60)}: expected voxtet:open, voxtet:run or voxtet:view`);
   }

@@ -16,6 +16,7 @@ import {
   type Space,
   type VolumeFile,
 } from '../engine/contract';
+import type { RecipeFields } from '../engine/generated';
 import { failure, type EngineSetup } from '../engine/generation';
 
 /** What of a recipe differs from the defaults. */
@@ -26,7 +27,7 @@ type Partially<T> = T extends readonly (infer Item)[]
   : T extends object
     ? { [Key in keyof T]?: Partially<T[Key]> }
     : T;
-export type RecipeInput = Partially<Recipe>;
+export type RecipeInput = Partially<RecipeFields>;
 
 /** A file's bytes with its name, which tells the format, and files that its header names, by their names. */
 export interface NamedBytes {
@@ -184,13 +185,13 @@ export class Mesher {
   ): Promise<FoundFields & { simulation: Simulated }> {
     const recipe = this.lastRecipe();
     const handlers = { onProgress, onFrame, signal };
-    const { found, told } = await this.client.simulate(
+    const { found, report } = await this.client.simulate(
       JSON.stringify(recipe),
       recipe.source,
       physics,
       handlers,
     );
-    return { ...found, simulation: told };
+    return { ...found, simulation: report.simulation ?? {} };
   }
 
   /** The last mesh as files: some formats have several. */

@@ -301,6 +301,12 @@ export function mountScene(container: HTMLElement): () => void {
           ),
         );
         break;
+      case 'tell_camera':
+        order.take(viewer.cameraNow());
+        break;
+      case 'place_camera':
+        viewer.placeCamera(order.camera);
+        break;
       case 'cut_facing_me': {
         const towards = viewer.camera.position.clone().sub(viewer.controls.target).normalize();
         cut.value = { ...cut.value, on: true, normal: towards.toArray() };

@@ -48,9 +48,17 @@ export interface Picked {
 
 export type ViewDirection = 'R' | 'L' | 'A' | 'P' | 'S' | 'I';
 
+/** Where the camera stands and what it looks at, z upwards. */
+export interface Camera {
+  position_mm: Vec3;
+  target_mm: Vec3;
+}
+
 export type SceneCommand =
   | { kind: 'fit' }
   | { kind: 'look'; from: ViewDirection }
+  | { kind: 'tell_camera'; take(camera: Camera): void }
+  | { kind: 'place_camera'; camera: Camera }
   | { kind: 'cut_facing_me' }
   | { kind: 'picture'; take(picture: Promise<Blob>): void }
   | { kind: 'marked' };

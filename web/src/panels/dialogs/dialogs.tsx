@@ -14,6 +14,12 @@ const ImageDialog = fetched(() => import('./image_dialog').then((part) => part.I
 const RemoteDialog = fetched(() => import('./remote_dialog').then((part) => part.RemoteDialog));
 const ToolDialogs = fetched(() => import('./tool_dialogs').then((part) => part.ToolDialogs));
 
+/** Which engine will work on a case that was made with `promised`. */
+function engineNote(promised: string, found: string): string {
+  if (promised === found) return `${promised}, the one that made it`;
+  return `made with ${promised}, which is not here; this page has ${found}, and what differs will be shown`;
+}
+
 function OfferDialog() {
   const offer = offered.value;
   if (!offer) return null;
@@ -60,7 +66,8 @@ function OfferDialog() {
     ]);
   if (offer.promise) {
     const { tets, digest, engine } = offer.promise.expected;
-    rows.push(['Promised', `${whole(tets)} tetrahedra, digest ${digest.slice(0, 12)}…, engine ${engine}`]);
+    rows.push(['Promised', `${whole(tets)} tetrahedra, digest ${digest.slice(0, 12)}…`]);
+    rows.push(['Engine', engineNote(engine, offer.engine.info.schema.version)]);
   }
   return (
     <Dialog

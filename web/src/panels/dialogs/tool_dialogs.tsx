@@ -1,27 +1,14 @@
 /** Dialogs that are opened by hand; they are loaded when the first of them is. */
-import { useEffect, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import { exportFormats, type ExportFormat, type Space } from '../../engine/contract';
-import {
-  downloadCase,
-  downloadPainted,
-  downloadReport,
-  exportMesh,
-  exportZip,
-  shareCase,
-  type SharedCase,
-} from '../../store/case/exchange';
-import { filesOf, meshIsGiven } from '../../store/case/input';
+import { downloadReport, exportMesh, exportZip } from '../../store/case/exchange';
 import { unread } from '../../store/case/open_files';
-import { paintedEdges, paintedName } from '../../store/case/painting';
-import { recipe } from '../../store/case/recipe';
 import { simulated } from '../../store/run/frames';
-import { report, upToDate } from '../../store/run/report';
+import { upToDate } from '../../store/run/report';
 import { activity } from '../../store/run/stages';
-import { CopyButton } from '../controls/copy_button';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
-import { CheckField, Segments } from '../controls/fields';
-import { whole } from '../controls/format';
+import { Segments } from '../controls/fields';
 import { Gallery } from '../case/gallery';
 import { Icon } from '../controls/icons';
 import { KeyList } from '../view/key_list';
@@ -30,6 +17,7 @@ import { AboutDialog } from './about_dialog';
 import { GlossaryDialog } from './glossary_dialog';
 import { MemoryDialog } from './memory_dialog';
 import { ReadingDialog } from './reading_dialog';
+import { ShareDialog } from './share_dialog';
 
 const formatNotes: Record<ExportFormat, [string, string]> = {
   vtu: ['VTU', 'ParaView, PyVista: tetrahedra and labels, mm'],
@@ -122,95 +110,6 @@ function ExportDialog({ close }: { close(): void }) {
         >
           <Icon name="download" /> Export
         </button>
-      </div>
-    </Dialog>
-  );
-}
-
-function lengthNote(length: number): string {
-  if (length > 500_000) return 'Too long for a link: send the case file instead.';
-  if (length > 8000) return 'Long for a link: mail and chat programs will cut it. Better send the case file.';
-  if (length > 2000) return 'Some chat programs cut links of this length.';
-  return '';
-}
-
-function ShareDialog({ close }: { close(): void }) {
-  const [shared, setShared] = useState<SharedCase | null>(null);
-  const [trouble, setTrouble] = useState('');
-  const [withVolume, setWithVolume] = useState(false);
-  useEffect(() => {
-    let newest = true;
-    setTrouble('');
-    shareCase(withVolume).then(
-      (made) => newest && setShared(made),
-      (error: Error) => newest && setTrouble(error.message),
-    );
-    return () => {
-      newest = false;
-    };
-  }, [withVolume]);
-  const note = shared ? lengthNote(shared.url.length) : '';
-  const volumeFile = meshIsGiven.value ? undefined : recipe.value?.source.file;
-  const all = recipe.value ? filesOf(recipe.value) : [];
-  const files = withVolume ? all.filter((name) => name !== volumeFile?.name) : all;
-  return (
-    <Dialog title="Share this case" onClose={close}>
-      <p>
-        {shared?.promises
-          ? `The link holds the recipe and the digest of this mesh (${whole(report.value?.tets ?? 0)} tetrahedra). Whoever opens it and runs sees whether it is reproduced.`
-          : 'The link holds the recipe only: run first, and it will also hold the digest of the mesh.'}
-      </p>
-      {volumeFile && (
-        <CheckField
-          label="With the volume itself"
-          hint="The label of every voxel becomes a part of the link: whoever opens it needs no file"
-          checked={withVolume}
-          onChange={setWithVolume}
-        />
-      )}
-      {files.length > 0 && (
-        <p>
-          {files.join(', ')} {files.length === 1 ? 'is' : 'are'} not in the link. The receiver drops the same{' '}
-          {files.length === 1 ? 'file' : 'files'} in, and digests are checked.
-        </p>
-      )}
-      <textarea
-        class="link"
-        readOnly
-        rows={4}
-        aria-label="Link"
-        value={shared?.url ?? ''}
-        onFocus={(event) => event.currentTarget.select()}
-        data-testid="share-link"
-      />
-      {shared && (
-        <p class="muted">
-          {whole(shared.url.length)} characters. {note}
-        </p>
-      )}
-      {trouble && <p class="stale">{trouble}</p>}
-      <div class="dialog-actions">
-        <button
-          type="button"
-          class="button"
-          disabled={!shared}
-          onClick={() => shared && downloadCase(shared.minimal)}
-        >
-          Case file (JSON)
-        </button>
-        {paintedEdges().length > 0 && (
-          <button
-            type="button"
-            class="button"
-            title="The painted sizes, which the receiver has to drop in"
-            onClick={() => downloadPainted()}
-          >
-            {paintedName}
-          </button>
-        )}
-        <CopyButton class="button primary" text={shared?.url ?? ''} disabled={!shared}>
-          Copy link
-        </CopyButton>
       </div>
     </Dialog>
   );

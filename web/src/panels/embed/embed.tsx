@@ -49,7 +49,7 @@ function statusText(): string {
   const running = Object.entries(stages.value).find(([, { state }]) => state === 'running');
   if (running) return `${running[0]} ${Math.round(100 * running[1].fraction)} %`;
   if (!report.value || offered.value) return '';
-  const found = verdict.value ? `, ${verdictWords[verdict.value.kind]}` : '';
+  const found = verdict.value ? `, ${verdictWords[verdict.value.mesh]}` : '';
   return `${whole(report.value.tets)} tetrahedra${found}`;
 }
 

@@ -1,6 +1,6 @@
 import { Box3, PerspectiveCamera, Quaternion, Scene, Sphere, Vector3, type Object3D } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import type { ViewDirection } from '../../store/view';
+import type { Camera, ViewDirection } from '../../store/view';
 import type { Canvas, Pane } from './canvas';
 
 const directions: Record<ViewDirection, [number, number, number]> = {
@@ -132,6 +132,19 @@ export class Viewer {
   /** So much around a point, from where the camera is or from a direction. */
   flyTo(point: Vector3, radius: number, direction = this.sight().direction): void {
     this.moveTo(point, direction, this.distanceFor(radius), true);
+  }
+
+  cameraNow(): Camera {
+    const { position } = this.camera;
+    return { position_mm: position.toArray(), target_mm: this.controls.target.toArray() };
+  }
+
+  /** Puts the camera there at once; a place that it cannot look from leaves it where it is. */
+  placeCamera({ position_mm, target_mm }: Camera): void {
+    const target = new Vector3(...target_mm);
+    const away = new Vector3(...position_mm).sub(target);
+    const distance = away.length();
+    if (distance > 1e-3) this.moveTo(target, away.normalize(), distance, false);
   }
 
   add(object: Object3D): void {

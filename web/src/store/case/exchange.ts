@@ -1,14 +1,15 @@
 /** What leaves the page: files of the mesh, the report, the case, a link. */
-import type { ExportFormat, Recipe, Space } from '../../engine/contract';
+import type { Expected, ExportFormat, Recipe, Space } from '../../engine/contract';
 import { encodeFragment } from '../../link/codec';
 import type { ReportPicture } from '../../report/report_page';
 import { engine, takeTurn, tellError } from '../run/engine';
 import { forecastUnderWay } from '../run/forecast';
 import { caseName, recipe } from './recipe';
 import { announcement } from '../notices';
-import { meshedMinimal, meshedRecipe, report, upToDate } from '../run/report';
+import { meshedRecipe, promiseOf, report } from '../run/report';
 import { activity } from '../run/stages';
 import { paintedName } from './painting';
+import { viewNow } from './shared_view';
 import { heldSides } from './side_files';
 import { chooseLayout, command, layout, sceneMounted, type Layout } from '../view';
 import { packZip } from './zip/zip';
@@ -170,29 +171,27 @@ function download(name: string, blob: Blob): void {
 export interface SharedCase {
   url: string;
   minimal: Record<string, unknown>;
-  /** The link promises the digest of the mesh that is shown. */
-  promises: boolean;
+  /** What the link promises: the mesh that is shown, and what was simulated on it. */
+  promises: Expected | undefined;
 }
 
 /**
- * A link of this case; with the digest where the mesh that is shown is the recipe's, and with the label volume itself
- * where that is asked for.
+ * A link of this case; with digests where the mesh that is shown is the recipe's; with the label volume itself and with
+ * the view as it stands where those are asked for.
  */
-export async function shareCase(withVolume = false): Promise<SharedCase> {
+export async function shareCase({ withVolume = false, withView = false } = {}): Promise<SharedCase> {
   const current = recipe.value;
   if (!current) throw new Error('There is no case to share yet.');
-  const found = upToDate.value ? report.value : null;
-  const base =
-    found && meshedMinimal.value ? meshedMinimal.value : (await engine.checkRecipe(current)).minimal;
-  const minimal = { ...base };
-  delete minimal.expected;
+  const { minimal } = await engine.checkRecipe(current);
   if (withVolume && current.source.file) {
     const { source, legend } = (await engine.inlineCase(JSON.stringify(current), current.source)).minimal;
     Object.assign(minimal, { source, ...(legend ? { legend } : {}) });
   }
-  if (found) minimal.expected = { engine: found.engine, digest: found.digest, tets: found.tets };
+  const expected = promiseOf(current);
+  if (expected) minimal.expected = expected;
+  if (withView) minimal.view = await viewNow();
   const url = new URL(location.href);
   url.search = '';
   url.hash = await encodeFragment(minimal);
-  return { url: url.href, minimal, promises: found !== null };
+  return { url: url.href, minimal, promises: expected };
 }

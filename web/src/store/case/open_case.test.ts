@@ -62,7 +62,7 @@ describe('the promise of a link', () => {
     await atRest();
     await runAll();
     expect(recipe.value?.source.file?.name).toBe('heart (1).nii');
-    expect(verdict.value?.kind).toBe('differs');
+    expect(verdict.value?.mesh).toBe('differs');
   });
 
   it('of an older engine is no promise of this one, whose mesh may be another', async () => {
@@ -70,7 +70,7 @@ describe('the promise of a link', () => {
     await dropFiles([fileOf('heart.nii')]);
     await atRest();
     await runAll();
-    expect(verdict.value?.kind).toBe('other_engine');
+    expect(verdict.value?.mesh).toBe('other_engine');
     expect(verdict.value?.rows[0]).toMatchObject({ expected: '0.1.0', found: 'mock' });
     // What is handed on names the engine that made it.
     const { minimal } = await shareCase();
@@ -84,7 +84,7 @@ describe('the promise of a link', () => {
     const { minimal } = await shareCase();
     await offerCase({ ...minimal, expected: { ...(minimal.expected as Expected), engine: '0.1.0' } });
     acceptOffer(true);
-    await vi.waitFor(() => expect(verdict.value?.kind).toBe('reproduced'), 5000);
+    await vi.waitFor(() => expect(verdict.value?.mesh).toBe('reproduced'), 5000);
   });
 
   it('is for its recipe, not for what comes of it', async () => {

@@ -7,24 +7,35 @@ import {
   type Labels,
   type PhantomParams,
   type Recipe,
+  type SharedView,
   type VolumeSummary,
 } from '../../engine/contract';
 import { canonicalJson } from '../../link/canonical';
 import { decodeFragment } from '../../link/codec';
 import { caseInAddress, keepAddress, nameEntry } from './keep/address';
 import { autosave, savedCase, type SavedCase } from './keep/autosave';
-import { engine, tellError, useEngine } from '../run/engine';
+import { engine, tellError } from '../run/engine';
+import {
+  engineOf,
+  ownEngine,
+  release,
+  startOwn,
+  workWith,
+  type EngineMaker,
+  type StartedEngine,
+} from './keep/kept_engines';
 import { fitRecipe } from './fit_recipe';
 import type { Example } from './gallery';
 import { awaitedFile, volume } from './input';
 import { amendRecipe, editRecipe, hasSource, recipe, redo, startRecipe, undo } from './recipe';
 import { dismissErrors, tell } from '../notices';
 import { expectation, type Expectation } from '../run/report';
-import { activity, defaults, forgetResults, schema } from '../run/stages';
+import { activity, defaults, forgetResults } from '../run/stages';
 import { budgetTets, edgeFor } from '../run/budget';
 import { keepResult, showResult } from '../run/results';
 import { cancelRun, preview, previewSoon, runAll } from '../run/run_stages';
 import { remoteAsked, remoteInAddress } from './remote';
+import { awaitedView } from './shared_view';
 import { forgetSides, holdSide, type SideFile } from './side_files';
 import { sameRecipe } from '../run/stage_inputs';
 import { forgetPainting, restorePainting, strokesDone } from './painting';
@@ -39,17 +50,18 @@ export interface OfferedCase {
   origin: 'link' | 'file' | 'interrupted';
   /** Masks and images of sizes that are at hand. */
   sides: SideFile[];
+  /** What it wants to be seen first. */
+  view: SharedView | null;
+  /** That has checked it, and will work on it. */
+  engine: StartedEngine;
 }
 
 export const offered = signal<OfferedCase | null>(null);
 
-export async function startEngine(client: EngineClient): Promise<void> {
-  useEngine(client);
+export async function startEngine(client: EngineClient, makeKept?: EngineMaker): Promise<void> {
   try {
-    const info = await engine.ready;
-    schema.value = info.schema;
-    defaults.value = withoutPromise(info.defaults);
-    startRecipe(defaults.value);
+    await startOwn(client, makeKept);
+    if (defaults.value) startRecipe(defaults.value);
     activity.value = 'idle';
   } catch (error) {
     activity.value = 'idle';
@@ -121,8 +133,10 @@ function beginCase(
   reading: Partial<Recipe['source']> = {},
   labels?: Labels,
 ): void {
-  if (!defaults.value) return;
-  const fresh = structuredClone(defaults.value);
+  const own = ownEngine();
+  if (!own) return;
+  if (engine !== own.client) workWith(own);
+  const fresh = structuredClone(own.info.defaults);
   const source = { ...fresh.source, ...reading, file: { name: fileName, sha256: summary.digest, url: '' } };
   leaveCase();
   engine.files.forgetVolumes(summary.digest);
@@ -189,7 +203,7 @@ export async function openAddress(): Promise<void> {
   await openFragment(link);
   const offer = offered.value;
   if (!offer) return;
-  if (found && isOf(found.saved, offer)) return resumeCase(found);
+  if (found && isOf(found.saved, offer)) return resumeCase(found, null, offer.view);
   if (own && !found?.interrupted) void acceptOffer(false);
 }
 
@@ -202,14 +216,17 @@ function isOf(saved: SavedCase, offer: OfferedCase): boolean {
   );
 }
 
-/** A saved recipe as the engine knows it; where it refuses it whole, without the fields that are gone, `left`. */
-async function acceptSaved(saved: Recipe): Promise<{ recipe: Recipe; left: string[] }> {
+/** A saved recipe as an engine knows it; where it refuses it whole, without the fields that are gone, `left`. */
+async function acceptSaved(
+  saved: Recipe,
+  { client, info }: StartedEngine,
+): Promise<{ recipe: Recipe; left: string[] }> {
   try {
-    return { recipe: (await engine.checkRecipe(saved)).recipe, left: [] };
+    return { recipe: (await client.checkRecipe(saved)).recipe, left: [] };
   } catch (error) {
-    const { fitted, left } = fitRecipe(saved, defaults.value ?? {});
+    const { fitted, left } = fitRecipe(saved, info.defaults);
     if (left.length === 0) throw error;
-    return { recipe: (await engine.checkRecipe(fitted)).recipe, left };
+    return { recipe: (await client.checkRecipe(fitted)).recipe, left };
   }
 }
 
@@ -220,16 +237,18 @@ async function acceptSaved(saved: Recipe): Promise<{ recipe: Recipe; left: strin
 async function resumeCase(
   { saved, interrupted }: NonNullable<Awaited<ReturnType<typeof savedCase>>>,
   laterLink: string | null = null,
+  view: SharedView | null = null,
 ) {
   try {
     const last = laterLink ? ((await decodeFragment(laterLink)) as unknown as Recipe) : saved.recipe;
     const digest = saved.recipe.source.file?.sha256;
     if (digest && saved.file) engine.files.keepVolume(digest, saved.file);
-    const { recipe: known, left } = await acceptSaved(last);
-    const accepted = withoutPromise(known);
+    const maker = await engineOf(saved.promise?.expected.engine);
+    const { recipe: known, left } = await acceptSaved(last, maker);
+    const { recipe: accepted } = apart(known);
     const { id, sides } = saved;
     const promise = left.length === 0 ? saved.promise : null;
-    offered.value = { id, recipe: accepted, promise, origin: 'interrupted', sides };
+    offer({ id, recipe: accepted, promise, origin: 'interrupted', sides, view, engine: maker });
     if (left.length > 0)
       tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
     if (!interrupted) void acceptOffer(false);
@@ -251,24 +270,33 @@ export async function offerCase(
   value: Record<string, unknown>,
   origin: 'link' | 'file' = 'file',
 ): Promise<void> {
-  const { recipe: full } = await engine.checkRecipe(value);
-  const { expected } = full as Recipe & { expected?: Expected };
-  const accepted = withoutPromise(full);
-  offered.value = {
-    recipe: accepted,
-    promise: expected?.digest ? { expected, recipe: accepted } : null,
-    origin,
-    sides: [],
-  };
+  // Before the check: the engine that made a case knows its fields.
+  const promised = (value.expected as { engine?: unknown } | undefined)?.engine;
+  const maker = await engineOf(typeof promised === 'string' ? promised : undefined);
+  try {
+    const { recipe: full } = await maker.client.checkRecipe(value);
+    const { recipe: accepted, expected, view } = apart(full);
+    const promise = expected?.digest ? { expected, recipe: accepted } : null;
+    offer({ recipe: accepted, promise, origin, sides: [], view: view ?? null, engine: maker });
+  } catch (error) {
+    release(maker);
+    throw error;
+  }
+}
+
+function offer(next: OfferedCase): void {
+  closeOffer();
+  offered.value = next;
 }
 
 /** Opens the case that is offered; ends with its surface, or its mesh. */
 export async function acceptOffer(thenRun: boolean): Promise<void> {
   const offer = offered.value;
   if (!offer) return;
-  closeOffer();
+  offered.value = null;
   // What the engine is at belongs to the case that is left.
   if (activity.value !== 'idle') void cancelRun();
+  workWith(offer.engine);
   leaveCase();
   startRecipe(offer.recipe, offer.id);
   if (offer.origin !== 'file') nameEntry();
@@ -277,6 +305,7 @@ export async function acceptOffer(thenRun: boolean): Promise<void> {
   expectation.value = offer.promise;
   forgetResults();
   resetView();
+  awaitedView.value = offer.view;
   const file = offer.recipe.source.file;
   engine.files.forgetVolumes(file?.sha256);
   volume.value = null;
@@ -289,6 +318,7 @@ export async function acceptOffer(thenRun: boolean): Promise<void> {
 }
 
 export function closeOffer(): void {
+  if (offered.value) release(offered.value.engine);
   offered.value = null;
 }
 
@@ -308,8 +338,17 @@ function afterHistory(): void {
   if (recipe.value && hasSource(recipe.value)) previewSoon();
 }
 
-function withoutPromise(full: Recipe): Recipe {
-  const copy = structuredClone(full) as Recipe & { expected?: unknown };
-  delete copy.expected;
-  return copy;
+/** The recipe, and what stands beside it in a case. */
+function apart(full: Recipe): { recipe: Recipe; expected?: Expected; view?: SharedView } {
+  const { expected, view, ...recipe } = structuredClone(full) as Recipe & {
+    expected?: Expected;
+    view?: SharedView;
+  };
+  return { recipe, expected: expected && promiseIn(expected), view };
+}
+
+/** A promise without what it leaves open. */
+function promiseIn({ engine, digest, tets, physics, stages }: Expected): Expected {
+  const simulated = Object.values(stages ?? {}).some((digest) => digest !== '');
+  return { engine, digest, tets, ...(simulated && { physics, stages }) };
 }

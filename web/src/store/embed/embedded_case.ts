@@ -1,9 +1,12 @@
 /** The case of an app that is embedded in another page, and what its one button does. */
 import { signal } from '@preact/signals';
+import type { SharedView } from '../../engine/contract';
 import { decodeFragment, encodeFragment, parseCase } from '../../link/codec';
 import { acceptOffer, offerCase, offered } from '../case/open_case';
 import { hasSource, needsNoFile, recipe } from '../case/recipe';
+import { awaitedView } from '../case/shared_view';
 import { dismissErrors } from '../notices';
+import { engine } from '../run/engine';
 import { frameTimes } from '../run/frames';
 import { playing, stopPlaying, togglePlaying } from '../run/player';
 import { upToDate } from '../run/report';
@@ -45,11 +48,19 @@ export async function openEmbedded(given: object | string): Promise<void> {
   if (activity.value !== 'idle') await endRun();
 }
 
+/** Shows what the `view` of a recipe says, or will once there is something to see. */
+export async function showEmbedded(given: object): Promise<void> {
+  const { recipe: checked } = await engine.checkRecipe(parseCase(JSON.stringify({ view: given })));
+  const view = (checked as { view?: SharedView }).view ?? null;
+  if (offered.value) offered.value = { ...offered.value, view };
+  else awaitedView.value = view;
+}
+
 /** Meshes the case, and computes its wave where it has one. */
 export async function runEmbedded(): Promise<void> {
   if (!mayRun() || activity.value !== 'idle') return;
   if (offered.value) await acceptOffer(true);
-  else if (!upToDate.value) await runAll();
+  else await runAll();
   if (upToDate.value && recipe.value?.physics?.monodomain) await simulate('monodomain');
 }
 

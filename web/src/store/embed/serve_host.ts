@@ -1,32 +1,20 @@
 /** Hears the page that embeds the app, and tells it what becomes of its case (link/embed_messages.ts). */
-import { effect, untracked } from '@preact/signals';
-import { EngineError, type ErrorCode } from '../../engine/contract';
+import { effect } from '@preact/signals';
+import { EngineError, type ErrorCode, type Report } from '../../engine/contract';
 import { isCaseFragment, LinkError } from '../../link/codec';
 import {
   embedVersion,
   MessageError,
   readRequest,
+  type EmbedEvent,
   type EmbedRequest,
-  type EmbedView,
 } from '../../link/embed_messages';
 import { notices } from '../notices';
 import { tellError } from '../run/engine';
 import { report, verdict } from '../run/report';
-import { schema, stages } from '../run/stages';
-import { colourBy, command, cut, showEdges } from '../view';
-import { embeddedRecipe, mayRun, openEmbedded, runEmbedded } from './embedded_case';
+import { activity, schema, stages } from '../run/stages';
+import { mayRun, openEmbedded, runEmbedded, showEmbedded } from './embedded_case';
 import { isHost, tellHost } from './host';
-
-/** What was asked for of the view; a case that is run begins with a view of its own. */
-let view: EmbedView = {};
-
-function show({ colour, edges, cut: plane, look }: EmbedView): void {
-  if (colour !== undefined) colourBy.value = colour;
-  if (edges !== undefined) showEdges.value = edges;
-  if (plane === false) cut.value = { ...cut.peek(), on: false };
-  else if (plane) cut.value = { on: true, flat: false, ...plane };
-  if (look) command.value = { kind: 'look', from: look };
-}
 
 function tellHostOf(error: unknown): void {
   const known = error instanceof EngineError;
@@ -40,13 +28,12 @@ async function serve(request: EmbedRequest): Promise<void> {
     case 'voxtet:open':
       await openEmbedded(request.case);
       if (!mayRun()) throw new LinkError('The case needs a file. An embedded app takes none.');
-      view = {};
       return;
     case 'voxtet:view':
-      view = { ...view, ...request };
-      return show(request);
+      return showEmbedded(request.view);
     case 'voxtet:run':
-      if (!embeddedRecipe()) throw new MessageError('voxtet:run: there is no case; voxtet:open gives one');
+      if (!mayRun()) throw new MessageError('voxtet:run: there is no case, or it needs a file');
+      if (activity.value !== 'idle') throw new MessageError('voxtet:run: a run is under way');
       // The next message is heard while it runs.
       void runEmbedded();
   }
@@ -71,13 +58,20 @@ function tellWhatComes(): void {
     for (const [stage, { state, fraction }] of Object.entries(stages.value))
       if (state === 'running') tellHost({ type: 'voxtet:progress', stage, fraction });
   });
+  let last: [Report | null, string] = [null, ''];
   effect(() => {
     if (!report.value) return;
     const { engine, digest, tets, points, quality } = report.value;
-    const { passed } = quality;
-    const kind = untracked(() => verdict.value?.kind ?? null);
-    tellHost({ type: 'voxtet:done', report: { engine, digest, tets, points, passed }, verdict: kind });
-    untracked(() => show(view));
+    const found = verdict.value && { mesh: verdict.value.mesh, simulation: verdict.value.simulation };
+    const event: EmbedEvent = {
+      type: 'voxtet:done',
+      report: { engine, digest, tets, points, passed: quality.passed },
+      verdict: found,
+    };
+    // A mesh is told of again where its simulation has got a verdict.
+    const text = JSON.stringify(event);
+    if (last[0] !== report.value || last[1] !== text) tellHost(event);
+    last = [report.value, text];
   });
   let told = 0;
   effect(() => {

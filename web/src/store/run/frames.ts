@@ -2,10 +2,12 @@
 import { computed, signal } from '@preact/signals';
 import {
   noValue,
+  promisedStages,
   type FieldInfo,
   type FoundFields,
   type Frame,
   type Physics,
+  type Report,
   type Simulated,
   type SimulationName,
 } from '../../engine/contract';
@@ -65,6 +67,24 @@ export function keepFound({ fields, values }: FoundFields): void {
 /** The figures of the simulations of this mesh. */
 export const simulated = signal<Simulated>({});
 
+/** Digests of what they found, and the version of the physics that found it. */
+export interface SimulationDigests {
+  physics: string;
+  stages: Partial<Record<(typeof promisedStages)[number], string>>;
+}
+export const simulationDigests = signal<SimulationDigests | null>(null);
+
+/** Takes what a report says of them. */
+export function keepSimulated({ simulation: told = {}, physics, stages }: Report): void {
+  simulated.value = told;
+  const digests = promisedStages.flatMap((name) => {
+    // The names of a report's stages are those of simulations too.
+    const done = stages.find((stage) => (stage.name as string) === name);
+    return done ? [[name, done.digest]] : [];
+  });
+  simulationDigests.value = physics ? { physics, stages: Object.fromEntries(digests) } : null;
+}
+
 /** What the last of them was asked, with what it was given on its way. */
 export const simulatedPhysics = signal<Physics | null>(null);
 
@@ -72,6 +92,7 @@ export const simulatedPhysics = signal<Physics | null>(null);
 export function forgetFound(): void {
   simulatedPhysics.value = null;
   simulated.value = {};
+  simulationDigests.value = null;
   found.clear();
   foundFields.value = [];
 }

@@ -1,9 +1,10 @@
 /** The mesh that is shown, and what a link promises of it. */
 import { computed, signal } from '@preact/signals';
 import type { Expected, Recipe, Report, SliceAlignment } from '../../engine/contract';
+import { canonicalJson } from '../../link/canonical';
 import { verdictOf } from '../../link/verdict';
 import { recipe } from '../case/recipe';
-import { forgetFound, forgetFrames } from './frames';
+import { forgetFound, forgetFrames, simulatedPhysics, simulationDigests } from './frames';
 import { sameMesh } from './stage_inputs';
 
 export interface Expectation {
@@ -12,9 +13,8 @@ export interface Expectation {
 }
 
 export const report = signal<Report | null>(null);
-/** The recipe of the mesh that is shown, and only its fields that differ from the defaults. */
+/** The recipe of the mesh that is shown. */
 export const meshedRecipe = signal<Recipe | null>(null);
-export const meshedMinimal = signal<Record<string, unknown> | null>(null);
 /** What the opened link promises, and the recipe that it promises it for. */
 export const expectation = signal<Expectation | null>(null);
 
@@ -27,8 +27,29 @@ export const verdict = computed(() => {
   const promise = expectation.value;
   if (!promise || !report.value || !meshedRecipe.value) return null;
   if (!sameMesh(promise.recipe, meshedRecipe.value)) return null;
-  return verdictOf(promise.expected, report.value);
+  const simulated = samePhysics(promise.recipe) ? simulationDigests.value : null;
+  return verdictOf(promise.expected, {
+    ...report.value,
+    physics: undefined,
+    stages: undefined,
+    ...simulated,
+  });
 });
+
+/** Whether what was simulated is what a recipe asks for. */
+function samePhysics({ physics }: Recipe): boolean {
+  const done = simulatedPhysics.value;
+  return physics !== undefined && done !== null && canonicalJson(physics) === canonicalJson(done);
+}
+
+/** What a link of the recipe as it stands may promise: the mesh that is shown, and what was simulated on it. */
+export function promiseOf(current: Recipe): Expected | undefined {
+  const found = upToDate.value ? report.value : null;
+  if (!found) return undefined;
+  const { engine, digest, tets } = found;
+  const simulated = samePhysics(current) ? simulationDigests.value : null;
+  return { engine, digest, tets, ...(simulated as Pick<Expected, 'physics' | 'stages'> | null) };
+}
 
 /** What was done to the slices of a stack; null where none was moved. */
 export const alignment = computed(
@@ -42,7 +63,6 @@ export const alignment = computed(
 export function forgetReport(): void {
   report.value = null;
   meshedRecipe.value = null;
-  meshedMinimal.value = null;
   forgetFrames();
   forgetFound();
 }

@@ -8,7 +8,7 @@ import { hasSource, recipe } from '../case/recipe';
 import { dropResults, isKept, keepResult, showResult, shownKeys } from './results';
 import { announcement, dismissErrors } from '../notices';
 import { startClock, stopClock } from './clock';
-import { forgetReport, meshedMinimal, meshedRecipe, report } from './report';
+import { forgetReport, meshedRecipe, report } from './report';
 import {
   activity,
   caseStages,
@@ -173,7 +173,7 @@ async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<bool
       },
     });
     if (!newest()) return false;
-    if (result.report) finishRun(result.report, result.minimal, current);
+    if (result.report) finishRun(result.report, current);
     else if (kind === 'run') announcement.value = `Ready: ${last}`;
     return true;
   } catch (error) {
@@ -191,13 +191,8 @@ async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<bool
   }
 }
 
-function finishRun(
-  found: NonNullable<typeof report.value>,
-  minimal: Record<string, unknown>,
-  current: Recipe,
-): void {
+function finishRun(found: NonNullable<typeof report.value>, current: Recipe): void {
   meshedRecipe.value = current;
-  meshedMinimal.value = minimal;
   report.value = found;
   brush.value = null;
   focusTet.value = null;

@@ -1,5 +1,5 @@
 /** What is simulated on the mesh that is shown. Its run can be held, and given up without losing the mesh. */
-import { EngineError, type SimulationName } from '../../engine/contract';
+import { EngineError, type promisedStages, type SimulationName } from '../../engine/contract';
 import { recipe } from '../case/recipe';
 import { announcement } from '../notices';
 import { colourBy, stageShown } from '../view';
@@ -11,10 +11,11 @@ import {
   forgetFrames,
   keepFound,
   keepFrame,
+  keepSimulated,
   playedFields,
-  simulated,
   simulatedPhysics,
   simulation,
+  simulationDigests,
   simulationEndMs,
   simulationOf,
   type SimulationState,
@@ -55,7 +56,7 @@ export async function simulate(name: SimulationName): Promise<void> {
   try {
     await forecastUnderWay()?.done;
     if (!newest()) return settle('cancelled');
-    const { found, told } = await engine.simulate(JSON.stringify(current), current.source, name, {
+    const { found, report } = await engine.simulate(JSON.stringify(current), current.source, name, {
       onProgress: () => undefined,
       onFrame(frame) {
         if (!newest()) return;
@@ -70,7 +71,7 @@ export async function simulate(name: SimulationName): Promise<void> {
     if (lives(name)) settle('done');
     if (!newest()) return;
     keepFound(found);
-    simulated.value = told;
+    keepSimulated(report);
     if (!lives(name)) {
       simulatedPhysics.value = physics;
       colourBy.value = found.fields.at(-1)?.name ?? 'label';
@@ -85,6 +86,14 @@ export async function simulate(name: SimulationName): Promise<void> {
       activity.value = 'idle';
       stopClock();
     }
+  }
+}
+
+/** Computes what a link promises, one after the other, for as long as each is done. */
+export async function simulatePromised(names: readonly (typeof promisedStages)[number][]): Promise<void> {
+  for (const name of names) {
+    await simulate(name);
+    if (!simulationDigests.value?.stages[name]) return;
   }
 }
 

@@ -1,5 +1,5 @@
 #include "cli/cli.h"
-#include "cli/huge_pages.h"
+#include "cli/program/huge_pages.h"
 
 int main(int argc, char** argv) {
   voxtet::use_huge_pages(argv);

@@ -1,0 +1,1 @@
+export function keepEngines(oldDist: string, newDist: string): string[];
