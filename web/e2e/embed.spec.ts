@@ -6,7 +6,7 @@ import { fileURLToPath } from 'node:url';
 import AxeBuilder from '@axe-core/playwright';
 import type { Frame, Page } from '@playwright/test';
 import { port } from './browser';
-import { expect, link, test } from './support';
+import { expect, idle, link, test } from './support';
 
 /** A server on another port is another origin. What it sends is the test's own. */
 const hostPort = port + 500;
@@ -183,6 +183,31 @@ test('in a frame nothing is fetched or opened, and without ?embed a server lets 
   const embedded = await answer('?embed');
   expect(embedded['content-security-policy']).not.toContain('frame-ancestors');
   expect(embedded['cross-origin-resource-policy']).toBe('cross-origin');
+});
+
+test('a server that lets it be framed gets no more than that into a frame', async ({ page }) => {
+  await page.route(app, async (route) => {
+    const response = await route.fetch();
+    const headers = response.headers();
+    const policy = headers['content-security-policy'].replace("; frame-ancestors 'none'", '');
+    await route.fulfill({ response, headers: { ...headers, 'content-security-policy': policy } });
+  });
+  const frame = await embed(page, `${app}${link(ball).slice(2)}`);
+  await expect(frame.getByRole('button')).toHaveCount(1);
+  await expect(frame.locator('.header')).toHaveCount(0);
+});
+
+test('Share has the code that embeds a case', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await page.goto(link(ball));
+  await page.getByRole('button', { name: 'Open', exact: true }).click();
+  await idle(page);
+  await page.getByRole('button', { name: 'Share' }).click();
+  await page.getByRole('button', { name: 'Copy embed code' }).click();
+  await expect(page.getByText('Copied')).toBeVisible();
+  const code = await page.evaluate(() => navigator.clipboard.readText());
+  await visit(page, `<!doctype html>${code}`);
+  await expect(page.frameLocator('iframe').locator('.poster')).toContainText('sphere');
 });
 
 test('a run is cancelled by its button, and the page hears of it; the case of the app itself stays', async ({

@@ -126,6 +126,34 @@ test('a job ends when its signal says so, and errors say what is wrong', () => {
   ]);
 });
 
+test('a wave, the links of the app and the schema of recipes are there', () => {
+  writeFileSync(
+    join(folder, 'wave.mjs'),
+    `import schema from 'voxtet/schema.json' with { type: 'json' };
+    import { createMesher, decodeFragment, encodeFragment } from 'voxtet';
+    const kinds = [{ labels: [1, 2], along_mm_per_ms: 0.6, across_mm_per_ms: 0.3 }];
+    const stimuli = [{ name: 'apex', centre_mm: [0, 0, -40], radius_mm: 14 }];
+    const monodomain = { end_ms: 4, step_ms: 0.2 };
+    const recipe = await decodeFragment(
+      await encodeFragment({
+        source: { phantom: { kind: 'biventricle', spacing_mm: [4, 4, 4] } },
+        labels: [1, 2],
+        sizing: { edge_mm: 7 },
+        physics: { anatomy: {}, fibres: {}, tissue: { kinds }, stimuli, monodomain },
+      }),
+    );
+    const mesher = await createMesher();
+    const { mesh } = await mesher.run(recipe);
+    let frames = 0;
+    const onFrame = ({ values }) => (frames += Object.values(values)[0].length * 3 === mesh.points.length);
+    const { values, simulation } = await mesher.simulate('monodomain', { onFrame });
+    console.log([frames > 1, Object.keys(values).includes('activation_ms'), simulation.monodomain.end_ms].join(' '));
+    console.log(Object.keys(schema.properties).includes('sizing') ? 'schema' : 'no schema');
+    mesher.close();`,
+  );
+  expect(node(folder, 'wave.mjs').trim().split('\n')).toEqual(['true true 4', 'schema']);
+});
+
 /** The page of the README in a folder of its own. */
 function pageFolder(): string {
   const site = join(folder, 'site');

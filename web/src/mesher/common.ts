@@ -17,6 +17,7 @@ export type {
   Space,
 } from '../engine/contract';
 export { decodeFragment, encodeFragment, LinkError } from '../link/codec';
+export type { EmbedEvent, EmbedRequest } from '../link/embed_messages';
 export type * from './mesher';
 
 export interface MesherOptions {
