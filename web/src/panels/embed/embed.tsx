@@ -58,6 +58,7 @@ export function Embed() {
   useEffect(keepPlaying, []);
   const task = buttonTask();
   const shown = volume.value !== null && !offered.value && !volumeComes();
+  const status = statusText();
   const failed = notices.value.some(({ tone }) => tone === 'error');
   const ready = activity.value !== 'starting' && (task?.name !== 'Run' || mayRun());
   return (
@@ -83,8 +84,12 @@ export function Embed() {
             <Icon name={task.icon} size={13} /> {task.name}
           </button>
         )}
-        <span class={failed ? 'embed-status failed' : 'embed-status'} role={failed ? 'alert' : undefined}>
-          {statusText()}
+        <span
+          class={failed ? 'embed-status failed' : 'embed-status'}
+          role={failed ? 'alert' : undefined}
+          title={status}
+        >
+          {status}
         </span>
         <a href={`./${embeddedLink.value}`} target="_blank" rel="noopener">
           Open in voxtet
