@@ -22,7 +22,7 @@ const maySee = {
   geometry: ['engine/contract'],
   link: ['engine/contract'],
   mesher: ['engine', 'link'],
-  report: engineAndShapes,
+  report: [...engineAndShapes, 'link'],
   dicom: ['geometry'],
   store: [...engineAndShapes, 'store/case/input'],
   'store/run': [

@@ -1,26 +1,64 @@
 /** What a run leaves in the hand: a report, and the run before beside it. */
+import AxeBuilder from '@axe-core/playwright';
+import { strFromU8, unzipSync } from 'fflate';
 import { readFile } from 'node:fs/promises';
 import { expect, meshed, openAndRun, pixels, smallHeart, stage, test } from './support';
 
-test('the report is a page with pictures that needs nothing else', async ({ page }) => {
+test('a reviewer opens a link, reproduces it, and keeps the evidence: page, print, research object', async ({
+  page,
+}) => {
   await openAndRun(page, smallHeart);
-  const downloading = page.waitForEvent('download');
-  await page.getByRole('button', { name: 'Page with pictures' }).click();
-  const download = await downloading;
-  expect(download.suggestedFilename()).toBe('biventricle.report.html');
-  const html = await readFile(await download.path(), 'utf8');
-  expect(html.match(/<img src="data:image\/png/g)).toHaveLength(2);
-  expect(html).toContain(await page.getByTestId('tets').innerText());
-  await expect(page.locator('.pane.axial')).toBeHidden();
-  const reader = await page.context().newPage();
+  await page.getByRole('button', { name: 'Share' }).click();
+  await expect(page.getByTestId('share-link')).toHaveValue(/#c1=/);
+  const url = await page.getByTestId('share-link').inputValue();
+  const tets = await page.getByTestId('tets').innerText();
+
+  const fresh = await page.context().browser()!.newContext({ colorScheme: 'dark' });
+  const reviewer = await fresh.newPage();
+  await reviewer.goto(url);
+  await reviewer.getByRole('button', { name: 'Open and run' }).click();
+  await meshed(reviewer);
+  await expect(reviewer.getByTestId('verdict')).toContainText('Reproduced');
+  await reviewer.getByRole('button', { name: "Reviewer's page" }).click();
+  const dialog = reviewer.getByRole('dialog');
+  await expect(dialog.getByText('The mesh: reproduced, byte for byte.')).toBeVisible();
+  await expect(dialog.getByText(/checks that a simulation needs hold/)).toBeVisible();
+  for (const heading of ['What it is', 'Checks', 'Distributions', 'Fidelity to the labels', 'How to cite'])
+    await expect(dialog.getByRole('heading', { name: heading })).toBeAttached();
+  const { violations } = await new AxeBuilder({ page: reviewer }).include('dialog').analyze();
+  expect(violations.map(({ id }) => id)).toEqual([]);
+  // What is printed is the page, all of it, and nothing of the app.
+  const pdf = (await reviewer.pdf()).toString('latin1');
+  expect(pdf.match(/\/Type\s*\/Page\b/g)!.length).toBeGreaterThan(2);
+
+  const saving = reviewer.waitForEvent('download');
+  await dialog.getByRole('button', { name: 'Page (HTML)' }).click();
+  const saved = await saving;
+  expect(saved.suggestedFilename()).toBe('biventricle.report.html');
+  const html = await readFile(await saved.path(), 'utf8');
+  expect(html).toContain(tets);
+  await expect(reviewer.locator('.pane.axial')).toBeHidden();
+  const reader = await fresh.newPage();
   await reader.setContent(html);
-  await expect(reader.getByRole('heading', { name: 'Checklist' })).toBeVisible();
+  await expect(reader.getByRole('heading', { name: 'Checks' })).toBeVisible();
   expect(
     await reader
       .locator('img')
       .evaluateAll((all) => all.map((one) => (one as HTMLImageElement).naturalWidth > 0)),
   ).toEqual([true, true]);
   await reader.close();
+
+  const packing = reviewer.waitForEvent('download');
+  await dialog.getByRole('button', { name: 'Research object' }).click();
+  const files = unzipSync(await readFile(await (await packing).path()));
+  const crate = JSON.parse(strFromU8(files['ro-crate-metadata.json']));
+  const root = crate['@graph'].find((one: { '@id': string }) => one['@id'] === './');
+  const parts = root.hasPart.map((one: { '@id': string }) => one['@id']).sort();
+  expect([...parts, 'ro-crate-metadata.json'].sort()).toEqual(Object.keys(files).sort());
+  expect(parts).toContain('biventricle.vtu');
+  const kept = JSON.parse(strFromU8(files['biventricle.case.json']));
+  expect(kept.expected.digest).toMatch(/^[0-9a-f]{64}$/);
+  await fresh.close();
 });
 
 test('a pinned run stands beside the next one, with one camera and a table of differences', async ({

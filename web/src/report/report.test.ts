@@ -3,7 +3,8 @@ import type { Recipe, Report } from '../engine/contract';
 import createVoxtet from '../engine/testing/mock_engine.mjs';
 import { seriesOf } from './charts';
 import { changedFields, differencesOf } from './differences';
-import { escaped, histogramSvg, reportPage } from './report_page';
+import { escaped, histogramSvg } from './markup';
+import { htmlFile, reviewPage } from './review_page';
 
 async function mockReport(edge: number): Promise<Report> {
   const engine = await createVoxtet();
@@ -18,12 +19,16 @@ const found = await mockReport(2);
 const other = { ...(await mockReport(3)), tets: 12 };
 
 describe('the report as a page', () => {
-  const page = reportPage(found, {
-    title: 'Heart <1> & "co"',
+  const title = 'Heart <1> & "co"';
+  const context = {
+    title,
     link: 'https://example.org/#c1=abc',
     pictures: [{ title: 'The view', source: 'data:image/png;base64,AAAA' }],
-    nameOf: (label) => `label ${label}`,
-  });
+    nameOf: (label: number) => `label <${label}>`,
+    verdict: null,
+    citation: '@software{voxtet}',
+  };
+  const page = htmlFile(title, reviewPage(found, context));
 
   it('holds what the report says', () => {
     for (const part of [
@@ -46,6 +51,20 @@ describe('the report as a page', () => {
   it('lets no text become markup, and needs nothing from elsewhere', () => {
     expect(page).toContain('Heart &lt;1&gt; &amp; &quot;co&quot;');
     expect(page).not.toMatch(/<script|<link|src="http/);
+  });
+
+  it('says whether what was promised was found', () => {
+    expect(page).toContain('No link has promised this run');
+    const rows = [{ name: 'Digest', expected: 'aa', found: 'bb', same: false }];
+    const verdict = { mesh: 'differs', simulation: 'awaited', rows } as const;
+    const { body } = reviewPage(found, { ...context, verdict: { ...verdict, rows } });
+    expect(body).toContain('The mesh: differs from what the link promises.');
+    expect(body).toContain('The simulation: promised by the link, not run yet.');
+    expect(body).toContain('<td>aa</td><td>bb</td><td>no</td>');
+  });
+
+  it('keeps the promises of the pages that show it: no style of a single element, no script', () => {
+    expect(reviewPage(found, context).body).not.toMatch(/ style=| on\w+=|javascript:/);
   });
 
   it('draws each series from the floor of the chart back to it', () => {

@@ -1,5 +1,15 @@
 import { signal } from '@preact/signals';
 
 export const dialogShown = signal<
-  'export' | 'share' | 'examples' | 'keys' | 'sizes' | 'reading' | 'about' | 'memory' | 'glossary' | null
+  | 'export'
+  | 'share'
+  | 'examples'
+  | 'keys'
+  | 'sizes'
+  | 'reading'
+  | 'about'
+  | 'memory'
+  | 'glossary'
+  | 'review'
+  | null
 >(null);

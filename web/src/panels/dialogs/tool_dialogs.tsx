@@ -17,6 +17,7 @@ import { AboutDialog } from './about_dialog';
 import { GlossaryDialog } from './glossary_dialog';
 import { MemoryDialog } from './memory_dialog';
 import { ReadingDialog } from './reading_dialog';
+import { ReviewDialog } from './review_dialog';
 import { ShareDialog } from './share_dialog';
 
 const formatNotes: Record<ExportFormat, [string, string]> = {
@@ -90,7 +91,7 @@ function ExportDialog({ close }: { close(): void }) {
         <button
           type="button"
           class="button"
-          title="The mesh with its report, the case and the masks of sizes"
+          title="The mesh with its report, the case and the masks of sizes, described as a research object (RO-Crate)"
           disabled={!upToDate.value}
           onClick={() => {
             close();
@@ -131,6 +132,8 @@ export function ToolDialogs() {
       return <SizesDialog close={close} />;
     case 'memory':
       return <MemoryDialog close={close} />;
+    case 'review':
+      return <ReviewDialog close={close} />;
     case 'glossary':
       return <GlossaryDialog close={close} />;
     case 'about':

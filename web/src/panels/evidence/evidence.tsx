@@ -3,6 +3,7 @@ import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
 import { alignment, upToDate } from '../../store/run/report';
 import { CopyButton } from '../controls/copy_button';
+import { dialogShown } from '../controls/dialog_shown';
 import { fetched } from '../controls/fetched';
 import { Checklist } from './checklist';
 import { CompareSection } from './compare_section';
@@ -83,12 +84,8 @@ export function Evidence({ found }: { found: Report }) {
           </CopyButton>
         </p>
         <div class="compare-actions">
-          <button
-            type="button"
-            class="button small"
-            onClick={() => writeFiles(({ downloadReportPage }) => downloadReportPage())}
-          >
-            <Icon name="download" size={13} /> Page with pictures
+          <button type="button" class="button small" onClick={() => (dialogShown.value = 'review')}>
+            Reviewer's page…
           </button>
           <button
             type="button"

@@ -1,19 +1,18 @@
 /** What leaves the page: files of the mesh, the report, the case, a link. */
 import type { Expected, ExportFormat, Recipe, Space } from '../../engine/contract';
 import { encodeFragment } from '../../link/codec';
-import type { ReportPicture } from '../../report/report_page';
 import { engine, takeTurn, tellError } from '../run/engine';
 import { forecastUnderWay } from '../run/forecast';
 import { caseName, recipe } from './recipe';
 import { announcement } from '../notices';
-import { meshedRecipe, promiseOf, report } from '../run/report';
+import { fullReport, meshedRecipe, promiseOf } from '../run/report';
 import { activity } from '../run/stages';
 import { paintedName } from './painting';
+import { review } from './review';
 import { viewNow } from './shared_view';
 import { heldSides } from './side_files';
-import { chooseLayout, command, layout, sceneMounted, type Layout } from '../view';
+import { command, sceneMounted } from '../view';
 import { packZip } from './zip/zip';
-import { nameOf } from './legend/legend';
 
 /** Runs what writes files, and says so. */
 async function writing(
@@ -53,20 +52,43 @@ export function exportMesh(format: ExportFormat, space: Space): Promise<void> {
   });
 }
 
-/** Mesh, report and case in one file, with the masks and images that the case is made from. */
+/**
+ * Mesh, report and case in one file, with the masks and images that the case is made from, described as a research
+ * object (RO-Crate).
+ */
 export function exportZip(format: ExportFormat, space: Space): Promise<void> {
   return writing('zip', async (meshed, name, newest) => {
-    const { minimal } = await shareCase();
-    const page = await reportBlob();
+    const { minimal, url } = await shareCase();
+    const { htmlFile } = await import('../../report/review_page');
+    const page = htmlFile(name, await review());
     if (!newest()) return '';
     const mesh = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name);
     const text = (value: unknown) => new TextEncoder().encode(JSON.stringify(value, null, 2));
+    const found = fullReport.value;
+    if (!found) return '';
+    const caseFile = `${name}.case.json`;
+    const described: [path: string, description: string, bytes: Uint8Array<ArrayBuffer>][] = [
+      ...mesh.map(({ suffix, bytes }): (typeof described)[number] => [`${name}${suffix}`, 'The mesh', bytes]),
+      ...heldSides().flatMap(({ file }) =>
+        Object.entries({ ...file.siblings, [file.name]: file.bytes }).map(
+          ([path, bytes]): (typeof described)[number] => [path, 'A mask or an image of sizes', bytes],
+        ),
+      ),
+      [caseFile, 'The case: recipe, promised digests', text(minimal)],
+      [`${name}.report.json`, 'What was measured, and how it was made', text(found)],
+      [`${name}.report.html`, 'The evidence as a page', new TextEncoder().encode(page)],
+    ];
+    const { crateFileName, mediaTypeOf, roCrate } = await import('../../report/ro_crate');
+    const files = described.map(([path, description, bytes]) => ({
+      path,
+      description,
+      format: mediaTypeOf(path),
+      bytes,
+    }));
+    const crate = await roCrate(found, files, { title: name, link: url, caseFile, at: new Date() });
     const zip = await packZip({
-      ...Object.fromEntries(mesh.map(({ suffix, bytes }) => [`${name}${suffix}`, bytes])),
-      ...Object.assign({}, ...heldSides().map(({ file }) => ({ ...file.siblings, [file.name]: file.bytes }))),
-      [`${name}.case.json`]: text(minimal),
-      [`${name}.report.json`]: text(report.value),
-      [`${name}.report.html`]: new Uint8Array(await page.arrayBuffer()),
+      ...Object.fromEntries(described.map(([path, , bytes]) => [path, bytes])),
+      [crateFileName]: text(crate),
     });
     if (!newest()) return '';
     download(`${name}.zip`, new Blob([zip], { type: 'application/zip' }));
@@ -89,62 +111,11 @@ export async function downloadPicture(): Promise<void> {
 }
 
 export function downloadReport(): void {
-  if (!report.value) return;
+  if (!fullReport.value) return;
   download(
     `${caseName()}.report.json`,
-    new Blob([JSON.stringify(report.value, null, 2)], { type: 'application/json' }),
+    new Blob([JSON.stringify(fullReport.value, null, 2)], { type: 'application/json' }),
   );
-}
-
-function dataUrl(blob: Blob): Promise<string> {
-  return new Promise((read, failed) => {
-    const reader = new FileReader();
-    reader.onload = () => read(String(reader.result));
-    reader.onerror = () => failed(reader.error);
-    reader.readAsDataURL(blob);
-  });
-}
-
-/** The view in each of these layouts, then as it was; none where there is no view. */
-async function picturesOf(layouts: readonly [Layout, string][]): Promise<ReportPicture[]> {
-  if (!sceneMounted.value) return [];
-  const before = layout.value;
-  const pictures: ReportPicture[] = [];
-  try {
-    for (const [next, title] of layouts) {
-      chooseLayout(next);
-      await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
-      pictures.push({ title, source: await dataUrl(await viewPicture()) });
-    }
-  } finally {
-    chooseLayout(before);
-  }
-  return pictures;
-}
-
-/** The report as a page with pictures, for whoever has no voxtet. */
-async function reportBlob(): Promise<Blob> {
-  const found = report.value;
-  if (!found) throw new Error('There is no report yet.');
-  const [{ reportPage }, pictures, { url: link }] = await Promise.all([
-    import('../../report/report_page'),
-    picturesOf([
-      ['model', 'The mesh'],
-      ['slices', 'Slices of the image with the mesh'],
-    ]),
-    shareCase(),
-  ]);
-  const page = reportPage(found, { title: caseName(), link, pictures, nameOf });
-  return new Blob([page], { type: 'text/html' });
-}
-
-export async function downloadReportPage(): Promise<void> {
-  try {
-    download(`${caseName()}.report.html`, await reportBlob());
-    announcement.value = 'Report written';
-  } catch (error) {
-    tellError(error);
-  }
 }
 
 export function downloadCase(minimal: Record<string, unknown>): void {
@@ -160,7 +131,7 @@ export function downloadPainted(): void {
   if (file) download(file.name, new Blob([file.bytes]));
 }
 
-function download(name: string, blob: Blob): void {
+export function download(name: string, blob: Blob): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);
   link.download = name;

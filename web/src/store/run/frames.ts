@@ -64,26 +64,28 @@ export function keepFound({ fields, values }: FoundFields): void {
   foundFields.value = [...foundFields.peek().filter(({ info }) => stays(info.name)), ...fresh];
 }
 
+/** The report of the mesh with what simulations of it have found. */
+export const simulationReport = signal<Report | null>(null);
+
 /** The figures of the simulations of this mesh. */
-export const simulated = signal<Simulated>({});
+export const simulated = computed<Simulated>(() => simulationReport.value?.simulation ?? {});
 
 /** Digests of what they found, and the version of the physics that found it. */
 export interface SimulationDigests {
   physics: string;
   stages: Partial<Record<(typeof promisedStages)[number], string>>;
 }
-export const simulationDigests = signal<SimulationDigests | null>(null);
 
-/** Takes what a report says of them. */
-export function keepSimulated({ simulation: told = {}, physics, stages }: Report): void {
-  simulated.value = told;
+export const simulationDigests = computed<SimulationDigests | null>(() => {
+  const { physics, stages } = simulationReport.value ?? {};
+  if (!physics || !stages) return null;
   const digests = promisedStages.flatMap((name) => {
     // The names of a report's stages are those of simulations too.
     const done = stages.find((stage) => (stage.name as string) === name);
     return done ? [[name, done.digest]] : [];
   });
-  simulationDigests.value = physics ? { physics, stages: Object.fromEntries(digests) } : null;
-}
+  return { physics, stages: Object.fromEntries(digests) };
+});
 
 /** What the last of them was asked, with what it was given on its way. */
 export const simulatedPhysics = signal<Physics | null>(null);
@@ -91,8 +93,7 @@ export const simulatedPhysics = signal<Physics | null>(null);
 /** Of another mesh, or of none. */
 export function forgetFound(): void {
   simulatedPhysics.value = null;
-  simulated.value = {};
-  simulationDigests.value = null;
+  simulationReport.value = null;
   found.clear();
   foundFields.value = [];
 }

@@ -4,7 +4,7 @@ import type { Expected, Recipe, Report, SliceAlignment } from '../../engine/cont
 import { canonicalJson } from '../../link/canonical';
 import { verdictOf } from '../../link/verdict';
 import { recipe } from '../case/recipe';
-import { forgetFound, forgetFrames, simulatedPhysics, simulationDigests } from './frames';
+import { forgetFound, forgetFrames, simulatedPhysics, simulationDigests, simulationReport } from './frames';
 import { sameMesh } from './stage_inputs';
 
 export interface Expectation {
@@ -58,6 +58,9 @@ export const alignment = computed(
       | SliceAlignment
       | undefined) ?? null,
 );
+
+/** With what simulations of the mesh have found, where there were any. */
+export const fullReport = computed(() => (report.value ? (simulationReport.value ?? report.value) : null));
 
 /** The mesh that is shown is another one than the report's. */
 export function forgetReport(): void {

@@ -11,13 +11,13 @@ import {
   forgetFrames,
   keepFound,
   keepFrame,
-  keepSimulated,
   playedFields,
   simulatedPhysics,
   simulation,
   simulationDigests,
   simulationEndMs,
   simulationOf,
+  simulationReport,
   type SimulationState,
 } from './frames';
 import { play } from './player';
@@ -71,7 +71,7 @@ export async function simulate(name: SimulationName): Promise<void> {
     if (lives(name)) settle('done');
     if (!newest()) return;
     keepFound(found);
-    keepSimulated(report);
+    simulationReport.value = report;
     if (!lives(name)) {
       simulatedPhysics.value = physics;
       colourBy.value = found.fields.at(-1)?.name ?? 'label';
