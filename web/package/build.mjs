@@ -67,6 +67,22 @@ function copyEngine() {
     writeJson(join(made, folder, 'package.json'), { type: 'commonjs' });
 }
 
+/** What the licence asks for: the source of all that is in the package. */
+function packSource() {
+  const engine = ['core', 'wasm', 'cmake', 'scripts', 'CMakeLists.txt', 'CMakePresets.json', 'LICENSE'];
+  const client = [
+    'src',
+    'package',
+    'package.json',
+    'package-lock.json',
+    'tsconfig.json',
+    'public/recipe.schema.json',
+  ];
+  const options = ['--sort=name', '--owner=0', '--group=0', '--numeric-owner', '--transform=s,^,voxtet/,'];
+  const paths = [...engine, ...client.map((path) => `web/${path}`)];
+  execFileSync('tar', ['-czf', join(made, 'source.tar.gz'), ...options, ...paths], { cwd: root });
+}
+
 /** Whatever tells of the machine that the package was made on. */
 function checkContents() {
   for (const path of readdirSync(made, { recursive: true, encoding: 'utf8' })) {
@@ -83,6 +99,7 @@ mkdirSync(made, { recursive: true });
 await bundle();
 declare();
 copyEngine();
+packSource();
 writeJson(join(made, 'package.json'), {
   ...readJson(join(here, 'package.json')),
   version: readJson(join(web, 'package.json')).version,
