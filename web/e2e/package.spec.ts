@@ -66,6 +66,13 @@ test('node makes the mesh of the command line, and ends', () => {
   for (const suffix of ['pts', 'elem']) expect(existsSync(join(folder, `heart.${suffix}`))).toBe(true);
 });
 
+test('the package brings its licence and its source', () => {
+  const source = execSync('tar -tzf node_modules/voxtet/source.tar.gz', { cwd: folder, encoding: 'utf8' });
+  for (const path of ['core/CMakeLists.txt', 'wasm/session_binding.cpp', 'web/src/mesher/node.ts'])
+    expect(source.split('\n')).toContain(`voxtet/${path}`);
+  expect(readFileSync(join(folder, 'node_modules/voxtet/LICENSE'), 'utf8')).toContain('GNU AFFERO');
+});
+
 test('types hold for what the README does', () => {
   writeFileSync(join(folder, 'mesh.mjs'), example('mesh.mjs'));
   const types = join(web, 'node_modules/@types');
