@@ -61,7 +61,8 @@ export async function runEmbedded(): Promise<void> {
   if (!mayRun() || activity.value !== 'idle') return;
   if (offered.value) await acceptOffer(true);
   else await runAll();
-  if (upToDate.value && recipe.value?.physics?.monodomain) await simulate('monodomain');
+  // Another case may have come meanwhile.
+  if (!offered.value && upToDate.value && recipe.value?.physics?.monodomain) await simulate('monodomain');
 }
 
 export interface Task {
