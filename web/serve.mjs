@@ -1,5 +1,9 @@
 #!/usr/bin/env node
-/** Serves the built app from this machine to this machine: node serve.mjs [--port 8123] [--dir dist]. */
+/**
+ * Serves the built app from this machine to this machine: node serve.mjs [--port 8123] [--dir dist] [--base /sub/path/]
+ * [--headers none]. The last makes it as plain as a host can be: no isolation, no policy, no compressed files, nothing
+ * said of caching, and types that an old host does not know.
+ */
 import { createReadStream } from 'node:fs';
 import { stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -18,9 +22,12 @@ const types = {
   '.json': 'application/json; charset=utf-8',
   '.svg': 'image/svg+xml',
   '.png': 'image/png',
+  '.webp': 'image/webp',
   '.wasm': 'application/wasm',
   '.woff2': 'font/woff2',
+  '.webmanifest': 'application/manifest+json',
 };
+const newTypes = ['.wasm', '.webmanifest'];
 
 // data: is how the reader of DICOM fetches the decompressor that it carries within itself.
 const headers = {
@@ -46,16 +53,16 @@ function headersFor(requestUrl) {
   };
 }
 
-/** The file that a request means, or null: nothing outside `root` is ever named. */
-export function fileOf(root, requestUrl) {
+/** The file that a request below `base` means, or null: nothing outside `root` is ever named. */
+export function fileOf(root, requestUrl, base = '/') {
   let path;
   try {
     path = decodeURIComponent(new URL(requestUrl, 'http://localhost').pathname);
   } catch {
     return null;
   }
-  if (path.includes('\0') || path.includes('\\')) return null;
-  const file = resolve(root, `.${path.endsWith('/') ? `${path}index.html` : path}`);
+  if (!path.startsWith(base) || path.includes('\0') || path.includes('\\')) return null;
+  const file = resolve(root, `./${path.slice(base.length)}${path.endsWith('/') ? 'index.html' : ''}`);
   return file.startsWith(resolve(root) + sep) ? file : null;
 }
 
@@ -83,17 +90,22 @@ async function foundAt(file, accepted) {
   return { path: file, encoding: null, size: plain.size, changed: plain.mtimeMs };
 }
 
-export function serve({ root, port }) {
+function typeOf(file, plain) {
+  const ending = extname(file);
+  return (!(plain && newTypes.includes(ending)) && types[ending]) || 'application/octet-stream';
+}
+
+export function serve({ root, port, base = '/', plain = false }) {
   const server = createServer(async (request, response) => {
     const answer = (status, text) =>
-      response.writeHead(status, { ...headers, 'Content-Type': 'text/plain' }).end(text);
+      response.writeHead(status, { ...(!plain && headers), 'Content-Type': 'text/plain' }).end(text);
     if (request.method !== 'GET' && request.method !== 'HEAD') return answer(405, 'Only GET.');
-    const file = fileOf(root, request.url ?? '/');
-    const found = file && (await foundAt(file, request.headers['accept-encoding']));
+    const file = fileOf(root, request.url ?? '/', base);
+    const found = file && (await foundAt(file, plain ? '' : request.headers['accept-encoding']));
     if (!found) return answer(404, 'Not here.');
     const { path, encoding, size, changed } = found;
     const tag = `"${Math.round(changed).toString(36)}-${size.toString(36)}"`;
-    const common = {
+    const common = !plain && {
       ...headersFor(request.url ?? '/'),
       ETag: tag,
       Vary: 'Accept-Encoding',
@@ -102,10 +114,10 @@ export function serve({ root, port }) {
         ? 'public, max-age=31536000, immutable'
         : 'no-cache',
     };
-    if (request.headers['if-none-match'] === tag) return response.writeHead(304, common).end();
+    if (!plain && request.headers['if-none-match'] === tag) return response.writeHead(304, common).end();
     response.writeHead(200, {
       ...common,
-      'Content-Type': types[extname(file)] ?? 'application/octet-stream',
+      'Content-Type': typeOf(file, plain),
       'Content-Length': size,
       ...(encoding && { 'Content-Encoding': encoding }),
     });
@@ -140,15 +152,20 @@ function option(name, fallback) {
 if (process.argv[1] && import.meta.url === pathToFileURL(resolve(process.argv[1])).href) {
   const root = resolve(here, option('dir', 'dist'));
   const port = Number(option('port', '8123'));
+  const base = option('base', '/');
+  if (!/^\/(.*\/)?$/.test(base)) {
+    console.error(`--base ${base}: a path that begins and ends with / is expected.`);
+    process.exit(1);
+  }
   if (!(await stat(join(root, 'index.html')).catch(() => null))) {
     console.error(`No app in ${root}: build it first.`);
     process.exit(1);
   }
   try {
-    await serve({ root, port });
-    const base = `http://127.0.0.1:${port}/`;
-    console.log(`voxtet: ${base}`);
-    console.log(`sample heart: ${base}#j=${encodeURIComponent(JSON.stringify(sampleCase))}`);
+    await serve({ root, port, base, plain: option('headers') === 'none' });
+    const address = `http://127.0.0.1:${port}${base}`;
+    console.log(`voxtet: ${address}`);
+    console.log(`sample heart: ${address}#j=${encodeURIComponent(JSON.stringify(sampleCase))}`);
   } catch (error) {
     console.error(
       error.code === 'EADDRINUSE' ? `Port ${port} is taken; choose another with --port.` : String(error),

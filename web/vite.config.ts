@@ -1,6 +1,8 @@
 import { createHash } from 'node:crypto';
 import { existsSync, readdirSync, readFileSync, renameSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
+import { writeServiceWorker } from './offline.mjs';
 import { engineInterface } from './src/engine/interface';
 
 const contentPolicy = [
@@ -39,16 +41,22 @@ const dicomFiles = [
   'itk-wasm/dist/pipeline/web-workers/bundles/itk-wasm-pipeline.min.worker.js',
 ];
 
+/** In a folder that is named by their digest. */
 function ownDicomFiles(): Plugin {
+  const files = dicomFiles.map((path) => readFileSync(new URL(`node_modules/${path}`, import.meta.url)));
+  const digest = createHash('sha256');
+  for (const file of files) digest.update(file);
+  const folder = `assets/dicom-${digest.digest('hex').slice(0, 8)}`;
   return {
     name: 'own-dicom-files',
     apply: 'build',
+    config: () => ({ define: { 'import.meta.env.VITE_DICOM': JSON.stringify(folder) } }),
     generateBundle() {
-      for (const path of dicomFiles)
+      for (const [i, path] of dicomFiles.entries())
         this.emitFile({
           type: 'asset',
-          fileName: `dicom/${path.slice(path.lastIndexOf('/') + 1)}`,
-          source: readFileSync(new URL(`node_modules/${path}`, import.meta.url)),
+          fileName: `${folder}/${path.slice(path.lastIndexOf('/') + 1)}`,
+          source: files[i],
         });
     },
   };
@@ -83,9 +91,22 @@ function namedEngine(): Plugin {
   };
 }
 
+/** The last of all: it lists what the others have made. */
+function serviceWorker(): Plugin {
+  return {
+    name: 'service-worker',
+    apply: 'build',
+    closeBundle: {
+      order: 'post',
+      sequential: true,
+      handler: async () => void (await writeServiceWorker(fileURLToPath(new URL('dist', import.meta.url)))),
+    },
+  };
+}
+
 export default defineConfig({
   base: './',
-  plugins: [contentPolicyMeta(), ownDicomFiles(), namedEngine()],
+  plugins: [contentPolicyMeta(), ownDicomFiles(), namedEngine(), serviceWorker()],
   worker: { format: 'es' },
   build: {
     target: 'es2022',

@@ -3,6 +3,8 @@ export const port = Number(process.env.VOXTET_PORT ?? 8137);
 
 export const browserUse = {
   baseURL: `http://127.0.0.1:${port}/`,
+  // Kept files would stand between the pages and what tests do to their requests. hosts.spec.ts is about them.
+  serviceWorkers: 'block' as const,
   viewport: { width: 1280, height: 800 },
   launchOptions: {
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',

@@ -44,6 +44,16 @@ for (const isolated of [true, false])
     expect(names).toEqual([`${isolated ? 'threads/' : ''}voxtet_engine.wasm`]);
   });
 
+test('a browser that calls a page isolated, but has no shared memory, gets the engine without threads', async ({
+  page,
+}) => {
+  await page.addInitScript(() => void Reflect.deleteProperty(globalThis, 'SharedArrayBuffer'));
+  const module = page.waitForRequest(/\.wasm$/);
+  await page.goto('./');
+  expect((await module).url()).toMatch(/engine-\w+\/voxtet_engine\.wasm$/);
+  await idle(page);
+});
+
 test('a real heart with a scar gives the digest that the command line gives under node', async ({ page }) => {
   const path = realVolume('biv_ed_scar_1mm.nii.gz');
   test.skip(path === null, 'The folder of real volumes is not on this machine (set VOXTET_DATA).');

@@ -5,6 +5,6 @@ export default defineConfig({
   ...base,
   testDir: '.',
   outputDir: '../test-results',
-  testMatch: 'screenshots.ts',
+  testMatch: ['screenshots.ts', 'docs_pictures.ts'],
   webServer: { ...base.webServer, cwd: '..' } as never,
 });

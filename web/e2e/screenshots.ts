@@ -10,7 +10,8 @@ import { meshed, openAndRun, test } from './support';
 const here = dirname(fileURLToPath(import.meta.url));
 const docs = join(here, '../docs');
 const examples = join(here, '../../examples');
-const pictures = join(here, '../public/gallery');
+const icons = join(here, '../public');
+const pictures = join(icons, 'gallery');
 
 async function openCut(page: Page, recipe: object, colorScheme: 'light' | 'dark'): Promise<void> {
   await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
@@ -98,6 +99,23 @@ test.describe('view alone', () => {
     );
     await page.locator('div').screenshot({ path: join(folder, 'picture.png') });
   });
+});
+
+/** Icons of the installed app. Systems cut one that is `maskable` to a shape of theirs: its ground fills the square. */
+test('icons', async ({ page }) => {
+  const svg = await readFile(join(icons, 'icon.svg'), 'utf8');
+  const full = svg
+    .replace('rx="7" ', '')
+    .replace(/(<path.*>)(?=<\/svg>)/, '<g transform="translate(4 5) scale(.75)">$1</g>');
+  for (const [name, size, text] of [
+    ['icon-192', 192, svg],
+    ['icon-512', 512, svg],
+    ['icon-maskable-512', 512, full],
+  ] as const) {
+    await page.setViewportSize({ width: size, height: size });
+    await page.setContent(`<style>body { margin: 0 } svg { display: block }</style>${text}`);
+    await page.screenshot({ path: join(icons, `${name}.png`), omitBackground: true });
+  }
 });
 
 test('examples', async ({ page }) => {

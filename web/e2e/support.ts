@@ -38,7 +38,8 @@ export const test = base.extend<{ otherHost: string; complaints: string[] }>({
     async ({ page, baseURL, otherHost }, use) => {
       const complaints: string[] = [];
       page.on('console', (message) => {
-        if (['error', 'warning'].includes(message.type()))
+        const blocked = message.text() === 'Service Worker registration blocked by Playwright';
+        if (['error', 'warning'].includes(message.type()) && !blocked)
           complaints.push(`${message.type()}: ${message.text()}`);
       });
       page.on('pageerror', (error) => complaints.push(`uncaught: ${error.message}`));

@@ -141,3 +141,41 @@ test('keys turn the view over, and a picture of it is saved', async ({ page }) =
   expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual(sides.map((side) => 2 * side));
   expect(png.length).toBeGreaterThan(50_000);
 });
+
+test('a uniform of both shaders of a program has one precision, without which WebKit links none', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const programs: string[][] = [];
+    const { linkProgram } = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.linkProgram = function (program) {
+      programs.push((this.getAttachedShaders(program) ?? []).map((one) => this.getShaderSource(one) ?? ''));
+      linkProgram.call(this, program);
+    };
+    Object.assign(globalThis, { programs });
+  });
+  await openAndRun(page, smallHeart);
+  const programs = await page.evaluate(() => (globalThis as unknown as { programs: string[][] }).programs);
+  expect(programs.length).toBeGreaterThan(5);
+  /** Precision of each uniform sampler, float and vector, where it is said or the default of its shader. */
+  const precisions = (source: string) => {
+    const code = source.replace(/\/\/.*|\/\*[\s\S]*?\*\//g, '');
+    const said = Object.fromEntries(
+      [...code.matchAll(/precision (\w+) (\w+)/g)].map(([, how, type]) => [type, how]),
+    );
+    const declared = code.matchAll(/uniform\s+(?:(lowp|mediump|highp)\s+)?(\w+)\s+([^;]+);/g);
+    return new Map(
+      [...declared].flatMap(([, how, type, names]) =>
+        names.split(',').map((name) => {
+          const base = /^(vec|mat)/.test(type) ? 'float' : type;
+          return [name.trim(), how ?? said[base] ?? 'default'] as const;
+        }),
+      ),
+    );
+  };
+  const mixed = programs.flatMap(([one, other]) => {
+    const theirs = precisions(other);
+    return [...precisions(one)].filter(([name, how]) => theirs.has(name) && theirs.get(name) !== how);
+  });
+  expect(mixed).toEqual([]);
+});

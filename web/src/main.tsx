@@ -57,4 +57,6 @@ if (embedded) {
   keepCase();
   keepSizingShown();
   keepForecast();
+  if (import.meta.env.PROD)
+    void import('./store/case/keep/offline').then(({ keepOffline }) => keepOffline(import.meta.url));
 }

@@ -14,6 +14,14 @@ describe('the static server', () => {
     expect(fileOf('/srv/app', '/assets/a.js?x=1')).toBe('/srv/app/assets/a.js');
   });
 
+  it('names them below a path, and nothing beside it', () => {
+    expect(fileOf('/srv/app', '/some/path/', '/some/path/')).toBe('/srv/app/index.html');
+    expect(fileOf('/srv/app', '/some/path/assets/a.js', '/some/path/')).toBe('/srv/app/assets/a.js');
+    expect(fileOf('/srv/app', '/some/path/../../../secret', '/some/path/')).toBeNull();
+    for (const path of ['/', '/index.html', '/some/pathological'])
+      expect(fileOf('/srv/app', path, '/some/path/')).toBeNull();
+  });
+
   it.each([
     '/../secret',
     '/..%2f..%2fsecret',
@@ -41,6 +49,46 @@ describe('what a browser takes', () => {
   });
 });
 
+// fetch() decompresses by itself, and does not say so.
+const getFrom = (server: Server, path: string, headers: Record<string, string> = {}, method = 'GET') =>
+  new Promise<{ status: number; headers: IncomingHttpHeaders; body: Buffer }>((done, failed) => {
+    const { port } = server.address() as AddressInfo;
+    request({ port, host: '127.0.0.1', path, method, headers }, (response) => {
+      const parts: Buffer[] = [];
+      response.on('data', (part) => parts.push(part));
+      response.on('end', () =>
+        done({ status: response.statusCode ?? 0, headers: response.headers, body: Buffer.concat(parts) }),
+      );
+    })
+      .on('error', failed)
+      .end();
+  });
+
+describe('the barest of hosts', () => {
+  it('says how long a file is, and of what type as far as old hosts know it', async () => {
+    const root = await mkdtemp(join(tmpdir(), 'voxtet-'));
+    for (const name of ['a.js', 'a.js.br', 'a.wasm']) await writeFile(join(root, name), 'text');
+    const server = await serve({ root, port: 0, base: '/some/path/', plain: true });
+    const said = async (path: string) => {
+      const { status, headers } = await getFrom(server, path, { 'accept-encoding': 'br' });
+      const { date, connection, 'keep-alive': alive, ...rest } = headers;
+      return [status, rest];
+    };
+    const length = { 'content-length': '4' };
+    expect(await said('/some/path/a.js')).toEqual([
+      200,
+      { ...length, 'content-type': 'text/javascript; charset=utf-8' },
+    ]);
+    expect(await said('/some/path/a.wasm')).toEqual([
+      200,
+      { ...length, 'content-type': 'application/octet-stream' },
+    ]);
+    expect((await said('/a.js'))[0]).toBe(404);
+    server.close();
+    await rm(root, { recursive: true });
+  });
+});
+
 describe('compressed files', () => {
   const text = 'export const answer = 42;\n'.repeat(200);
   let root: string;
@@ -60,20 +108,8 @@ describe('compressed files', () => {
     await rm(root, { recursive: true });
   });
 
-  // fetch() decompresses by itself, and does not say so.
-  const get = (path: string, headers: Record<string, string> = {}, method = 'GET') =>
-    new Promise<{ status: number; headers: IncomingHttpHeaders; body: Buffer }>((done, failed) => {
-      const { port } = server.address() as AddressInfo;
-      request({ port, host: '127.0.0.1', path, method, headers }, (response) => {
-        const parts: Buffer[] = [];
-        response.on('data', (part) => parts.push(part));
-        response.on('end', () =>
-          done({ status: response.statusCode ?? 0, headers: response.headers, body: Buffer.concat(parts) }),
-        );
-      })
-        .on('error', failed)
-        .end();
-    });
+  const get = (...asked: [path: string, headers?: Record<string, string>, method?: string]) =>
+    getFrom(server, ...asked);
 
   it.each([
     ['gzip, deflate, br', 'br', brotliDecompressSync],

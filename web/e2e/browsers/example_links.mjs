@@ -1,10 +1,10 @@
 #!/usr/bin/env -S node --experimental-websocket
 /**
- * Opens the link of every example in the browsers of others, each in a fresh profile, and runs it: node --experimental-websocket
- * e2e/browsers/example_links.mjs [--browsers chromium,firefox] [--examples NAME,NAME]. Prints a line for each: the
- * length of the link, the digest that the command line promises, and the verdict of each browser. Ends with 1 where one
- * is not "reproduced". By hand: it takes minutes, and Firefox is not among the packages of scripts/setup (apt-get
- * install firefox-esr).
+ * Opens the link of every example in the browsers of others, each in a fresh profile, and runs it: xvfb-run -a node
+ * --experimental-websocket e2e/browsers/example_links.mjs [--browsers chromium,firefox,webkit] [--examples NAME,NAME].
+ * Prints a line for each: the length of the link, the digest that the command line promises, and the verdict of each
+ * browser. Ends with 1 where one is not "reproduced". By hand: it takes minutes, and Firefox and WebKit are not among the
+ * packages of scripts/setup (apt-get install firefox-esr webkit2gtk-driver xvfb; only WebKit wants xvfb-run).
  */
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -13,8 +13,9 @@ import { deflateRawSync } from 'node:zlib';
 import { serve } from '../../serve.mjs';
 import { openChromium } from './chromium.mjs';
 import { openFirefox } from './firefox.mjs';
+import { openWebKit } from './webkit.mjs';
 
-const openers = { chromium: openChromium, firefox: openFirefox };
+const openers = { chromium: openChromium, firefox: openFirefox, webkit: openWebKit };
 const root = fileURLToPath(new URL('../../../', import.meta.url));
 const option = (name, all) => {
   const at = process.argv.indexOf(`--${name}`);

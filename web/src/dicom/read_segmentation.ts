@@ -20,7 +20,7 @@ interface SegmentationImage {
 }
 
 /** Where the build has put the package's files. */
-const filesUrl = () => new URL('dicom', document.baseURI).href;
+const filesUrl = () => new URL(import.meta.env.VITE_DICOM, document.baseURI).href;
 
 /** The image in patient space RAS; DICOM's is LPS. Overlaps are left to the engine: the later segment wins there. */
 export function toNrrd(image: SegmentationImage, segments: readonly Segment[]): Uint8Array<ArrayBuffer> {

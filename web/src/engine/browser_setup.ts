@@ -7,9 +7,12 @@ export interface EngineFiles {
   thread?: URL;
 }
 
-/** Whether the page may share memory between threads, and the engine's, which grows to 4 GB, can be had. */
+/**
+ * Whether the page may share memory between threads, and the engine's, which grows to 4 GB, can be had. WebKitGTK calls a
+ * page isolated and has no SharedArrayBuffer.
+ */
 export function mayHaveThreads(): boolean {
-  if (!globalThis.crossOriginIsolated) return false;
+  if (!crossOriginIsolated || !('SharedArrayBuffer' in globalThis)) return false;
   try {
     new WebAssembly.Memory({ initial: 1, maximum: 65_536, shared: true });
     return true;

@@ -38,7 +38,8 @@ export function tell(
   const stays = (old: Notice) =>
     tone === 'error' ? old.tone !== 'error' : old.title !== title || old.text !== text;
   notices.value = [...notices.value.filter(stays), notice];
-  if (tone === 'news') setTimeout(() => dismiss(notice.id), 6000);
+  // What can be acted on waits for that.
+  if (tone === 'news' && !way) setTimeout(() => dismiss(notice.id), 6000);
 }
 
 export function dismiss(id: number): void {

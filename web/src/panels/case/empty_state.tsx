@@ -32,6 +32,11 @@ export function EmptyState() {
           </div>
           <p class="empty-or">or begin with an example</p>
           <Gallery />
+          <p class="empty-or">
+            <a href="docs/" target="_blank" rel="noopener">
+              Documentation
+            </a>
+          </p>
         </>
       )}
     </div>

@@ -17,6 +17,15 @@ export function AboutDialog({ close }: { close(): void }) {
           </dd>
         </div>
         <div>
+          <dt>Manual</dt>
+          <dd>
+            <a href="docs/" target="_blank" rel="noopener">
+              Documentation
+            </a>
+            : each stage, every field of a case, formats, the command line
+          </dd>
+        </div>
+        <div>
           <dt>Licence</dt>
           <dd>
             <a href="LICENSE.txt">GNU Affero General Public License</a>, version 3 or later.{' '}

@@ -22,7 +22,8 @@ in vec3 vNormal;
 #ifdef FIELD
 /** A value, and 1 where there is one. */
 in vec2 vValue;
-uniform sampler2D scale;
+// As precise as in the vertex stage, which WebKit asks for.
+uniform highp sampler2D scale;
 uniform vec2 range;
 uniform float bands;
 /** Values this far apart are the same; 0: none are. */
