@@ -42,6 +42,17 @@ const headers = {
     "form-action 'none'; frame-ancestors 'none'",
 };
 
+/** As a part of another page the app has one button, and fetches nothing: `?embed` may stand in any frame. */
+function headersFor(requestUrl) {
+  const embedded = /\?(.*&)?embed([=&]|$)/.test(requestUrl);
+  if (!embedded) return headers;
+  return {
+    ...headers,
+    'Cross-Origin-Resource-Policy': 'cross-origin',
+    'Content-Security-Policy': headers['Content-Security-Policy'].replace("; frame-ancestors 'none'", ''),
+  };
+}
+
 /** The file that a request below `base` means, or null: nothing outside `root` is ever named. */
 export function fileOf(root, requestUrl, base = '/') {
   let path;
@@ -95,7 +106,7 @@ export function serve({ root, port, base = '/', plain = false }) {
     const { path, encoding, size, changed } = found;
     const tag = `"${Math.round(changed).toString(36)}-${size.toString(36)}"`;
     const common = !plain && {
-      ...headers,
+      ...headersFor(request.url ?? '/'),
       ETag: tag,
       Vary: 'Accept-Encoding',
       // Hashed names never change; everything else is asked for again.

@@ -82,6 +82,8 @@ self.addEventListener('install', (event) => {
 self.addEventListener('activate', (event) => event.waitUntil(self.clients.claim().then(forgetOld)));
 
 self.addEventListener('fetch', (event) => {
+  // Whether the app may be a part of another page is for the host's own headers to say.
+  if (new URL(event.request.url).searchParams.has('embed')) return;
   const path = pathOf(event.request.url);
   if (event.request.method !== 'GET' || !(path in files || isNamedByDigest(path))) return;
   event.respondWith(answer(path, event.request));

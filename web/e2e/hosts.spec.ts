@@ -177,3 +177,15 @@ test.describe('where only the service worker keeps files', () => {
     await expect.poll(() => page.evaluate(() => caches.keys())).toHaveLength(1);
   });
 });
+
+test('a page of the same origin may embed the app although its files are kept', async ({ page, host }) => {
+  await page.goto('./');
+  await kept(page);
+  const ball = { source: { phantom: { kind: 'sphere' } }, sizing: { edge_mm: 6 } };
+  await writeFile(
+    join(host.root, 'around.html'),
+    `<!doctype html><link rel="icon" href="icon.svg" /><iframe src="./?embed${link(ball).slice(2)}"></iframe>`,
+  );
+  await page.goto('./around.html');
+  await expect(page.frameLocator('iframe').locator('.poster')).toContainText('sphere');
+});

@@ -186,6 +186,28 @@ describe('EngineClient', () => {
     expect((await client.openVolume(mockFile('good.nii'))).name).toBe('good.nii');
   });
 
+  it('ends a run whose signal says so, and does nothing once it is closed', async () => {
+    const client = start();
+    workers.hang = 'remesh';
+    const abort = new AbortController();
+    const { signal } = abort;
+    const run = client.run(JSON.stringify(phantom), phantom.source, 'quality', {
+      signal,
+      onProgress: (stage) => stage === 'remesh' && abort.abort(),
+    });
+    expect((await failureOf(run)).code).toBe('cancelled');
+    workers.hang = null;
+    expect((await client.run(JSON.stringify(phantom), phantom.source, 'quality')).report).toBeDefined();
+    const under = client.run(JSON.stringify(phantom), phantom.source, 'quality', {
+      onProgress: () => client.close(),
+    });
+    expect((await failureOf(under)).code).toBe('cancelled');
+    const spawned = workers.spawned;
+    const after = client.run(JSON.stringify(phantom), phantom.source, 'quality');
+    expect((await failureOf(after)).code).toBe('usage');
+    expect(workers.spawned).toBe(spawned);
+  });
+
   it('notices a worker that died without a word', async () => {
     const client = start();
     await client.ready;

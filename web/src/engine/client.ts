@@ -54,6 +54,7 @@ export class EngineClient {
   private tail: Promise<unknown> = Promise.resolve();
   private runningJobs = 0;
   private generationCount = 0;
+  private closed = false;
 
   constructor(setup: EngineSetup, files = new OpenedFiles()) {
     this.setup = setup;
@@ -167,22 +168,15 @@ export class EngineClient {
         summaries: StageSummary[];
         report?: Report;
       };
-    });
+    }, handlers.signal);
   }
 
   /** What meshing will take; with `elements` above 0 also the sizes that give so many. `signal` calls it off. */
   forecast(recipeJson: string, source: Partial<Recipe['source']>, elements = 0, signal?: AbortSignal) {
     return this.job(async (generation) => {
-      if (signal?.aborted) throw cancelled();
-      const end = () => generation.alive && this.replace(cancelled());
-      signal?.addEventListener('abort', end);
-      try {
-        await this.prepare(generation, recipeJson, source);
-        return await this.answer(generation, 'forecast', generation.api.forecast(elements));
-      } finally {
-        signal?.removeEventListener('abort', end);
-      }
-    });
+      await this.prepare(generation, recipeJson, source);
+      return this.answer(generation, 'forecast', generation.api.forecast(elements));
+    }, signal);
   }
 
   /** Computes on the mesh of this recipe; stages that the worker no longer holds run before. */
@@ -206,7 +200,7 @@ export class EngineClient {
       } finally {
         generation.simulation = null;
       }
-    });
+    }, handlers.signal);
   }
 
   /** Frames of a file with values at the points of the mesh of this recipe. */
@@ -261,11 +255,12 @@ export class EngineClient {
     return this.job(async (generation) => {
       await this.remesh(generation, recipeJson, source, handlers);
       return this.answer(generation, 'export', generation.api.exportMesh(format, space, name, measures));
-    });
+    }, handlers.signal);
   }
 
   /** Ends it for good; whatever it was asked fails as cancelled. */
   close(): void {
+    this.closed = true;
     for (const generation of [this.generation, this.spare]) {
       generation?.end(cancelled());
       generation?.worker.terminate();
@@ -324,16 +319,22 @@ export class EngineClient {
     await this.answer(generation, 'optimise', generation.api.run('quality', progress));
   }
 
-  private job<T>(body: (generation: Generation) => Promise<T>): Promise<T> {
+  private job<T>(body: (generation: Generation) => Promise<T>, signal?: AbortSignal): Promise<T> {
     const turn = this.tail.then(async () => {
+      if (this.closed) throw failure('usage', 'The engine has been closed.');
+      // An engine that cannot be started says so to the next job.
+      const end = () => void this.cancel().catch(() => undefined);
       if (!this.generation.alive) this.generation = this.spawn();
       const generation = this.generation;
       this.runningJobs++;
       try {
         await unlessEnded(generation, generation.started);
         this.spare ??= this.spawn();
+        if (signal?.aborted) throw cancelled();
+        signal?.addEventListener('abort', end);
         return await body(generation);
       } finally {
+        signal?.removeEventListener('abort', end);
         this.runningJobs--;
       }
     });

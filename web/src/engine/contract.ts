@@ -250,9 +250,15 @@ export interface FibreArrays {
 /** Fields that a simulation has found, at its end, and those that it was made from. */
 export type FoundFields = StageArrays['quality'];
 
+/** Addresses of the engine's script, and of that of its threads where it is not named by the engine. */
+export interface EngineScripts {
+  engine: string;
+  thread?: string;
+}
+
 /** What the worker answers; every call is one message there and one back. */
 export interface EngineApi {
-  start(module: WebAssembly.Module, scriptUrl: string, lock: string): Promise<EngineInfo>;
+  start(module: WebAssembly.Module, scripts: EngineScripts, lock: string): Promise<EngineInfo>;
   /** `source`: that of a recipe as JSON, of which counts how the file is read. */
   loadVolume(file: VolumeFile, source: string): Reply<VolumeSummary>;
   /** Takes a file that the recipe's sizing.masks or sizing.images name. */

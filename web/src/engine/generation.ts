@@ -1,7 +1,14 @@
 import * as Comlink from 'comlink';
-import { EngineError, type EngineApi, type EngineInfo, type ErrorCode, type VolumeFile } from './contract';
+import {
+  EngineError,
+  type EngineApi,
+  type EngineInfo,
+  type EngineScripts,
+  type ErrorCode,
+  type VolumeFile,
+} from './contract';
 
-/** The part of a Worker that the client needs; tests give it a message port. */
+/** The part of a Worker that the client needs; those of node and of tests are made to look like it. */
 export interface WorkerLike extends Comlink.Endpoint {
   terminate(): void;
 }
@@ -9,7 +16,7 @@ export interface WorkerLike extends Comlink.Endpoint {
 export interface EngineSetup {
   spawn(): WorkerLike;
   compile(): Promise<WebAssembly.Module>;
-  scriptUrl: string;
+  scripts: EngineScripts;
   /** Calls back once a worker that holds this lock is gone. */
   whenReleased(lock: string, callback: () => void): void;
 }
@@ -80,7 +87,7 @@ export function startGeneration(
   let reject: (error: EngineError) => void = () => undefined;
   const ended = new Promise<never>((_, fail) => (reject = fail));
   ended.catch(() => undefined);
-  const started = compiled.then((module) => Promise.race([api.start(module, setup.scriptUrl, lock), ended]));
+  const started = compiled.then((module) => Promise.race([api.start(module, setup.scripts, lock), ended]));
   const generation: Generation = {
     worker,
     api,

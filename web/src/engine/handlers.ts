@@ -2,6 +2,8 @@
 import type { Frame, Recipe, StageArrays, StageName, StageSummary } from './contract';
 
 export interface RunHandlers {
+  /** Calls the job off. */
+  signal?: AbortSignal;
   onProgress?(stage: StageName, fraction: number): void;
   /** Whether the arrays of a stage that is done are to be copied out of the engine; else they are. */
   wants?(summary: StageSummary): boolean;
@@ -10,6 +12,7 @@ export interface RunHandlers {
 }
 
 export interface SimulationHandlers {
+  signal?: AbortSignal;
   onProgress(stage: string, fraction: number): void;
   onFrame(frame: Frame): void;
 }

@@ -11,6 +11,8 @@ export interface Notice {
   text: string;
   /** What can be done about it. */
   way?: Way;
+  /** The engine's error that it tells of. */
+  error?: EngineError;
 }
 
 export interface Way {
@@ -24,8 +26,14 @@ export const announcement = signal('');
 
 let noticeCount = 0;
 
-export function tell(tone: Notice['tone'], title: string, text: string, way?: Way): void {
-  const notice = { id: ++noticeCount, tone, title, text, way };
+export function tell(
+  tone: Notice['tone'],
+  title: string,
+  text: string,
+  way?: Way,
+  error?: EngineError,
+): void {
+  const notice = { id: ++noticeCount, tone, title, text, way, error };
   // One error at a time: what was followed by another one is no longer what there is to act on.
   const stays = (old: Notice) =>
     tone === 'error' ? old.tone !== 'error' : old.title !== title || old.text !== text;
@@ -57,6 +65,6 @@ export function tellFailure(error: EngineError): void {
   const { where } = error;
   const hasPlace = where.points.length > 0;
   const way = hasPlace ? { name: 'Show where', go: () => showPlace(where) } : undefined;
-  tell('error', errorTitles[error.code], error.message, way);
+  tell('error', errorTitles[error.code], error.message, way, error);
   if (hasPlace) showPlace(where);
 }

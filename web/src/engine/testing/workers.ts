@@ -22,7 +22,7 @@ export class Workers {
 
   setup(): EngineSetup {
     return {
-      scriptUrl: 'mock',
+      scripts: { engine: 'mock' },
       compile: () => WebAssembly.compile(emptyModule),
       spawn: () => this.spawn(),
       whenReleased: (_, callback) => void this.released.push(callback),

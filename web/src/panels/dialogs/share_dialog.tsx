@@ -65,6 +65,11 @@ function QrCode({ text }: { text: string }) {
   );
 }
 
+/** The case as a part of another page. */
+const frameOf = (url: string): string =>
+  `<iframe src="${url.replace('#', '?embed#')}" width="720" height="480" title="A mesh in voxtet" ` +
+  'allow="cross-origin-isolated"></iframe>';
+
 export function ShareDialog({ close }: { close(): void }) {
   const [shared, setShared] = useState<SharedCase | null>(null);
   const [trouble, setTrouble] = useState('');
@@ -161,6 +166,9 @@ export function ShareDialog({ close }: { close(): void }) {
             {paintedName}
           </button>
         )}
+        <CopyButton class="button" text={frameOf(shared?.url ?? '')} disabled={!shared || files.length > 0}>
+          Copy embed code
+        </CopyButton>
         <CopyButton class="button primary" text={shared?.url ?? ''} disabled={!shared}>
           Copy link
         </CopyButton>

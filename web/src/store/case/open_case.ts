@@ -82,7 +82,7 @@ async function openOwn(value: Record<string, unknown>): Promise<void> {
   dismissErrors();
   try {
     await offerCase(value);
-    acceptOffer(false);
+    void acceptOffer(false);
   } catch (error) {
     tellError(error);
   }
@@ -204,7 +204,7 @@ export async function openAddress(): Promise<void> {
   const offer = offered.value;
   if (!offer) return;
   if (found && isOf(found.saved, offer)) return resumeCase(found, null, offer.view);
-  if (own && !found?.interrupted) acceptOffer(false);
+  if (own && !found?.interrupted) void acceptOffer(false);
 }
 
 /** Whether a link brings the case that was saved, and promises no more of it. */
@@ -251,7 +251,7 @@ async function resumeCase(
     offer({ id, recipe: accepted, promise, origin: 'interrupted', sides, view, engine: maker });
     if (left.length > 0)
       tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
-    if (!interrupted) acceptOffer(false);
+    if (!interrupted) void acceptOffer(false);
   } catch (error) {
     offered.value = null;
     if (error instanceof EngineError)
@@ -289,7 +289,8 @@ function offer(next: OfferedCase): void {
   offered.value = next;
 }
 
-export function acceptOffer(thenRun: boolean): void {
+/** Opens the case that is offered; ends with its surface, or its mesh. */
+export async function acceptOffer(thenRun: boolean): Promise<void> {
   const offer = offered.value;
   if (!offer) return;
   offered.value = null;
@@ -313,9 +314,7 @@ export function acceptOffer(thenRun: boolean): void {
     return;
   }
   awaitedFile.value = null;
-  void (async () => {
-    if ((await preview(true)) && thenRun) await runAll();
-  })();
+  if ((await preview(true)) && thenRun) await runAll();
 }
 
 export function closeOffer(): void {

@@ -192,8 +192,8 @@ async function runStages(last: StageName, kind: 'preview' | 'run'): Promise<bool
 }
 
 function finishRun(found: NonNullable<typeof report.value>, current: Recipe): void {
-  report.value = found;
   meshedRecipe.value = current;
+  report.value = found;
   brush.value = null;
   focusTet.value = null;
   picked.value = null;
