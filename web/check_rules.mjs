@@ -31,6 +31,7 @@ const maySee = {
   ],
   'store/case': ['engine', 'geometry', 'link', 'report', 'dicom', 'store/run', 'store/view', 'store/notices'],
   'store/embed': [...['engine/contract', 'link', 'store/case', 'store/run', 'store/view', 'store/notices']],
+  lessons: [...engineAndShapes, 'link', 'store'],
   scene: [...engineAndShapes, 'store', 'scene'],
   'scene/frame': [...engineAndShapes, 'store'],
   'scene/mesh': [...engineAndShapes, 'store', 'scene/frame'],
@@ -41,9 +42,13 @@ const maySee = {
   'panels/physics': [...aroundPanels, 'panels/controls'],
   'panels/case': [...aroundPanels, 'panels/controls', 'panels/run', 'panels/physics'],
   'panels/view': [...aroundPanels, 'panels/controls', 'panels/case', 'scene/scene'],
+  'panels/lessons': [...aroundPanels, 'lessons', 'panels/controls'],
   'panels/embed': [...aroundPanels, 'panels/controls', 'panels/view'],
   'panels/evidence': [...aroundPanels, 'panels/controls'],
-  'panels/dialogs': [...aroundPanels, 'panels/controls', 'panels/run', 'panels/case', 'panels/view'],
+  'panels/dialogs': [
+    ...aroundPanels,
+    ...['panels/controls', 'panels/run', 'panels/case', 'panels/view', 'panels/lessons'],
+  ],
   verification: ['styles'],
   styles: [],
 };
@@ -61,7 +66,7 @@ const packages = {
   '@itk-wasm/dicom': ['dicom'],
   uplot: ['panels'],
   preact: ['panels', '.'],
-  '@preact/signals': ['store', 'scene', 'panels', 'verification', '.'],
+  '@preact/signals': ['store', 'lessons', 'scene', 'panels', 'verification', '.'],
 };
 /** Made by generate_contract.mjs, not written. */
 const generated = 'engine/generated.ts';

@@ -10,6 +10,7 @@ import { keepSharedView } from './store/case/shared_view';
 import { embedded } from './store/embedded';
 import { keepForecast } from './store/run/forecast';
 import { keepSizingShown } from './store/run/run_stages';
+import { followLessons } from './store/case/keep/lesson_asked';
 import { dark, largeType, theme, type ThemeChoice } from './store/view';
 import { keepText, keptText } from './store/case/keep/web_storage';
 import './styles/main.css';
@@ -54,6 +55,7 @@ if (embedded) {
   await serveHost();
 } else {
   await openAddress();
+  followLessons();
   keepCase();
   keepSizingShown();
   keepForecast();

@@ -12,9 +12,27 @@ export class LinkError extends Error {
   override readonly name = 'LinkError';
 }
 
+/** A text as base64url(deflate-raw(text)). */
+export async function pack(text: string): Promise<string> {
+  const bytes = new TextEncoder().encode(text);
+  return toBase64Url(await collect(through(bytes, new CompressionStream('deflate-raw')), Infinity));
+}
+
+/** The text that was packed, of bounded size. Throws LinkError. */
+export async function unpack(packed: string): Promise<string> {
+  const bytes = fromBase64Url(packed);
+  try {
+    return decodeUtf8(
+      await collect(through(bytes, new DecompressionStream('deflate-raw')), maxInflatedBytes),
+    );
+  } catch (error) {
+    if (error instanceof LinkError) throw error;
+    throw new LinkError('The link is cut short or damaged: its compressed part does not end.');
+  }
+}
+
 export async function encodeFragment(minimal: Record<string, unknown>): Promise<string> {
-  const text = new TextEncoder().encode(canonicalJson(minimal));
-  return `#c1=${toBase64Url(await collect(through(text, new CompressionStream('deflate-raw')), Infinity))}`;
+  return `#c1=${await pack(canonicalJson(minimal))}`;
 }
 
 export function encodePlainFragment(minimal: Record<string, unknown>): string {
@@ -27,17 +45,7 @@ export function isCaseFragment(fragment: string): boolean {
 
 /** The JSON object of a fragment. Throws LinkError, with a sentence for the reader. */
 export async function decodeFragment(fragment: string): Promise<Record<string, unknown>> {
-  if (fragment.startsWith('#c1=')) {
-    const bytes = fromBase64Url(fragment.slice(4));
-    let text: Uint8Array;
-    try {
-      text = await collect(through(bytes, new DecompressionStream('deflate-raw')), maxInflatedBytes);
-    } catch (error) {
-      if (error instanceof LinkError) throw error;
-      throw new LinkError('The link is cut short or damaged: its compressed part does not end.');
-    }
-    return parseCase(decodeUtf8(text));
-  }
+  if (fragment.startsWith('#c1=')) return parseCase(await unpack(fragment.slice(4)));
   if (fragment.startsWith('#j=')) {
     if (fragment.length > maxInflatedBytes) throw new LinkError('The link holds more than 1 MB.');
     let text: string;
@@ -73,7 +81,7 @@ export function parseCase(text: string): Record<string, unknown> {
   return value as Record<string, unknown>;
 }
 
-function depthExceeds(value: unknown, left: number): boolean {
+export function depthExceeds(value: unknown, left: number): boolean {
   if (value === null || typeof value !== 'object') return false;
   return left === 0 || Object.values(value).some((entry) => depthExceeds(entry, left - 1));
 }

@@ -1,4 +1,5 @@
 import { useEffect, useState } from 'preact/hooks';
+import { allowedControls, lessonAsked, mayUse } from '../store/case/keep/lesson_asked';
 import { dropFiles } from '../store/case/open_files';
 import { announcement, dismiss, notices } from '../store/notices';
 import { activity, lastCancelMs } from '../store/run/stages';
@@ -8,11 +9,24 @@ import { EvidencePanel } from './evidence/evidence_panel';
 import { Header } from './run/header';
 import { Icon } from './controls/icons';
 import { Explanation } from './controls/explain';
+import { fetched } from './controls/fetched';
 import { pageShape, pageTab, tabbed } from './controls/page_shape';
+import { Panel } from './controls/panel';
 import { Pipeline } from './run/pipeline';
 import { TabBar } from './run/tab_bar';
 import { useShortcuts } from './view/shortcuts';
 import { ViewPanel } from './view/view_panel';
+
+const AskedLesson = fetched(() => import('./lessons/lesson_panel').then((part) => part.AskedLesson));
+
+/** A lesson stands above the case, or in its place where a step leaves nothing of it. */
+function lessonPlace(): 'beside' | 'alone' | undefined {
+  if (!lessonAsked.value) return undefined;
+  const inCase = [...(allowedControls.value ?? [])].some(
+    (name) => !['run', 'evidence', 'export'].includes(name),
+  );
+  return allowedControls.value && !inCase ? 'alone' : 'beside';
+}
 
 function Notices() {
   return (
@@ -92,11 +106,17 @@ export function App() {
       data-cancel-ms={lastCancelMs.value?.toFixed(1)}
       data-shape={pageShape.value}
       data-tab={tabbed.value ? pageTab.value : undefined}
+      data-lesson={lessonPlace()}
     >
       <Header />
+      {lessonAsked.value && (
+        <Panel part="lesson" class="lesson" label="Lesson">
+          <AskedLesson />
+        </Panel>
+      )}
       <CasePanel />
       <ViewPanel />
-      <EvidencePanel />
+      {mayUse('evidence') ? <EvidencePanel /> : <Panel part="evidence" class="right" label="Evidence" />}
       <Pipeline />
       {tabbed.value && <TabBar />}
       <Notices />

@@ -6,6 +6,7 @@ import { unnamed } from '../../store/case/legend/legend';
 import { likelyBackground } from '../../store/case/legend/proposals';
 import { developer } from '../../store/developer';
 import { editRecipe, hasSource, recipe } from '../../store/case/recipe';
+import { mayUse } from '../../store/case/keep/lesson_asked';
 import { remoteAsked } from '../../store/case/remote';
 import { activity } from '../../store/run/stages';
 import { CurvatureList } from './sizes/curvature_list';
@@ -142,7 +143,7 @@ export function CasePanel() {
   const chosen = hasSource(current);
   return (
     <Panel part="case" class="left" label="Case" busy={activity.value === 'opening'}>
-      <SourceSection current={current} />
+      {mayUse('source') && <SourceSection current={current} />}
       {awaited && (
         <p class="hint">
           This case was made from {awaited.name}. Drop that file to go on
@@ -163,26 +164,30 @@ export function CasePanel() {
       )}
       {chosen && (
         <>
-          <LabelSection current={current} />
-          {!meshIsGiven.value && <SizingSection current={current} />}
-          {!meshIsGiven.value && isStack(current.volume.slice_ratio) && <StackSection current={current} />}
+          {mayUse('labels') && <LabelSection current={current} />}
+          {!meshIsGiven.value && mayUse('sizes') && <SizingSection current={current} />}
+          {!meshIsGiven.value && mayUse('volume') && isStack(current.volume.slice_ratio) && (
+            <StackSection current={current} />
+          )}
           {!meshIsGiven.value &&
+            mayUse('cuts') &&
             (current.volume.cut.length > 0 ? (
               <CutList current={current} />
             ) : (
               <AddSection title="Flat cuts" button="Plane" add={addCut} />
             ))}
           {!meshIsGiven.value && <StageSection current={current} />}
-          {physics?.monodomain ? (
-            <PhysicsSection current={current} physics={physics} />
-          ) : (
-            <AddSection
-              title="Physics"
-              button="Simulate"
-              hint="How excitation spreads through the heart, on this mesh."
-              add={addSimulation}
-            />
-          )}
+          {mayUse('physics') &&
+            (physics?.monodomain ? (
+              <PhysicsSection current={current} physics={physics} />
+            ) : (
+              <AddSection
+                title="Physics"
+                button="Simulate"
+                hint="How excitation spreads through the heart, on this mesh."
+                add={addSimulation}
+              />
+            ))}
           {developer && <SimulationSection current={current} />}
         </>
       )}

@@ -1,4 +1,5 @@
 import { awaitedFile } from '../../store/case/input';
+import { dialogShown } from '../controls/dialog_shown';
 import { Gallery } from './gallery';
 import { FileButton } from './source_section';
 
@@ -30,7 +31,12 @@ export function EmptyState() {
           <div class="empty-actions">
             <FileButton label="Open a file…" primary />
           </div>
-          <p class="empty-or">or begin with an example</p>
+          <p class="empty-or">
+            or begin with an example, or{' '}
+            <button type="button" class="link-button" onClick={() => (dialogShown.value = 'lessons')}>
+              take a lesson
+            </button>
+          </p>
           <Gallery />
           <p class="empty-or">
             <a href="docs/" target="_blank" rel="noopener">

@@ -2,6 +2,7 @@ import type { Recipe, SchemaField } from '../../engine/contract';
 import { previewSoon } from '../../store/run/run_stages';
 import { editRecipe } from '../../store/case/recipe';
 import { schema } from '../../store/run/stages';
+import { allowedControls, mayUse } from '../../store/case/keep/lesson_asked';
 import { exceeded } from '../../store/run/forecast';
 import { choiceWords, fieldUnit, fieldWords, groupWords } from '../controls/field_words';
 import { CheckField, NumberField, SelectField } from '../controls/fields';
@@ -9,7 +10,7 @@ import { refusal } from '../run/forecast_text';
 
 type StageGroup = 'volume' | 'surface' | 'smooth' | 'remesh' | 'tetra' | 'optimise' | 'quality' | 'limits';
 
-const groups: readonly StageGroup[] = [
+const groups: readonly Exclude<StageGroup, 'limits'>[] = [
   'volume',
   'surface',
   'smooth',
@@ -65,11 +66,13 @@ function StageFields({ group, title, current }: { group: StageGroup; title: stri
 }
 
 export function StageSection({ current }: { current: Recipe }) {
+  const shown = groups.filter(mayUse);
+  if (shown.length === 0) return null;
   return (
     <section class="section">
-      <details class="more">
+      <details class="more" open={allowedControls.value !== null}>
         <summary>Stage parameters</summary>
-        {groups.map((group) => (
+        {shown.map((group) => (
           <fieldset key={group} class="stage-fields">
             <legend>{groupWords[group]}</legend>
             <StageFields group={group} title={groupWords[group]} current={current} />

@@ -10,6 +10,8 @@ export const dialogShown = signal<
   | 'about'
   | 'memory'
   | 'glossary'
+  | 'lessons'
+  | 'sheet'
   | 'review'
   | null
 >(null);

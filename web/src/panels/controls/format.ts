@@ -34,3 +34,15 @@ export function unitSign(unit: string): string {
 export function sentence(name: string): string {
   return (name.charAt(0).toUpperCase() + name.slice(1)).replace(/_(deg|mm|log2)$/, '').replaceAll('_', ' ');
 }
+
+/** Beyond so many characters some chat programs cut a link. */
+export const longLink = 2000;
+
+/** What to expect of a link of so many characters; `what` may be sent as a file instead. */
+export function lengthNote(length: number, what: 'case' | 'lesson'): string {
+  if (length > 500_000) return `Too long for a link: send the ${what} file instead.`;
+  if (length > 8000)
+    return `Long for a link: mail and chat programs will cut it. Better send the ${what} file.`;
+  if (length > longLink) return 'Some chat programs cut links of this length.';
+  return '';
+}

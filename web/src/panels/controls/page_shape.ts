@@ -1,5 +1,6 @@
 /** How the page is laid out: by its size, and by that of its type. */
 import { computed, effect, signal } from '@preact/signals';
+import { lessonAsked } from '../../store/case/keep/lesson_asked';
 import { largeType, marked } from '../../store/view';
 
 /** What large type multiplies all lengths of the page by; `--type` in the styles. */
@@ -19,8 +20,13 @@ export const pageShape = computed((): PageShape => {
 
 export const tabbed = computed(() => pageShape.value === 'tablet' || pageShape.value === 'phone');
 
-export const pageTabs = ['case', 'view', 'evidence'] as const;
-export type PageTab = (typeof pageTabs)[number];
+export type PageTab = 'lesson' | 'case' | 'view' | 'evidence';
+
+/** A lesson has a tab while one is open. */
+export const pageTabs = computed((): readonly PageTab[] => [
+  ...(lessonAsked.value ? (['lesson'] as const) : []),
+  ...(['case', 'view', 'evidence'] as const),
+]);
 
 /** Which part is in front where there is room for one. */
 export const pageTab = signal<PageTab>('view');
@@ -39,5 +45,9 @@ export function followPageSize(): void {
   window.addEventListener('resize', read);
   effect(() => {
     if (marked.value) showView();
+  });
+  effect(() => {
+    if (lessonAsked.value) pageTab.value = 'lesson';
+    else if (pageTab.peek() === 'lesson') pageTab.value = 'view';
   });
 }

@@ -8,17 +8,7 @@ import { report } from '../../store/run/report';
 import { CopyButton } from '../controls/copy_button';
 import { Dialog } from '../controls/dialog';
 import { CheckField } from '../controls/fields';
-import { whole } from '../controls/format';
-
-/** Beyond so many characters some chat programs cut a link. */
-const longLink = 2000;
-
-function lengthNote(length: number): string {
-  if (length > 500_000) return 'Too long for a link: send the case file instead.';
-  if (length > 8000) return 'Long for a link: mail and chat programs will cut it. Better send the case file.';
-  if (length > longLink) return 'Some chat programs cut links of this length.';
-  return '';
-}
+import { lengthNote, longLink, whole } from '../controls/format';
 
 /** What a long link can be replaced by: the case file on any server, and this app with its address. */
 function ByAddress() {
@@ -142,7 +132,7 @@ export function ShareDialog({ close }: { close(): void }) {
       />
       {shared && (
         <p class="muted">
-          {whole(length)} characters. {lengthNote(length)}
+          {whole(length)} characters. {lengthNote(length, 'case')}
         </p>
       )}
       {length > longLink && <ByAddress />}

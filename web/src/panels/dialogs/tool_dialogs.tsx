@@ -8,9 +8,11 @@ import { upToDate } from '../../store/run/report';
 import { activity } from '../../store/run/stages';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
+import { fetched } from '../controls/fetched';
 import { Segments } from '../controls/fields';
 import { Gallery } from '../case/gallery';
 import { Icon } from '../controls/icons';
+import { LessonList } from '../lessons/lesson_list';
 import { KeyList } from '../view/key_list';
 import { SizesDialog } from '../run/sizes_dialog';
 import { AboutDialog } from './about_dialog';
@@ -19,6 +21,8 @@ import { MemoryDialog } from './memory_dialog';
 import { ReadingDialog } from './reading_dialog';
 import { ReviewDialog } from './review_dialog';
 import { ShareDialog } from './share_dialog';
+
+const SheetDialog = fetched(() => import('../lessons/sheet_dialog').then((part) => part.SheetDialog));
 
 const formatNotes: Record<ExportFormat, [string, string]> = {
   vtu: ['VTU', 'ParaView, PyVista: tetrahedra and labels, mm'],
@@ -142,8 +146,18 @@ export function ToolDialogs() {
       return (
         <Dialog title="Examples" onClose={close}>
           <Gallery onOpen={close} />
+          <h3>Lessons</h3>
+          <LessonList onOpen={close} />
         </Dialog>
       );
+    case 'lessons':
+      return (
+        <Dialog title="Lessons" onClose={close}>
+          <LessonList onOpen={close} />
+        </Dialog>
+      );
+    case 'sheet':
+      return <SheetDialog close={close} />;
     case 'keys':
       return (
         <Dialog title="Keys" onClose={close}>

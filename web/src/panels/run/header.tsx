@@ -2,10 +2,11 @@ import { redoEdit, undoEdit } from '../../store/case/open_case';
 import { volume } from '../../store/case/input';
 import { caseName, recipe, redoLabel, undoLabel } from '../../store/case/recipe';
 import { report } from '../../store/run/report';
+import { mayUse } from '../../store/case/keep/lesson_asked';
 import { activity } from '../../store/run/stages';
 import { dialogShown } from '../controls/dialog_shown';
 import { Icon } from '../controls/icons';
-import { tabbed } from '../controls/page_shape';
+import { pageShape, tabbed } from '../controls/page_shape';
 import { Appearance } from './appearance';
 import { ForecastNote } from './forecast_note';
 import { RunButton } from './run_button';
@@ -57,6 +58,17 @@ export function Header() {
         </button>
       </div>
       <Appearance />
+      {pageShape.value !== 'phone' && (
+        <button
+          type="button"
+          class="icon-button"
+          aria-label="Lessons"
+          title="Lessons"
+          onClick={() => (dialogShown.value = 'lessons')}
+        >
+          <Icon name="lesson" />
+        </button>
+      )}
       <button
         type="button"
         class="icon-button"
@@ -79,7 +91,7 @@ export function Header() {
         type="button"
         class="button"
         aria-label="Export"
-        disabled={report.value === null || activity.value !== 'idle'}
+        disabled={report.value === null || activity.value !== 'idle' || !mayUse('export')}
         onClick={() => (dialogShown.value = 'export')}
       >
         <Icon name="download" /> <span class="button-text">Export</span>

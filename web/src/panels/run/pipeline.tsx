@@ -3,6 +3,7 @@ import type { StageName } from '../../engine/contract';
 import { runTo } from '../../store/run/run_stages';
 import { volume } from '../../store/case/input';
 import { shownKeys } from '../../store/run/results';
+import { mayUse } from '../../store/case/keep/lesson_asked';
 import { activity, caseStages, stages, staleStages, type StageStatus } from '../../store/run/stages';
 import { stageShown } from '../../store/view';
 import { about, seconds } from '../controls/format';
@@ -76,7 +77,7 @@ function stateOf(name: StageName): StageStatus['state'] | 'outdated' {
 export function Pipeline() {
   const [open, setOpen] = useState(false);
   const touched = staleStages.value;
-  const idle = activity.value === 'idle' && volume.value !== null;
+  const idle = activity.value === 'idle' && volume.value !== null && mayUse('run');
   const busy = activity.value === 'run' || activity.value === 'preview';
   const folded = pageShape.value === 'phone';
   return (

@@ -3,6 +3,7 @@ import { volume } from '../../store/case/input';
 import { elapsedSeconds } from '../../store/run/clock';
 import { exceeded, forecast } from '../../store/run/forecast';
 import { cancelRun, runAll } from '../../store/run/run_stages';
+import { mayUse } from '../../store/case/keep/lesson_asked';
 import { activity } from '../../store/run/stages';
 import { dialogShown } from '../controls/dialog_shown';
 import { seconds } from '../controls/format';
@@ -19,7 +20,7 @@ const focusIsLost = () => document.activeElement === document.body && navigator.
 export function RunButton() {
   const now = activity.value;
   const button = useRef<HTMLButtonElement>(null);
-  const ready = volume.value !== null && (now === 'idle' || now === 'preview');
+  const ready = volume.value !== null && mayUse('run') && (now === 'idle' || now === 'preview');
   useEffect(() => {
     if (ready && focusIsLost()) button.current?.focus();
   }, [ready]);

@@ -1,14 +1,20 @@
 import { pageTab, pageTabs, type PageTab } from '../controls/page_shape';
 import { RunButton } from './run_button';
 
-const titles: Record<PageTab, string> = { case: 'Case', view: 'View', evidence: 'Evidence' };
+const titles: Record<PageTab, string> = {
+  lesson: 'Lesson',
+  case: 'Case',
+  view: 'View',
+  evidence: 'Evidence',
+};
 
 /** Which tab a key leads to. */
 function tabFor(key: string): PageTab | undefined {
-  const now = pageTabs.indexOf(pageTab.value);
-  const last = pageTabs.length - 1;
+  const tabs = pageTabs.value;
+  const now = tabs.indexOf(pageTab.value);
+  const last = tabs.length - 1;
   const next = { ArrowRight: now + 1, ArrowLeft: now - 1, Home: 0, End: last }[key];
-  return next === undefined ? undefined : pageTabs.at(next > last ? 0 : next);
+  return next === undefined ? undefined : tabs.at(next > last ? 0 : next);
 }
 
 /** Where there is room for one part of the page: which one, and Run in reach of a thumb. */
@@ -23,7 +29,7 @@ export function TabBar() {
   return (
     <div class="tab-bar">
       <div class="tabs" role="tablist" aria-label="Parts of the page" onKeyDown={onKey}>
-        {pageTabs.map((name) => (
+        {pageTabs.value.map((name) => (
           <button
             type="button"
             role="tab"

@@ -6,6 +6,7 @@ import { pinned } from '../../store/run/compare';
 import { writeFiles } from '../controls/write_files';
 import { volume } from '../../store/case/input';
 import { shownKeys } from '../../store/run/results';
+import { mayUse } from '../../store/case/keep/lesson_asked';
 import { activity } from '../../store/run/stages';
 import { dialogShown } from '../controls/dialog_shown';
 import { extraKeys } from '../controls/extra_keys';
@@ -57,7 +58,7 @@ function obeyKey(event: KeyboardEvent): boolean {
   const key = event.key.toLowerCase();
   if (event.key === 'Escape') return escape();
   if (held && event.key === 'Enter') {
-    if (!['idle', 'preview'].includes(activity.value)) return false;
+    if (!mayUse('run') || !['idle', 'preview'].includes(activity.value)) return false;
     void runAll();
   } else if (held && key === 'z' && !(writes && target.type === 'text'))
     void (event.shiftKey ? redoEdit : undoEdit)();

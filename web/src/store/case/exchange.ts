@@ -125,6 +125,15 @@ export function downloadCase(minimal: Record<string, unknown>): void {
   );
 }
 
+export function downloadLesson(title: string, text: string): void {
+  const name =
+    title
+      .trim()
+      .toLowerCase()
+      .replace(/[^\p{L}\p{N}]+/gu, '-') || 'lesson';
+  download(`${name}.lesson.json`, new Blob([text], { type: 'application/json' }));
+}
+
 /** What is painted here, for whoever opens a link that asks for it. */
 export function downloadPainted(): void {
   const file = engine.files.side('mask', paintedName);

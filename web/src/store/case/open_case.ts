@@ -69,7 +69,7 @@ export async function startEngine(client: EngineClient, makeKept?: EngineMaker):
   }
 }
 
-export function openExample({ recipe: value }: Example): Promise<void> {
+export function openExample({ recipe: value }: Pick<Example, 'recipe'>): Promise<void> {
   return openOwn(value);
 }
 

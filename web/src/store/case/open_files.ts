@@ -5,6 +5,7 @@ import { parseCase } from '../../link/codec';
 import { offerCase, takeVolume } from './open_case';
 import { engine, takeTurn, tellError } from '../run/engine';
 import { awaitedFile, fileRead, volume } from './input';
+import { lessonAsked } from './keep/lesson_asked';
 import { announcement, tell } from '../notices';
 import { activity, endStages } from '../run/stages';
 import { previewSoon } from '../run/run_stages';
@@ -176,7 +177,10 @@ async function readVolume(files: readonly File[]): Promise<void> {
 
 async function openCase(file: File): Promise<void> {
   try {
-    const value = parseCase(await file.text());
+    const text = await file.text();
+    // What a lesson may hold is checked by what reads lessons.
+    if (/\.lesson\.json$/i.test(file.name)) return void (lessonAsked.value = { from: 'file', text });
+    const value = parseCase(text);
     // A report holds its recipe, and is the promise of its mesh.
     const inner = value.recipe as Record<string, unknown> | undefined;
     await offerCase(

@@ -1,8 +1,15 @@
 /** One run that later ones are held against. Its arrays stand outside the store, like those of the results. */
 import { signal } from '@preact/signals';
-import { noValue, type Physics, type Recipe, type Report, type StageArrays } from '../../engine/contract';
+import {
+  noValue,
+  type Physics,
+  type Recipe,
+  type Report,
+  type Simulated,
+  type StageArrays,
+} from '../../engine/contract';
 import { chooseLayout, layout } from '../view';
-import { keptSimulation, simulatedPhysics, type KeptSimulation } from './frames';
+import { keptSimulation, simulated, simulatedPhysics, type KeptSimulation } from './frames';
 import { meshedRecipe, report } from './report';
 import { shownKeys, shownResult } from './results';
 
@@ -11,8 +18,9 @@ export interface PinnedRun {
   recipe: Recipe;
   /** What its mesh was made from: on the same mesh simulations can be compared. */
   mesh: string | undefined;
-  /** What was simulated on it, if anything. */
+  /** What was simulated on it, if anything, and its figures. */
   physics: Physics | null;
+  simulated: Simulated;
 }
 
 export interface PinnedArrays {
@@ -34,6 +42,9 @@ export function pinnedSimulation(): KeptSimulation | null {
   return pinned.value && pinned.value.mesh === shownKeys.value.optimise ? simulation : null;
 }
 
+/** Values at the points of the pinned mesh, that its simulations found. */
+export const pinnedFound = (name: string): Float32Array | undefined => simulation?.found.get(name);
+
 export function pinRun(): void {
   const mesh = shownResult('optimise');
   if (!report.value || !meshedRecipe.value || !mesh) return;
@@ -44,6 +55,7 @@ export function pinRun(): void {
     recipe: meshedRecipe.value,
     mesh: shownKeys.value.optimise,
     physics: simulatedPhysics.value,
+    simulated: simulated.value,
   };
 }
 
