@@ -11,6 +11,7 @@
 #include "geometry/curved/midside_nodes.h"
 #include "io/bytes/files.h"
 #include "pipeline/exports/exported_fields.h"
+#include "pipeline/exports/second_order.h"
 #include "pipeline/report.h"
 #include "volume/clean/clean_volume.h"
 
@@ -183,6 +184,12 @@ int export_session(const Session& session, bool measures, const std::string& pat
   Exported exported = exported_fields(session, *format, measures);
   for (const std::string& field : exported.left_out)
     print_warning(path + ": left out " + field + ", for which this format has no place");
+  if (output.order == 2) {
+    const RunContext ctx = context_of(output);
+    CurvedNodes curved = second_order_nodes(session, ctx.threads);
+    print_note(path + ": " + note_of(curved));
+    exported.options.midside = std::move(curved.nodes);
+  }
   return export_mesh(*session.mesh(), std::move(exported.options), path, output);
 }
 
