@@ -3,7 +3,6 @@
 
 #include <cstddef>
 
-#include "types/midside_nodes.h"
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
 

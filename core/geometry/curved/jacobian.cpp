@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "types/midside_nodes.h"
+#include "types/tet_mesh.h"
 
 namespace voxtet {
 namespace {

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "types/midside_nodes.h"
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
 

@@ -1,7 +1,6 @@
 // Nodes in the middle of the edges of a mesh.
 #pragma once
 
-#include "types/midside_nodes.h"
 #include "types/tet_mesh.h"
 
 namespace voxtet {

@@ -9,7 +9,6 @@
 #include "io/bytes/bytes.h"
 #include "types/field.h"
 #include "types/label_volume.h"
-#include "types/midside_nodes.h"
 #include "types/result.h"
 #include "types/tet_mesh.h"
 
