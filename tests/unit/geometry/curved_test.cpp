@@ -10,6 +10,7 @@
 #include "base/digest.h"
 #include "geometry/curved/curve_midsides.h"
 #include "geometry/curved/jacobian.h"
+#include "geometry/curved/label_targets.h"
 #include "geometry/curved/midside_nodes.h"
 #include "support/labelled_mesh.h"
 #include "support/test_surfaces.h"
@@ -223,6 +224,43 @@ TEST(CurveMidsides, LeavesTheRimsOfABoxStraightAndItsSidesFlat) {
   const MidsideNodes straight = straight_midside_nodes(mesh);
   for (std::size_t e = 0; e < straight.points.size(); ++e)
     EXPECT_LT((curved.nodes.points[e] - straight.points[e]).norm(), 1e-12);
+}
+
+TEST(LabelTargets, OfJunctionsAreOnTheJunctionOfTheSurface) {
+  // Three interfaces meet at the edge 01; in the surface it has a bend, between its interfaces.
+  const TetMesh mesh = test::two_tets();
+  const MidsideNodes nodes = straight_midside_nodes(mesh);
+  const Eigen::Vector3d bend(0.5, -0.05, 0.02);
+  SurfaceMesh surface{mesh.points, {}, {}};
+  surface.points.push_back(bend);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    Triangle face = mesh.faces[f];
+    for (int turn = 0; turn < 3 && std::max(face[0], face[1]) > 1; ++turn)
+      std::rotate(face.begin(), face.begin() + 1, face.end());
+    if (std::max(face[0], face[1]) > 1) {
+      surface.triangles.push_back(face);
+      surface.sides.push_back(mesh.face_sides[f]);
+      continue;
+    }
+    for (const Triangle& half : {Triangle{face[0], 5, face[2]}, Triangle{5, face[1], face[2]}}) {
+      surface.triangles.push_back(half);
+      surface.sides.push_back(mesh.face_sides[f]);
+    }
+  }
+  const std::vector<Eigen::Vector3d> targets = label_targets(mesh, nodes, surface, 1);
+  for (std::size_t e = 0; e < nodes.edges.size(); ++e) {
+    if (nodes.edges[e] != std::array<std::uint32_t, 2>{0, 1}) {
+      EXPECT_LT((targets[e] - nodes.points[e]).norm(), 1e-12) << "the others are as they were";
+      continue;
+    }
+    const double part = targets[e].x() / bend.x();
+    EXPECT_LT((targets[e] - (part <= 1 ? part : 2 - part) * Eigen::Vector3d(0, bend.y(), bend.z()) -
+               Eigen::Vector3d(targets[e].x(), 0, 0))
+                  .norm(),
+              1e-12)
+        << "on one half of the bent edge";
+    EXPECT_GT((targets[e] - nodes.points[e]).norm(), 0.04);
+  }
 }
 
 TEST(CurveMidsides, SameBytesOnEveryPlatformAndForAnyNumberOfThreads) {
