@@ -2,10 +2,10 @@
 
 Sample run: second_order.py build/native/voxtet [FOLDER]
 
-A ball and a heart of the phantoms, or the cases of tests/sweep/table_cases.h from a folder of volumes: as VTU by VTK and as MSH by Gmsh; one node for each edge,
-inside edges straight, every sampled Jacobian determinant positive, and all of
-them by Gmsh; the ball's volume is nearer to the truth than that of
-the first-order mesh. Exit code 77: something that this needs is absent.
+A ball and a heart of the phantoms, or the cases of tests/sweep/table_cases.h from a folder of volumes: as VTU by VTK and as
+MSH by Gmsh; one node for each edge; Jacobian determinants positive, at samples here and everywhere by Gmsh, which finds no
+less than voxtet said; faces no farther from the label surface than those of first order, as voxtet says. The ball's volume
+is nearer to the truth than that of the first-order mesh. Exit code 77: something that this needs is absent.
 """
 import math
 import pathlib
