@@ -19,6 +19,7 @@ constexpr Part kParts[] = {{"plane_wave", voxtet::verify::print_plane_wave},
                            {"eikonal", voxtet::verify::print_eikonal},
                            {"isthmus", voxtet::verify::print_isthmus},
                            {"speed", voxtet::verify::print_speed},
+                           {"circulation", voxtet::verify::print_circulation},
                            {"checks", [](bool) { voxtet::verify::print_checks(); }}};
 
 }  // namespace
@@ -35,10 +36,11 @@ int main(int argc, char** argv) {
                            [&](const Part& part) { return argument == part.name; })) {
       wanted.push_back(argument);
     } else {
-      std::fprintf(
-          stderr,
-          "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, isthmus, speed or checks\n",
-          argument.c_str());
+      std::fprintf(stderr,
+                   "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, isthmus, speed, "
+                   "circulation or "
+                   "checks\n",
+                   argument.c_str());
       return 2;
     }
   }
