@@ -18,6 +18,7 @@
 #include "pipeline/exports/carp_case.h"
 #include "pipeline/exports/exported_fields.h"
 #include "pipeline/exports/field_volume.h"
+#include "pipeline/exports/second_order.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
 #include "pipeline/results/stage_arrays.h"
@@ -244,16 +245,16 @@ class SessionBinding {
     return found ? reply(*found) : reply(found.error());
   }
 
-  /// `name`: of the files without their endings.
+  /// `name`: of the files without their endings. `order`: of the elements, 1 or 2.
   std::string export_mesh(const std::string& format, const std::string& space, const std::string& name,
-                          bool measures) {
+                          bool measures, int order) {
     exported_.clear();
     if (!session_.mesh())
       return reply(Error{ErrorCode::kUsage, "export", "no mesh yet: run the stage optimise", {}});
     Result<MeshFormat> which = format_of(format);
     if (!which) return reply(which.error());
     Result<std::vector<OutputFile>> files =
-        written_mesh(*which, space == "lps" ? PatientSpace::kLps : PatientSpace::kRas, name, measures);
+        written_mesh(*which, space == "lps" ? PatientSpace::kLps : PatientSpace::kRas, name, measures, order);
     if (!files) return reply(files.error());
     exported_ = std::move(files).value();
     json list = json::array();
@@ -276,11 +277,12 @@ class SessionBinding {
 
   /// For openCARP a case, where a wave has been simulated.
   Result<std::vector<OutputFile>> written_mesh(MeshFormat format, PatientSpace space, const std::string& name,
-                                               bool measures) const {
+                                               bool measures, int order) const {
     if (format == MeshFormat::kCarp && has_wave(session_)) return carp_case_files(session_, space, name);
     WriteMeshOptions options = exported_fields(session_, format, measures).options;
     options.space = space;
     options.name = name;
+    if (order == 2) options.midside = second_order_nodes(session_, context().threads).nodes;
     return write_tet_mesh(*session_.mesh(), format, options);
   }
 

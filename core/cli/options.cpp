@@ -8,8 +8,10 @@
 #include "cli/cli.h"
 #include "cli/print.h"
 #include "cli/words/option_texts.h"
+#include "geometry/curved/midside_nodes.h"
 #include "io/bytes/files.h"
 #include "pipeline/exports/exported_fields.h"
+#include "pipeline/exports/second_order.h"
 #include "pipeline/report.h"
 #include "volume/clean/clean_volume.h"
 
@@ -112,6 +114,10 @@ void add_write_options(CLI::App& command, Output& output) {
   command.add_option("--msh", output.msh_version, "version of a .msh: 4.1 (as if absent), or 2.2 as text")
       ->check(CLI::IsMember({"4.1", "2.2"}));
   command.add_flag("--stl-per-label", output.stl_per_label, "for a.stl: a.LABEL.stl for each label");
+  command
+      .add_option("--order", output.order,
+                  "of elements: 2 for tetrahedra of ten nodes, in " + std::string(kSecondOrderEndings))
+      ->check(CLI::IsMember({1, 2}));
 }
 
 Result<MeshFormat> written_format(const std::string& path, const Output& output) {
@@ -121,6 +127,9 @@ Result<MeshFormat> written_format(const std::string& path, const Output& output)
     return usage_error("cli", "--msh " + output.msh_version + ": found " + path + ", expected a name.msh");
   if (output.stl_per_label && *format != MeshFormat::kStl)
     return usage_error("cli", "--stl-per-label: found " + path + ", expected a name.stl");
+  if (output.order == 2 && !has_second_order(*format))
+    return usage_error("cli", "--order 2: found " + path + ", expected a name that ends with " +
+                                  std::string(kSecondOrderEndings));
   if (output.msh_version == "2.2") return MeshFormat::kMsh22;
   return output.stl_per_label ? MeshFormat::kLabelStl : *format;
 }
@@ -151,6 +160,7 @@ int export_mesh(const TetMesh& mesh, WriteMeshOptions options, const std::string
   if (!format) return fail(format.error(), output);
   options.space = output.space();
   options.name = mesh_name_of(*name);
+  if (output.order == 2 && !options.midside) options.midside = straight_midside_nodes(mesh);
   Result<std::vector<OutputFile>> files = write_tet_mesh(mesh, *format, options);
   if (!files) return fail(files.error(), output);
   if (path == kDash) {
@@ -174,6 +184,12 @@ int export_session(const Session& session, bool measures, const std::string& pat
   Exported exported = exported_fields(session, *format, measures);
   for (const std::string& field : exported.left_out)
     print_warning(path + ": left out " + field + ", for which this format has no place");
+  if (output.order == 2) {
+    const RunContext ctx = context_of(output);
+    CurvedNodes curved = second_order_nodes(session, ctx.threads);
+    print_note(path + ": " + note_of(curved));
+    exported.options.midside = std::move(curved.nodes);
+  }
   return export_mesh(*session.mesh(), std::move(exported.options), path, output);
 }
 

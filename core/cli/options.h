@@ -24,6 +24,7 @@ struct Output {
   std::string lps_or_ras = "ras";
   std::string msh_version;     ///< "2.2" or "4.1"; empty: 4.1
   bool stl_per_label = false;  ///< an .stl for each label instead of one
+  int order = 1;               ///< of the elements: 2 for tetrahedra of ten nodes
   PatientSpace space() const { return lps_or_ras == "lps" ? PatientSpace::kLps : PatientSpace::kRas; }
 };
 
@@ -58,7 +59,7 @@ Error run_error(Error error, const Output& output);
 /// Prints why a run ended, and returns its exit code.
 int fail_run(Error error, const Output& output);
 
-/// The options of how a mesh file is written: --space, --msh, --stl-per-label.
+/// The options of how a mesh file is written: --space, --msh, --stl-per-label, --order.
 void add_write_options(CLI::App& command, Output& output);
 
 /// The format of a mesh file, by its ending and these options. Errors: kUsage for an unknown ending, and for
@@ -69,7 +70,8 @@ Result<MeshFormat> written_format(const std::string& path, const Output& output)
 /// --output-format says. Errors: kUsage where that is missing, or given for a path, or makes several files.
 Result<std::string> mesh_path_of(const std::string& path, const Output& output);
 
-/// Writes a mesh with its data, in the space of `output`, and returns the exit code.
+/// Writes a mesh with its data, in the space of `output`, and returns the exit code. Second-order elements
+/// are those of options.midside, else they have straight edges.
 int export_mesh(const TetMesh& mesh, WriteMeshOptions options, const std::string& path, const Output& output);
 /// The same for the mesh of a session and what goes with it (exported_fields.h).
 int export_session(const Session& session, bool measures, const std::string& path, const Output& output);

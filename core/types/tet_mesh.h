@@ -1,10 +1,12 @@
-// The product: linear tetrahedra with a label each.
+// The product: linear tetrahedra with a label each, and what makes them second-order.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "types/surface_mesh.h"
@@ -22,6 +24,21 @@ struct TetMesh {
   std::vector<Label> labels;  ///< one per tet, never background
   std::vector<Triangle> faces;
   std::vector<Sides> face_sides;  ///< one per face
+};
+
+/// The edges of a tetrahedron in the order in which VTK, Abaqus, FEBio and XDMF number the nodes on them; the
+/// first three are those of a triangle.
+inline constexpr std::array<std::pair<std::size_t, std::size_t>, 6> kMidsidesOfTet{
+    {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+
+/// Nodes on the edges of a TetMesh, one for each, which all elements at the edge share. The map from a
+/// reference element to an element of nodes x_i (corners) and x_ij (on edges) is
+///   x = sum_i l_i (2 l_i - 1) x_i + sum_ij 4 l_i l_j x_ij,  l: barycentric coordinates.
+struct MidsideNodes {
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< their ends, ascending; in ascending order
+  std::vector<Eigen::Vector3d> points;              ///< mm, RAS; one per edge
+  std::vector<std::array<std::uint32_t, 6>> tets;   ///< per tet the edges in the order of kMidsidesOfTet
+  std::vector<std::array<std::uint32_t, 3>> faces;  ///< per face the edges 01, 12, 20
 };
 
 /// Elements of one kind, such as TetMesh::faces or TetMesh::points, under a name that files give them.

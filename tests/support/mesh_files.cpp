@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/curved/midside_nodes.h"
 #include "io/bytes/files.h"
 #include "io/mesh/read_mesh.h"
 #include "io/mesh/write_mesh.h"
@@ -52,6 +53,16 @@ bool write_all(const std::string& folder) {
     }
     good = good && write_export(base + "_22.msh", write_tet_mesh(mesh, MeshFormat::kMsh22, options)) &&
            write_export(base + "_label.stl", write_tet_mesh(mesh, MeshFormat::kLabelStl, options));
+    WriteMeshOptions second = options;
+    second.name = std::string(name) + "_order2";
+    second.midside = straight_midside_nodes(mesh);
+    second.surfaces = {{"first", {0, 1, 2}}};
+    for (const char* ending : {".vtu", ".msh", ".inp", ".feb", ".xdmf"}) {
+      const auto format = mesh_format_of(ending);
+      good = good && format.ok() &&
+             write_export(base + "_order2" + ending, write_tet_mesh(mesh, *format, second));
+    }
+    good = good && write_export(base + "_order2_22.msh", write_tet_mesh(mesh, MeshFormat::kMsh22, second));
     for (const char* ending : {".vtu", ".vtk", ".stl", ".ply"}) {
       const auto format = mesh_format_of(ending);
       good = good && format.ok() &&

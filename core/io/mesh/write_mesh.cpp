@@ -8,6 +8,7 @@
 
 #include "io/bytes/files.h"
 #include "io/bytes/header_text.h"
+#include "io/mesh/shared/element_nodes.h"
 #include "io/mesh/write/text/write_msh22.h"
 #include "io/mesh/write/text/write_nastran.h"
 #include "io/mesh/write/text/write_tetgen.h"
@@ -56,21 +57,43 @@ std::optional<Error> check_points(const std::vector<Eigen::Vector3d>& points) {
   return {};
 }
 
-/// The boundary faces as a surface of their own, with only the points that they use.
-SurfaceMesh boundary_of(const TetMesh& mesh) {
+/// The boundary faces as a surface of their own, with only the points that they use; with second-order
+/// triangles where `options` have them, and then as they are for the surface.
+struct Boundary {
   SurfaceMesh surface;
+  WriteMeshOptions options;
+};
+
+Boundary boundary_of(const TetMesh& mesh, const WriteMeshOptions& options) {
+  Boundary boundary{{}, options};
+  SurfaceMesh& surface = boundary.surface;
   surface.sides = mesh.face_sides;
+  std::vector<ElementNodes> faces;
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    faces.push_back(nodes_of_face(mesh.faces, f, mesh.points.size(), options));
   std::vector<std::uint32_t> place(mesh.points.size(), kUnused);
-  for (const Triangle& face : mesh.faces)
-    for (const std::uint32_t corner : face) place[corner] = 0;
+  for (const ElementNodes& face : faces)
+    for (const std::uint32_t node : face) place[node] = 0;
+  const std::size_t first_midside =
+      mesh.points.size() - (options.midside ? options.midside->points.size() : 0);
+  std::uint32_t corners = 0;
   for (std::size_t p = 0; p < place.size(); ++p) {
     if (place[p] == kUnused) continue;
     place[p] = static_cast<std::uint32_t>(surface.points.size());
     surface.points.push_back(mesh.points[p]);
+    if (p < first_midside) ++corners;
   }
-  for (const Triangle& face : mesh.faces)
-    surface.triangles.push_back({place[face[0]], place[face[1]], place[face[2]]});
-  return surface;
+  if (options.midside)
+    boundary.options.midside =
+        MidsideNodes{{}, {surface.points.begin() + corners, surface.points.end()}, {}, {}};
+  for (const ElementNodes& face : faces) {
+    const auto& n = face.numbers;
+    surface.triangles.push_back({place[n[0]], place[n[1]], place[n[2]]});
+    if (options.midside)
+      boundary.options.midside->faces.push_back(
+          {place[n[3]] - corners, place[n[4]] - corners, place[n[5]] - corners});
+  }
+  return boundary;
 }
 
 std::optional<Error> check_surface(const SurfaceMesh& surface) {
@@ -146,16 +169,73 @@ std::optional<Error> check_places(const WriteMeshOptions& options, MeshFormat fo
   return {};
 }
 
+std::optional<Error> check_second_order(const TetMesh& mesh, MeshFormat format, const MidsideNodes& midside) {
+  if (!has_second_order(format))
+    return usage_error(kMeshWriter,
+                       "second-order tetrahedra: this format is not written with them, expected " +
+                           std::string(kSecondOrderEndings));
+  if (midside.edges.size() != midside.points.size() || midside.tets.size() != mesh.tets.size() ||
+      midside.faces.size() != mesh.faces.size())
+    return broken("second-order nodes are those of another mesh");
+  if (auto error = check_points(midside.points)) return error;
+  if (auto error = check_elements(mesh.points, midside.edges, midside.points.size(), "edges")) return error;
+  if (auto error = check_elements(midside.points, midside.tets, mesh.tets.size(), "edges of tetrahedra"))
+    return error;
+  return check_elements(midside.points, midside.faces, mesh.faces.size(), "edges of faces");
+}
+
+/// The mesh as the writers of second-order elements see it: the points on edges come after the corners.
+TetMesh with_midside_points(TetMesh mesh, const MidsideNodes& midside) {
+  mesh.points.insert(mesh.points.end(), midside.points.begin(), midside.points.end());
+  return mesh;
+}
+
+/// The mean of both ends at each point on an edge.
+WriteMeshOptions with_midside_values(WriteMeshOptions options) {
+  for (Field& field : options.point_data) {
+    const auto components = static_cast<std::size_t>(field.components);
+    for (const auto& [a, b] : options.midside->edges)
+      for (std::size_t c = 0; c < components; ++c)
+        field.values.push_back((field.values[components * a + c] + field.values[components * b + c]) / 2);
+  }
+  return options;
+}
+
 std::vector<OutputFile> write_vtu_files(const TetMesh& mesh, const WriteMeshOptions& options) {
   std::vector<OutputFile> files{{".vtu", write_vtu(mesh, options)}};
-  if (!options.surfaces.empty()) files.push_back({".surfaces.vtu", write_vtu(boundary_of(mesh), options)});
+  if (options.surfaces.empty()) return files;
+  const Boundary boundary = boundary_of(mesh, options);
+  files.push_back({".surfaces.vtu", write_vtu(boundary.surface, boundary.options)});
   return files;
 }
 
 std::vector<OutputFile> write_vtk_files(const TetMesh& mesh, const WriteMeshOptions& options) {
   std::vector<OutputFile> files{{".vtk", write_vtk(mesh, options)}};
-  if (!options.surfaces.empty()) files.push_back({".surfaces.vtk", write_vtk(boundary_of(mesh), options)});
+  if (!options.surfaces.empty())
+    files.push_back({".surfaces.vtk", write_vtk(boundary_of(mesh, options).surface, options)});
   return files;
+}
+
+/// `mesh` and `options` as the writers see them.
+Result<std::vector<OutputFile>> write_checked(const TetMesh& mesh, MeshFormat format,
+                                              const WriteMeshOptions& options) {
+  switch (format) {
+    case MeshFormat::kVtu: return write_vtu_files(mesh, options);
+    case MeshFormat::kVtk: return write_vtk_files(mesh, options);
+    case MeshFormat::kMsh: return write_msh(mesh, options);
+    case MeshFormat::kMsh22: return write_msh22(mesh, options);
+    case MeshFormat::kMedit: return write_medit(mesh, options);
+    case MeshFormat::kCarp: return write_carp(mesh, options);
+    case MeshFormat::kAbaqus: return write_abaqus(mesh, options);
+    case MeshFormat::kFebio: return std::vector<OutputFile>{{".feb", write_febio(mesh, options)}};
+    case MeshFormat::kNastran: return write_nastran(mesh, options);
+    case MeshFormat::kTetgen: return write_tetgen(mesh, options);
+    case MeshFormat::kXdmf: return write_xdmf(mesh, options);
+    case MeshFormat::kStl:
+    case MeshFormat::kLabelStl:
+    case MeshFormat::kPly: break;
+  }
+  return write_surface(boundary_of(mesh, options).surface, format, options);
 }
 
 }  // namespace
@@ -178,27 +258,15 @@ Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat f
   if (auto error = check_data(options.point_data, On::kPoints, mesh.points.size())) return *std::move(error);
   if (auto error = check_places(options, format)) return *std::move(error);
   if (auto error = check_sets(options.surfaces, mesh.faces.size())) return *std::move(error);
-  switch (format) {
-    case MeshFormat::kVtu: return write_vtu_files(mesh, options);
-    case MeshFormat::kVtk: return write_vtk_files(mesh, options);
-    case MeshFormat::kMsh: return write_msh(mesh, options);
-    case MeshFormat::kMsh22: return write_msh22(mesh, options);
-    case MeshFormat::kMedit: return write_medit(mesh, options);
-    case MeshFormat::kCarp: return write_carp(mesh, options);
-    case MeshFormat::kAbaqus: return write_abaqus(mesh, options);
-    case MeshFormat::kFebio: return std::vector<OutputFile>{{".feb", write_febio(mesh, options)}};
-    case MeshFormat::kNastran: return write_nastran(mesh, options);
-    case MeshFormat::kTetgen: return write_tetgen(mesh, options);
-    case MeshFormat::kXdmf: return write_xdmf(mesh, options);
-    case MeshFormat::kStl:
-    case MeshFormat::kLabelStl:
-    case MeshFormat::kPly: break;
-  }
-  return write_surface(boundary_of(mesh), format, options);
+  if (!options.midside) return write_checked(mesh, format, options);
+  if (auto error = check_second_order(mesh, format, *options.midside)) return *std::move(error);
+  return write_checked(with_midside_points(mesh, *options.midside), format, with_midside_values(options));
 }
 
 Result<std::vector<OutputFile>> write_surface(const SurfaceMesh& surface, MeshFormat format,
                                               const WriteMeshOptions& options) {
+  if (options.midside)
+    return usage_error(kMeshWriter, "a surface is written with first-order triangles only");
   if (auto error = check_surface(surface)) return *std::move(error);
   if (auto error = check_sets(options.surfaces, surface.triangles.size())) return *std::move(error);
   switch (format) {

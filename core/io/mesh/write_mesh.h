@@ -21,13 +21,15 @@ namespace voxtet {
 /// beside openCARP, one .NAME.inp each beside Abaqus, mesh data in FEBio. Point data: in VTU, VTK, XDMF and
 /// openCARP alike. Named surfaces: .NAME.surf and .NAME.surf.vtx beside openCARP, physical groups in MSH,
 /// surfaces in Abaqus and FEBio, .surfaces.vtu beside VTU, .surfaces.vtk beside VTK, .facets.xdmf beside
-/// XDMF, loads in Nastran, markers in TetGen; not in the others. Every file whose format has a place for it
-/// says its space and unit; the header of each format (write_vtu.h, write_msh.h, ...) says where, and the
-/// details. The flip to LPS is a rotation: orientation stays. Equal meshes give equal bytes. Errors: kUsage
-/// for a mesh without tetrahedra, or without faces where only these are written; kInternal where the mesh
-/// breaks an invariant of TetMesh (indices in range, finite points, one label per element) or cell data have
-/// a name that is no word or not one value per tet; kUsage for a name that XDMF cannot refer to, and for
-/// vectors and point data that the format has no place for (has_place_for).
+/// XDMF, loads in Nastran, markers in TetGen; not in the others. Second-order
+/// elements (WriteMeshOptions::midside): in VTU, MSH, Abaqus, FEBio and XDMF. Every file whose format has a
+/// place for it says its space and unit; the header of each format (write_vtu.h, write_msh.h, ...) says
+/// where, and the details. The flip to LPS is a rotation: orientation stays. Equal meshes give equal bytes.
+/// Errors: kUsage for a mesh without tetrahedra, or without faces where only these are written; kInternal
+/// where the mesh breaks an invariant of TetMesh (indices in range, finite points, one label per element) or
+/// cell data have a name that is no word or not one value per tet; kUsage for a name that XDMF cannot refer
+/// to, and for vectors and point data that the format has no place for (has_place_for), and for second-order
+/// elements in others than has_second_order() formats.
 Result<std::vector<OutputFile>> write_tet_mesh(const TetMesh& mesh, MeshFormat format,
                                                const WriteMeshOptions& options);
 

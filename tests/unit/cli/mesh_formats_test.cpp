@@ -76,6 +76,23 @@ TEST_F(MeshFormatsTest, AnOptionMakesAnStlForEachLabel) {
   EXPECT_TRUE(errors.say("--stl-per-label: found " + at("b.ply") + ", expected a name.stl"));
 }
 
+TEST_F(MeshFormatsTest, AnOptionMakesTetrahedraOfTenNodes) {
+  for (const char* name : {"b.vtu", "b.msh", "b.inp", "b.feb", "b.xdmf"}) {
+    ASSERT_EQ(run({"convert", at("a.elem"), at(name), "--order", "2"}), kExitOk) << name;
+    test::CaughtErrors notes;
+    EXPECT_EQ(run({"check", at(name)}), kExitOk) << name;
+    EXPECT_TRUE(notes.say("2 of 2 tetrahedra have points on their edges: their corners are read, 9 other"))
+        << name;
+  }
+  ASSERT_EQ(run({"convert", at("b.vtu"), at("c.vtu"), "--order", "1"}), kExitOk);
+  EXPECT_EQ(labels_of("c.vtu"), (std::vector<Label>{1, 2}));
+  test::CaughtErrors errors;
+  EXPECT_EQ(run({"convert", at("a.elem"), at("b.mesh"), "--order", "2"}), kExitUsage);
+  EXPECT_TRUE(errors.say("--order 2: found " + at("b.mesh") +
+                         ", expected a name that ends with .vtu, .msh, .inp, .feb or .xdmf"));
+  EXPECT_EQ(run({"convert", at("a.elem"), at("b.vtu"), "--order", "3"}), kExitUsage);
+}
+
 TEST_F(MeshFormatsTest, AMeshWithoutLabelsIsMeasuredAndThatIsSaid) {
   {
     test::CaughtErrors notes;

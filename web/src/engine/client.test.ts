@@ -322,9 +322,17 @@ describe('EngineClient', () => {
       expect(await cancelled).toBeLessThan(1000);
       expect(run.frames.length).toBeLessThan(20);
       const again: string[] = [];
-      await run.client.exportMesh(JSON.stringify(phantom), phantom.source, 'vtu', 'ras', 'heart', false, {
-        onProgress: (stage) => again.push(stage),
-      });
+      await run.client.exportMesh(
+        JSON.stringify(phantom),
+        phantom.source,
+        'vtu',
+        'ras',
+        'heart',
+        {},
+        {
+          onProgress: (stage) => again.push(stage),
+        },
+      );
       expect(again).toEqual([]);
       expect(workers.released.length).toBe(workers.spawned);
       expect(workers.spawned).toBe(2);

@@ -5,6 +5,7 @@ import {
   stagesOfMesh,
   type EngineInfo,
   type ExportedFile,
+  type ElementOrder,
   type ExportFormat,
   type FibreArrays,
   type FoundFields,
@@ -249,12 +250,16 @@ export class EngineClient {
     format: ExportFormat,
     space: Space,
     name: string,
-    measures = false,
+    { measures = false, order = 1 }: { measures?: boolean; order?: ElementOrder } = {},
     handlers: RunHandlers = {},
   ): Promise<ExportedFile[]> {
     return this.job(async (generation) => {
       await this.remesh(generation, recipeJson, source, handlers);
-      return this.answer(generation, 'export', generation.api.exportMesh(format, space, name, measures));
+      return this.answer(
+        generation,
+        'export',
+        generation.api.exportMesh(format, space, name, measures, order),
+      );
     }, handlers.signal);
   }
 

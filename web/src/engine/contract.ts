@@ -153,6 +153,11 @@ export const exportFormats = [
   ...(['stl', 'label_stl', 'ply'] as const),
 ] as const;
 export type ExportFormat = (typeof exportFormats)[number];
+
+/** Of tetrahedra: 1 has four nodes; 2 has ten, those on the boundary on the smoothed label surface. */
+export type ElementOrder = 1 | 2;
+/** Formats that have elements of second order. */
+export const secondOrderFormats: readonly ExportFormat[] = ['vtu', 'msh', 'msh22', 'inp', 'feb', 'xdmf'];
 export type Space = 'ras' | 'lps';
 
 export interface ExportedFile {
@@ -297,7 +302,13 @@ export interface EngineApi {
   forecast(elements: number): Reply<Forecast & { fitting?: FittingSizes }>;
   arrays(stage: StageName): Reply<Partial<StageArrays[StageName]>>;
   /** `name`: of the files without their suffixes, since some name one another. */
-  exportMesh(format: ExportFormat, space: Space, name: string, measures: boolean): Reply<ExportedFile[]>;
+  exportMesh(
+    format: ExportFormat,
+    space: Space,
+    name: string,
+    measures: boolean,
+    order: ElementOrder,
+  ): Reply<ExportedFile[]>;
   report(): Reply<Report>;
 }
 

@@ -4,6 +4,7 @@ import { smoothNormals } from '../geometry/smooth_normals';
 import { tetFaces } from '../geometry/tet_faces';
 import { tetNeighbours } from '../geometry/tet_neighbours';
 import type {
+  ElementOrder,
   EngineApi,
   FibreArrays,
   FieldInfo,
@@ -45,7 +46,7 @@ export interface Session {
   openValues(name: string, bytes: Uint8Array): string;
   valuesFrame(frame: number): string;
   closeValues(): void;
-  exportMesh(format: string, space: string, name: string, measures: boolean): string;
+  exportMesh(format: string, space: string, name: string, measures: boolean, order: ElementOrder): string;
   exportBytes(index: number): Uint8Array;
   report(): string;
   delete(): void;
@@ -208,9 +209,9 @@ export function createSessionApi(session: Session): Omit<EngineApi, 'start'> {
         return { ok: true, value: arrays as never };
       }),
 
-    exportMesh: (format, space, name, measures) =>
+    exportMesh: (format, space, name, measures, order) =>
       guarded('export', () => {
-        const reply = JSON.parse(session.exportMesh(format, space, name, measures)) as Reply<{
+        const reply = JSON.parse(session.exportMesh(format, space, name, measures, order)) as Reply<{
           files: { suffix: string; bytes: number }[];
         }>;
         if (!reply.ok) return reply;

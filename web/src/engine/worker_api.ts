@@ -100,7 +100,7 @@ export const api: EngineApi = {
   values: (file, onFrame) => releasing(current().values(file, handing(onFrame)), onFrame),
   forecast: (elements) => current().forecast(elements),
   arrays: (stage) => handOver(current().arrays(stage)),
-  exportMesh: (format, space, name, measures) =>
-    handOver(current().exportMesh(format, space, name, measures)),
+  exportMesh: (format, space, name, measures, order) =>
+    handOver(current().exportMesh(format, space, name, measures, order)),
   report: () => current().report(),
 };

@@ -1,6 +1,7 @@
 /** What the package gives to pages and to node alike. */
 export { EngineError, exportFormats } from '../engine/contract';
 export type {
+  ElementOrder,
   ErrorCode,
   ErrorPlace,
   ExportFormat,

@@ -2,6 +2,7 @@
 import { EngineClient } from '../engine/client';
 import {
   EngineError,
+  type ElementOrder,
   type ExportFormat,
   type FieldInfo,
   type Forecast,
@@ -79,6 +80,8 @@ export interface ExportOptions extends JobOptions {
   space?: Space;
   /** The measures of the tetrahedra too, where the format holds them. */
   measures?: boolean;
+  /** Of the elements; 2 for `vtu`, `msh`, `msh22`, `inp`, `feb` and `xdmf` alone; 1 if none is given. */
+  order?: ElementOrder;
 }
 
 export interface MeshFile {
@@ -203,11 +206,19 @@ export class Mesher {
 
   /** The last mesh as files: some formats have several. */
   async export(format: ExportFormat, options: ExportOptions = {}): Promise<MeshFile[]> {
-    const { name = 'mesh', space = 'ras', measures = false, onProgress, signal } = options;
+    const { name = 'mesh', space = 'ras', measures = false, order = 1, onProgress, signal } = options;
     const recipe = this.lastRecipe();
     const handlers = { onProgress, signal };
     const json = JSON.stringify(recipe);
-    const files = await this.client.exportMesh(json, recipe.source, format, space, name, measures, handlers);
+    const files = await this.client.exportMesh(
+      json,
+      recipe.source,
+      format,
+      space,
+      name,
+      { measures, order },
+      handlers,
+    );
     return files.map(({ suffix, bytes }) => ({ name: `${name}${suffix}`, bytes }));
   }
 

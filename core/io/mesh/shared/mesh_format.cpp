@@ -69,6 +69,11 @@ bool has_place_for_surfaces(MeshFormat format) {
          format != MeshFormat::kPly;
 }
 
+bool has_second_order(MeshFormat format) {
+  return format == MeshFormat::kVtu || format == MeshFormat::kMsh || format == MeshFormat::kMsh22 ||
+         format == MeshFormat::kAbaqus || format == MeshFormat::kFebio || format == MeshFormat::kXdmf;
+}
+
 bool has_fibres(const std::vector<Field>& cell_data) {
   const Field* fibre = find_field(cell_data, kFibreField);
   return fibre && fibre->components == 3;

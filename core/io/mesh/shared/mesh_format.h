@@ -1,6 +1,7 @@
 // The formats of meshes, the options of their writers, and the format that a path stands for.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,9 @@ struct WriteMeshOptions {
   std::vector<Field> point_data{};          ///< written with the points of tetrahedra
   /// Named faces of tetrahedra, none of them in two sets; written besides the groups of all faces, by labels.
   std::vector<NamedSet> surfaces{};
+  /// Makes the tetrahedra second-order, of ten nodes, and the triangles of six: has_second_order(). Values at
+  /// a node on an edge are the mean of those at its ends.
+  std::optional<MidsideNodes> midside{};
   std::string name = "mesh";  ///< base name of the files, where one refers to another
 };
 
@@ -49,6 +53,11 @@ bool has_place_for(On on, int components, MeshFormat format);
 
 /// Whether files of a format have a place for named surfaces.
 bool has_place_for_surfaces(MeshFormat format);
+
+/// Whether second-order tetrahedra can be written into files of a format.
+bool has_second_order(MeshFormat format);
+/// The endings of these formats, for messages.
+inline constexpr std::string_view kSecondOrderEndings = ".vtu, .msh, .inp, .feb or .xdmf";
 
 /// The cell data that are fibres to openCARP, unit vectors of three components: `fibre`, and across it
 /// `sheet`.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "io/bytes/byte_writer.h"
+#include "io/mesh/shared/element_nodes.h"
 #include "io/mesh/shared/face_owners.h"
 #include "io/mesh/shared/mesh_groups.h"
 
@@ -39,16 +40,17 @@ void write_abaqus_nodes(ByteWriter& out, const TetMesh& mesh, PatientSpace space
   }
 }
 
-void write_elements(ByteWriter& out, const TetMesh& mesh, const std::vector<LabelInfo>& infos) {
+void write_elements(ByteWriter& out, const TetMesh& mesh, const WriteMeshOptions& options) {
+  const std::string type = options.midside ? "C3D10" : "C3D4";
   const LabelGroups groups = group_tets(mesh.labels);
   const auto members = group_members(groups.of_tet, groups.labels.size());
   for (std::size_t i = 0; i < members.size(); ++i) {
-    out.text("*ELEMENT, TYPE=C3D4, ELSET=" + word_name(groups.labels[i], infos) + "\n");
+    out.text("*ELEMENT, TYPE=" + type + ", ELSET=" + word_name(groups.labels[i], options.infos) + "\n");
     for (const std::uint32_t tet : members[i]) {
       out.integer(std::int64_t{tet} + 1);
-      for (const std::uint32_t corner : mesh.tets[tet]) {
+      for (const std::uint32_t node : nodes_of_tet(mesh, tet, options)) {
         out.text(", ");
-        out.integer(std::int64_t{corner} + 1);
+        out.integer(std::int64_t{node} + 1);
       }
       out.text("\n");
     }
@@ -97,7 +99,7 @@ Result<std::vector<OutputFile>> write_abaqus(const TetMesh& mesh, const WriteMes
            std::to_string(mesh.points.size()) + " nodes, " + std::to_string(mesh.tets.size()) +
            " elements\n");
   write_abaqus_nodes(out, mesh, options.space);
-  write_elements(out, mesh, options.infos);
+  write_elements(out, mesh, options);
   write_surfaces(out, mesh, *owners, options);
   std::vector<OutputFile> files{{".inp", out.take()}};
   for (const Field& data : options.cell_data)

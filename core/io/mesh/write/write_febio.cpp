@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/bytes/byte_writer.h"
+#include "io/mesh/shared/element_nodes.h"
 #include "io/mesh/shared/mesh_groups.h"
 
 namespace voxtet {
@@ -34,17 +35,16 @@ void write_head(ByteWriter& out, const std::vector<Part>& parts, PatientSpace sp
   out.text("</Material>\n");
 }
 
-/// <tag id="7">1,2,3</tag> with one more than each corner.
-template <class Corners>
-void write_cell(ByteWriter& out, const std::string& tag, std::size_t id, const Corners& corners) {
+/// <tag id="7">1,2,3</tag> with one more than each node.
+void write_cell(ByteWriter& out, const std::string& tag, std::size_t id, const ElementNodes& nodes) {
   out.text("<");
   out.text(tag);
   out.text(" id=\"");
   out.integer(static_cast<std::int64_t>(id));
   const char* separator = "\">";
-  for (const std::uint32_t corner : corners) {
+  for (const std::uint32_t node : nodes) {
     out.text(separator);
-    out.integer(std::int64_t{corner} + 1);
+    out.integer(std::int64_t{node} + 1);
     separator = ",";
   }
   out.text("</");
@@ -68,9 +68,11 @@ void write_febio_nodes(ByteWriter& out, const TetMesh& mesh, PatientSpace space)
 }
 
 void write_surface(ByteWriter& out, const TetMesh& mesh, const std::string& name,
-                   const std::vector<std::uint32_t>& faces) {
+                   const std::vector<std::uint32_t>& faces, const WriteMeshOptions& options) {
+  const std::string tag = "tri" + std::to_string(nodes_per_face(options));
   out.text("<Surface name=\"" + name + "\">\n");
-  for (std::size_t f = 0; f < faces.size(); ++f) write_cell(out, "tri3", f + 1, mesh.faces[faces[f]]);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    write_cell(out, tag, f + 1, nodes_of_face(mesh.faces, faces[f], mesh.points.size(), options));
   out.text("</Surface>\n");
 }
 
@@ -78,8 +80,8 @@ void write_surfaces(ByteWriter& out, const TetMesh& mesh, const WriteMeshOptions
   const FaceGroups groups = group_faces(mesh.face_sides);
   const auto members = group_members(groups.of_face, groups.pairs.size());
   for (std::size_t i = 0; i < members.size(); ++i)
-    write_surface(out, mesh, word_name(groups.pairs[i], options.infos), members[i]);
-  for (const NamedSet& set : options.surfaces) write_surface(out, mesh, set.name, set.members);
+    write_surface(out, mesh, word_name(groups.pairs[i], options.infos), members[i], options);
+  for (const NamedSet& set : options.surfaces) write_surface(out, mesh, set.name, set.members, options);
 }
 
 void write_cell_data(ByteWriter& out, const std::vector<Part>& parts, const Field& data) {
@@ -106,8 +108,10 @@ Bytes write_febio(const TetMesh& mesh, const WriteMeshOptions& options) {
   out.text("<Mesh>\n");
   write_febio_nodes(out, mesh, options.space);
   for (const Part& part : parts) {
-    out.text("<Elements type=\"tet4\" name=\"" + part.name + "\">\n");
-    for (const std::uint32_t tet : part.tets) write_cell(out, "elem", std::size_t{tet} + 1, mesh.tets[tet]);
+    out.text("<Elements type=\"tet" + std::to_string(nodes_per_tet(options)) + "\" name=\"" + part.name +
+             "\">\n");
+    for (const std::uint32_t tet : part.tets)
+      write_cell(out, "elem", std::size_t{tet} + 1, nodes_of_tet(mesh, tet, options));
     out.text("</Elements>\n");
   }
   write_surfaces(out, mesh, options);

@@ -5,13 +5,15 @@
 #include <string>
 
 #include "io/bytes/byte_writer.h"
+#include "io/mesh/shared/element_nodes.h"
 #include "io/mesh/shared/mesh_groups.h"
 
 namespace voxtet {
 namespace {
 
-constexpr std::int32_t kGmshTriangle = 2;
-constexpr std::int32_t kGmshTetrahedron = 4;
+/// Gmsh's numbers of the element types, of first and second order.
+constexpr std::int32_t kGmshTriangle = 2, kGmshTriangle6 = 9;
+constexpr std::int32_t kGmshTetrahedron = 4, kGmshTetrahedron10 = 11;
 
 struct Box {
   Eigen::Vector3d lo = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
@@ -97,21 +99,22 @@ Model build_model(const TetMesh& mesh, const WriteMeshOptions& options) {
   create_entities(model);
   const auto none = static_cast<std::uint32_t>(model.entities.size());
   std::vector<std::uint32_t> owner(mesh.points.size(), none);
-  const auto add = [&](std::uint32_t place, std::size_t element, const auto& corners) {
+  const auto add = [&](std::uint32_t place, std::size_t element, const ElementNodes& nodes) {
     Entity& entity = model.entities[place];
     entity.elements.push_back(static_cast<std::uint32_t>(element));
-    for (const std::uint32_t corner : corners) {
-      entity.box.add(in_space(mesh.points[corner], options.space));
-      owner[corner] = std::min(owner[corner], place);
+    for (const std::uint32_t node : nodes) {
+      entity.box.add(in_space(mesh.points[node], options.space));
+      owner[node] = std::min(owner[node], place);
     }
   };
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
     const auto patch = std::lower_bound(model.patches.begin(), model.patches.end(), patches[f]);
-    add(static_cast<std::uint32_t>(patch - model.patches.begin()), f, mesh.faces[f]);
+    add(static_cast<std::uint32_t>(patch - model.patches.begin()), f,
+        nodes_of_face(mesh.faces, f, mesh.points.size(), options));
   }
   const auto first_volume = static_cast<std::uint32_t>(model.patches.size());
   for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    add(first_volume + model.tets.of_tet[t], t, mesh.tets[t]);
+    add(first_volume + model.tets.of_tet[t], t, gmsh_nodes_of_tet(mesh, t, options));
   for (std::size_t p = 0; p < owner.size(); ++p)
     model.entities[owner[p] == none ? none - 1 : owner[p]].nodes.push_back(static_cast<std::uint32_t>(p));
   return model;
@@ -170,7 +173,10 @@ void write_msh_nodes(ByteWriter& out, const Model& model, const TetMesh& mesh, P
   out.text("\n$EndNodes\n");
 }
 
-void write_elements(ByteWriter& out, const Model& model, const TetMesh& mesh) {
+void write_elements(ByteWriter& out, const Model& model, const TetMesh& mesh,
+                    const WriteMeshOptions& options) {
+  const std::int32_t tetrahedron = options.midside ? kGmshTetrahedron10 : kGmshTetrahedron;
+  const std::int32_t triangle = options.midside ? kGmshTriangle6 : kGmshTriangle;
   const std::uint64_t count = mesh.tets.size() + mesh.faces.size();
   out.text("$Elements\n");
   for (const std::uint64_t value : {std::uint64_t{model.entities.size()}, count, std::uint64_t{1}, count})
@@ -178,15 +184,17 @@ void write_elements(ByteWriter& out, const Model& model, const TetMesh& mesh) {
   for (const Entity& entity : model.entities) {
     out.raw(entity.dimension);
     out.raw(entity.tag);
-    out.raw(entity.dimension == 3 ? kGmshTetrahedron : kGmshTriangle);
+    out.raw(entity.dimension == 3 ? tetrahedron : triangle);
     out.raw(std::uint64_t{entity.elements.size()});
     for (const std::uint32_t element : entity.elements) {
       if (entity.dimension == 3) {
         out.raw(std::uint64_t{element} + 1);
-        for (const std::uint32_t corner : mesh.tets[element]) out.raw(std::uint64_t{corner} + 1);
+        for (const std::uint32_t node : gmsh_nodes_of_tet(mesh, element, options))
+          out.raw(std::uint64_t{node} + 1);
       } else {
         out.raw(std::uint64_t{mesh.tets.size() + element + 1});
-        for (const std::uint32_t corner : mesh.faces[element]) out.raw(std::uint64_t{corner} + 1);
+        for (const std::uint32_t node : nodes_of_face(mesh.faces, element, mesh.points.size(), options))
+          out.raw(std::uint64_t{node} + 1);
       }
     }
   }
@@ -228,7 +236,7 @@ std::vector<OutputFile> write_msh(const TetMesh& mesh, const WriteMeshOptions& o
   write_names(out, model, options);
   write_entities(out, model);
   write_msh_nodes(out, model, mesh, options.space);
-  write_elements(out, model, mesh);
+  write_elements(out, model, mesh, options);
   std::vector<OutputFile> files{{".msh", out.take()}};
   if (!options.cell_data.empty())
     files.push_back({"_data.msh", write_cell_data(options.cell_data, mesh.tets.size(), options.space)});

@@ -6,12 +6,13 @@
 #include <vector>
 
 #include "io/bytes/byte_writer.h"
+#include "io/mesh/shared/element_nodes.h"
 #include "io/mesh/shared/mesh_groups.h"
 
 namespace voxtet {
 namespace {
 
-constexpr std::uint8_t kVtkTriangle = 5;
+constexpr std::uint8_t kVtkTriangle = 5, kVtkQuadraticTriangle = 22;
 
 /// The XML part; declares the appended arrays in the order in which their bytes must follow.
 class VtuHeader {
@@ -84,33 +85,38 @@ std::vector<Label> labels_of(const SurfaceMesh& surface) {
   return labels;
 }
 
-template <std::size_t kCorners>
-void declare_grid(VtuHeader& header, std::size_t points, std::size_t cells) {
+void declare_grid(VtuHeader& header, std::size_t points, std::size_t cells, std::size_t nodes_per_cell) {
   header.open("Points");
   header.array("Float64", "Points", 24 * points, " NumberOfComponents=\"3\"");
   header.open("/Points");
   header.open("Cells");
-  header.array("Int64", "connectivity", 8 * kCorners * cells);
+  header.array("Int64", "connectivity", 8 * nodes_per_cell * cells);
   header.array("Int64", "offsets", 8 * cells);
   header.array("UInt8", "types", cells);
   header.open("/Cells");
 }
 
-template <std::size_t kCorners>
+struct Cells {
+  std::size_t count, nodes_per_cell;
+  std::uint8_t type;
+};
+
+/// `nodes_of`: of a cell by its index.
+template <class NodesOf>
 void append_grid(ByteWriter& out, const std::vector<Eigen::Vector3d>& points, PatientSpace space,
-                 const std::vector<std::array<std::uint32_t, kCorners>>& cells, std::uint8_t cell_type) {
+                 const Cells& cells, const NodesOf& nodes_of) {
   out.raw(std::uint64_t{24 * points.size()});
   for (const Eigen::Vector3d& ras : points) {
     const Eigen::Vector3d p = in_space(ras, space);
     for (int d = 0; d < 3; ++d) out.raw(p[d]);
   }
-  out.raw(std::uint64_t{8 * kCorners * cells.size()});
-  for (const auto& cell : cells)
-    for (const std::uint32_t corner : cell) out.raw(std::int64_t{corner});
-  out.raw(std::uint64_t{8 * cells.size()});
-  for (std::size_t i = 1; i <= cells.size(); ++i) out.raw(static_cast<std::int64_t>(kCorners * i));
-  out.raw(std::uint64_t{cells.size()});
-  for (std::size_t i = 0; i < cells.size(); ++i) out.raw(cell_type);
+  out.raw(std::uint64_t{8 * cells.nodes_per_cell * cells.count});
+  for (std::size_t i = 0; i < cells.count; ++i)
+    for (const std::uint32_t node : nodes_of(i)) out.raw(std::int64_t{node});
+  out.raw(std::uint64_t{8 * cells.count});
+  for (std::size_t i = 1; i <= cells.count; ++i) out.raw(static_cast<std::int64_t>(cells.nodes_per_cell * i));
+  out.raw(std::uint64_t{cells.count});
+  for (std::size_t i = 0; i < cells.count; ++i) out.raw(cells.type);
 }
 
 void declare_data(VtuHeader& header, const std::vector<Field>& fields) {
@@ -134,7 +140,9 @@ constexpr const char* kFooter = "\n</AppendedData>\n</VTKFile>\n";
 Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
   VtuHeader header(options.space, mesh.points.size(), mesh.tets.size(),
                    name_arrays(group_tets(mesh.labels).labels, options.infos));
-  declare_grid<4>(header, mesh.points.size(), mesh.tets.size());
+  const Cells cells{mesh.tets.size(), nodes_per_tet(options),
+                    options.midside ? kVtkQuadraticTetra : kVtkTetra};
+  declare_grid(header, mesh.points.size(), cells.count, cells.nodes_per_cell);
   header.open("CellData Scalars=\"label\"");
   header.array("Int32", "label", 4 * mesh.tets.size());
   declare_data(header, options.cell_data);
@@ -145,7 +153,8 @@ Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
     header.open("/PointData");
   }
   ByteWriter out = header.finish();
-  append_grid(out, mesh.points, options.space, mesh.tets, kVtkTetra);
+  append_grid(out, mesh.points, options.space, cells,
+              [&](std::size_t t) { return nodes_of_tet(mesh, t, options); });
   out.raw(std::uint64_t{4 * mesh.labels.size()});
   for (const Label label : mesh.labels) out.raw(std::int32_t{label});
   append_data(out, options.cell_data, options.space);
@@ -159,14 +168,18 @@ Bytes write_vtu(const SurfaceMesh& surface, const WriteMeshOptions& options) {
   VtuHeader header(options.space, surface.points.size(), surface.triangles.size(),
                    name_arrays(labels_of(surface), options.infos),
                    named ? "; surface " + set_legend(options.surfaces) : "");
-  declare_grid<3>(header, surface.points.size(), surface.triangles.size());
+  const Cells cells{surface.triangles.size(), nodes_per_face(options),
+                    options.midside ? kVtkQuadraticTriangle : kVtkTriangle};
+  declare_grid(header, surface.points.size(), cells.count, cells.nodes_per_cell);
   header.open("CellData Scalars=\"label_behind\"");
   header.array("Int32", "label_behind", 4 * surface.sides.size());
   header.array("Int32", "label_front", 4 * surface.sides.size());
   if (named) header.array("Int32", "surface", 4 * surface.sides.size());
   header.open("/CellData");
   ByteWriter out = header.finish();
-  append_grid(out, surface.points, options.space, surface.triangles, kVtkTriangle);
+  append_grid(out, surface.points, options.space, cells, [&](std::size_t t) {
+    return nodes_of_face(surface.triangles, t, surface.points.size(), options);
+  });
   for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
     out.raw(std::uint64_t{4 * surface.sides.size()});
     for (const Sides& sides : surface.sides) out.raw(std::int32_t{sides[side]});

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/bytes/header_text.h"
+#include "io/mesh/shared/element_nodes.h"
 #include "io/mesh/shared/facet_tags.h"
 #include "io/mesh/shared/hdf5_arrays.h"
 #include "io/mesh/shared/mesh_groups.h"
@@ -69,7 +70,7 @@ std::vector<std::uint64_t> shape_of(const Field& field) {
 /// The arrays of the .h5: points, tets, and then the attributes of cells and of points.
 std::vector<Hdf5Array> arrays_of(const TetMesh& mesh, const WriteMeshOptions& options) {
   std::vector<Hdf5Array> arrays{{"points", Hdf5Type::kFloat64, {mesh.points.size(), 3}},
-                                {"tets", Hdf5Type::kInt32, {mesh.tets.size(), 4}},
+                                {"tets", Hdf5Type::kInt32, {mesh.tets.size(), nodes_per_tet(options)}},
                                 {"label", Hdf5Type::kInt32, {mesh.tets.size()}}};
   for (const auto* fields : {&options.cell_data, &options.point_data})
     for (const Field& data : *fields) arrays.push_back({data.name, Hdf5Type::kFloat32, shape_of(data)});
@@ -87,8 +88,8 @@ Bytes write_numbers(const TetMesh& mesh, const WriteMeshOptions& options,
                     const std::vector<Hdf5Array>& arrays) {
   ByteWriter out = begin_hdf5(arrays);
   write_points(out, mesh, options.space);
-  for (const Tet& tet : mesh.tets)
-    for (const std::uint32_t corner : tet) out.raw(static_cast<std::int32_t>(corner));
+  for (std::size_t t = 0; t < mesh.tets.size(); ++t)
+    for (const std::uint32_t node : nodes_of_tet(mesh, t, options)) out.raw(static_cast<std::int32_t>(node));
   for (const Label label : mesh.labels) out.raw(std::int32_t{label});
   for (const auto* fields : {&options.cell_data, &options.point_data})
     for (const Field& data : *fields)
@@ -125,19 +126,21 @@ Bytes write_description(const XdmfGrid& grid) {
 /// The faces on the same points: FEniCS finds facets by their points' numbers.
 void write_facets(const TetMesh& mesh, const WriteMeshOptions& options, std::vector<OutputFile>& files) {
   const FacetTags facets = facet_tags(mesh, options);
-  const std::vector<Hdf5Array> arrays{{"points", Hdf5Type::kFloat64, {mesh.points.size(), 3}},
-                                      {"triangles", Hdf5Type::kInt32, {mesh.faces.size(), 3}},
-                                      {"facet", Hdf5Type::kInt32, {mesh.faces.size()}}};
+  const std::vector<Hdf5Array> arrays{
+      {"points", Hdf5Type::kFloat64, {mesh.points.size(), 3}},
+      {"triangles", Hdf5Type::kInt32, {mesh.faces.size(), nodes_per_face(options)}},
+      {"facet", Hdf5Type::kInt32, {mesh.faces.size()}}};
   ByteWriter out = begin_hdf5(arrays);
   write_points(out, mesh, options.space);
-  for (const Triangle& face : mesh.faces)
-    for (const std::uint32_t corner : face) out.raw(static_cast<std::int32_t>(corner));
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for (const std::uint32_t node : nodes_of_face(mesh.faces, f, mesh.points.size(), options))
+      out.raw(static_cast<std::int32_t>(node));
   for (const std::int32_t tag : facets.of_face) out.raw(tag);
   std::string note = coordinates_note(options.space) + "; facet ";
   for (const std::string& tag : facet_legend(facets)) note += (note.ends_with("facet ") ? "" : ", ") + tag;
-  files.push_back(
-      {".facets.xdmf", write_description({"facets", without_pairs_of_hyphens(note),
-                                          options.name + ".facets.h5", "Triangle", arrays, arrays.size()})});
+  files.push_back({".facets.xdmf",
+                   write_description({"facets", without_pairs_of_hyphens(note), options.name + ".facets.h5",
+                                      options.midside ? "Triangle_6" : "Triangle", arrays, arrays.size()})});
   files.push_back({".facets.h5", out.take()});
 }
 
@@ -154,8 +157,8 @@ Result<std::vector<OutputFile>> write_xdmf(const TetMesh& mesh, const WriteMeshO
   const std::vector<Hdf5Array> arrays = arrays_of(mesh, options);
   std::vector<OutputFile> files{
       {".xdmf", write_description({"mesh", coordinates_note(options.space) + label_note(mesh, options.infos),
-                                   options.name + ".h5", "Tetrahedron", arrays,
-                                   arrays.size() - options.point_data.size()})},
+                                   options.name + ".h5", options.midside ? "Tetrahedron_10" : "Tetrahedron",
+                                   arrays, arrays.size() - options.point_data.size()})},
       {".h5", write_numbers(mesh, options, arrays)}};
   if (!mesh.faces.empty()) write_facets(mesh, options, files);
   return files;

@@ -69,7 +69,8 @@ export class Workers {
         const reply = session.arrays(stage);
         return Comlink.transfer(reply, transferables(reply));
       },
-      exportMesh: (format, space, name, measures) => session.exportMesh(format, space, name, measures),
+      exportMesh: (format, space, name, measures, order) =>
+        session.exportMesh(format, space, name, measures, order),
       report: () => session.report(),
     };
     Comlink.expose(api, port2 as unknown as Comlink.Endpoint);

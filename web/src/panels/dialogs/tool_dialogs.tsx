@@ -1,6 +1,6 @@
 /** Dialogs that are opened by hand; they are loaded when the first of them is. */
 import { useState } from 'preact/hooks';
-import { exportFormats, type ExportFormat, type Space } from '../../engine/contract';
+import { exportFormats, secondOrderFormats, type ExportFormat, type Space } from '../../engine/contract';
 import { downloadReport, exportMesh, exportZip } from '../../store/case/exchange';
 import { unread } from '../../store/case/open_files';
 import { simulated } from '../../store/run/frames';
@@ -9,7 +9,7 @@ import { activity } from '../../store/run/stages';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
 import { fetched } from '../controls/fetched';
-import { Segments } from '../controls/fields';
+import { CheckField, Segments } from '../controls/fields';
 import { Gallery } from '../case/gallery';
 import { Icon } from '../controls/icons';
 import { LessonList } from '../lessons/lesson_list';
@@ -44,6 +44,8 @@ const formatNotes: Record<ExportFormat, [string, string]> = {
 function ExportDialog({ close }: { close(): void }) {
   const [format, setFormat] = useState<ExportFormat>('vtu');
   const [space, setSpace] = useState<Space>('ras');
+  const [curved, setCurved] = useState(false);
+  const order = curved && secondOrderFormats.includes(format) ? 2 : 1;
   return (
     <Dialog title="Export the mesh" onClose={close}>
       <div class="formats" role="radiogroup" aria-label="Format">
@@ -76,6 +78,14 @@ function ExportDialog({ close }: { close(): void }) {
           {space === 'ras' ? 'x to the right, as in NIfTI' : 'x to the left, as in DICOM'}
         </span>
       </div>
+      {secondOrderFormats.includes(format) && (
+        <CheckField
+          label="Second order"
+          hint="Tetrahedra of ten nodes; those of the boundary lie on the smoothed label surface"
+          checked={curved}
+          onChange={setCurved}
+        />
+      )}
       {format === 'carp' && (
         <p class="stale">
           {Object.keys(simulated.value).length > 0
@@ -99,7 +109,7 @@ function ExportDialog({ close }: { close(): void }) {
           disabled={!upToDate.value}
           onClick={() => {
             close();
-            void exportZip(format, space);
+            void exportZip(format, space, order);
           }}
         >
           All in one zip
@@ -110,7 +120,7 @@ function ExportDialog({ close }: { close(): void }) {
           disabled={activity.value === 'export'}
           onClick={() => {
             close();
-            void exportMesh(format, space);
+            void exportMesh(format, space, order);
           }}
         >
           <Icon name="download" /> Export

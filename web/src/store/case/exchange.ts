@@ -1,5 +1,5 @@
 /** What leaves the page: files of the mesh, the report, the case, a link. */
-import type { Expected, ExportFormat, Recipe, Space } from '../../engine/contract';
+import type { ElementOrder, Expected, ExportFormat, Recipe, Space } from '../../engine/contract';
 import { encodeFragment } from '../../link/codec';
 import { engine, takeTurn, tellError } from '../run/engine';
 import { forecastUnderWay } from '../run/forecast';
@@ -37,9 +37,11 @@ async function writing(
   }
 }
 
-export function exportMesh(format: ExportFormat, space: Space): Promise<void> {
+export function exportMesh(format: ExportFormat, space: Space, order: ElementOrder = 1): Promise<void> {
   return writing(format, async (meshed, name) => {
-    const files = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name);
+    const files = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name, {
+      order,
+    });
     // Browsers ask about each of many files.
     if (format === 'label_stl') {
       const entries = files.map(({ suffix, bytes }) => [`${name}${suffix}`, bytes] as const);
@@ -56,13 +58,15 @@ export function exportMesh(format: ExportFormat, space: Space): Promise<void> {
  * Mesh, report and case in one file, with the masks and images that the case is made from, described as a research
  * object (RO-Crate).
  */
-export function exportZip(format: ExportFormat, space: Space): Promise<void> {
+export function exportZip(format: ExportFormat, space: Space, order: ElementOrder = 1): Promise<void> {
   return writing('zip', async (meshed, name, newest) => {
     const { minimal, url } = await shareCase();
     const { htmlFile } = await import('../../report/review_page');
     const page = htmlFile(name, await review());
     if (!newest()) return '';
-    const mesh = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name);
+    const mesh = await engine.exportMesh(JSON.stringify(meshed), meshed.source, format, space, name, {
+      order,
+    });
     const text = (value: unknown) => new TextEncoder().encode(JSON.stringify(value, null, 2));
     const found = fullReport.value;
     if (!found) return '';

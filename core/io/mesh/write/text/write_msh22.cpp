@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "io/bytes/byte_writer.h"
+#include "io/mesh/shared/element_nodes.h"
 #include "io/mesh/shared/facet_tags.h"
 #include "io/mesh/shared/mesh_groups.h"
 #include "io/mesh/write/text/numbered_points.h"
@@ -32,18 +33,17 @@ void write_msh22_nodes(ByteWriter& out, const TetMesh& mesh, PatientSpace space)
   out.text("$EndNodes\n");
 }
 
-/// Number, type, two tags, and one more than each corner.
-template <class Corners>
+/// Number, type, two tags, and one more than each node.
 void write_msh22_element(ByteWriter& out, std::size_t number, const char* type, std::int64_t group,
-                         std::int64_t entity, const Corners& corners) {
+                         std::int64_t entity, const ElementNodes& nodes) {
   out.integer(static_cast<std::int64_t>(number));
   out.text(type);
   out.integer(group);
   out.text(" ");
   out.integer(entity);
-  for (const std::uint32_t corner : corners) {
+  for (const std::uint32_t node : nodes) {
     out.text(" ");
-    out.integer(std::int64_t{corner} + 1);
+    out.integer(std::int64_t{node} + 1);
   }
   out.text("\n");
 }
@@ -62,14 +62,18 @@ std::vector<std::int64_t> elementary_tags(const TetMesh& mesh, const FacetTags& 
   return tags;
 }
 
-void write_msh22_elements(ByteWriter& out, const TetMesh& mesh, const FacetTags& facets) {
+void write_msh22_elements(ByteWriter& out, const TetMesh& mesh, const FacetTags& facets,
+                          const WriteMeshOptions& options) {
+  const char* tetrahedron = options.midside ? " 11 2 " : " 4 2 ";
+  const char* triangle = options.midside ? " 9 2 " : " 2 2 ";
   const std::vector<std::int64_t> entities = elementary_tags(mesh, facets);
   out.text("$Elements\n" + std::to_string(mesh.tets.size() + mesh.faces.size()) + "\n");
   for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-    write_msh22_element(out, t + 1, " 4 2 ", mesh.labels[t], mesh.labels[t], mesh.tets[t]);
+    write_msh22_element(out, t + 1, tetrahedron, mesh.labels[t], mesh.labels[t],
+                        gmsh_nodes_of_tet(mesh, t, options));
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    write_msh22_element(out, mesh.tets.size() + f + 1, " 2 2 ", facets.of_face[f], entities[f],
-                        mesh.faces[f]);
+    write_msh22_element(out, mesh.tets.size() + f + 1, triangle, facets.of_face[f], entities[f],
+                        nodes_of_face(mesh.faces, f, mesh.points.size(), options));
   out.text("$EndElements\n");
 }
 
@@ -103,7 +107,7 @@ std::vector<OutputFile> write_msh22(const TetMesh& mesh, const WriteMeshOptions&
   out.text(std::string("$Comments\nspace ") + to_string(options.space) + "\nunit mm\n$EndComments\n");
   write_msh22_names(out, mesh, facets, options.infos);
   write_msh22_nodes(out, mesh, options.space);
-  write_msh22_elements(out, mesh, facets);
+  write_msh22_elements(out, mesh, facets, options);
   std::vector<OutputFile> files{{".msh", out.take()}};
   if (!options.cell_data.empty())
     files.push_back({"_data.msh", write_msh22_data(options.cell_data, mesh.tets.size(), options.space)});
