@@ -3,10 +3,10 @@ import { EngineClient } from '../../../engine/client';
 import { Workers } from '../../../engine/testing/workers';
 
 const kept = {
-  mock: { folder: 'assets/engine-00000001/', interface: 1 },
-  other: { folder: 'assets/engine-00000002/', interface: 1 },
-  strange: { folder: 'https://elsewhere.org/engine-00000002/', interface: 1 },
-  ancient: { folder: 'assets/engine-00000003/', interface: 0 },
+  mock: { folder: 'assets/engine-00000001/', interface: 2 },
+  other: { folder: 'assets/engine-00000002/', interface: 2 },
+  strange: { folder: 'https://elsewhere.org/engine-00000002/', interface: 2 },
+  ancient: { folder: 'assets/engine-00000003/', interface: 1 },
 };
 
 let workers: Workers;
