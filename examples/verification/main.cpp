@@ -19,6 +19,7 @@ constexpr Part kParts[] = {{"plane_wave", voxtet::verify::print_plane_wave},
                            {"eikonal", voxtet::verify::print_eikonal},
                            {"isthmus", voxtet::verify::print_isthmus},
                            {"speed", voxtet::verify::print_speed},
+                           {"land", voxtet::verify::print_land},
                            {"checks", [](bool) { voxtet::verify::print_checks(); }}};
 
 }  // namespace
@@ -35,14 +36,14 @@ int main(int argc, char** argv) {
                            [&](const Part& part) { return argument == part.name; })) {
       wanted.push_back(argument);
     } else {
-      std::fprintf(
-          stderr,
-          "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, isthmus, speed or checks\n",
-          argument.c_str());
+      std::fprintf(stderr,
+                   "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, isthmus, speed, "
+                   "land or checks\n",
+                   argument.c_str());
       return 2;
     }
   }
-  if (wanted.empty()) wanted = {"plane_wave", "slab", "eikonal", "isthmus", "speed"};
+  if (wanted.empty()) wanted = {"plane_wave", "slab", "eikonal", "isthmus", "speed", "land"};
   for (const Part& part : kParts)
     if (std::find(wanted.begin(), wanted.end(), part.name) != wanted.end()) {
       part.print(all);

@@ -21,6 +21,7 @@ void print_slab(bool all);
 void print_eikonal(bool all);
 void print_isthmus(bool all);
 void print_speed(bool all);
+void print_land(bool all);
 
 /// Short checks, a line of JSON each: {check, case, measured, unit, expected, source, agrees}.
 void print_checks();

@@ -69,7 +69,7 @@ inline Result<LandBeam> land_beam(const std::array<int, 3>& bricks_along, mechan
   const auto under = faces_where(mesh, [&](std::uint32_t i) { return mesh.points[i].z() == 0; });
   mechanics::NewtonParams params;
   params.steps = steps;
-  auto result = solve_all(*body, {{{mechanics::Surface(body->nodes(), under), 0.004}}, {}},
+  auto result = solve_all(*body, {{{mechanics::Surface(body->nodes(), under), 0.004}}, {}, {}},
                           held_where(body->nodes(), [](const auto& p) { return p.x() == 0; }), params);
   if (!result) return result.error();
   LandBeam beam{0, *std::move(result)};
@@ -119,7 +119,7 @@ inline Result<LandVentricle> land_ventricle(bool contracts, std::uint32_t layers
   std::vector<Triangle> inside;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i)
     if (heart.surfaces.faces[i] == HeartSurface::kLvEndocardium) inside.push_back(mesh.faces[i]);
-  mechanics::Loads loads{{{mechanics::Surface(body->nodes(), inside), contracts ? 15.0 : 10.0}}, {}};
+  mechanics::Loads loads{{{mechanics::Surface(body->nodes(), inside), contracts ? 15.0 : 10.0}}, {}, {}};
   if (contracts) loads.tension_kpa.assign(mesh.tets.size(), 60);
   mechanics::NewtonParams params;
   params.steps = steps;

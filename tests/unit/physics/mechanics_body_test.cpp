@@ -182,7 +182,7 @@ TEST(MechanicsBody, ABarUnderTensionShortensAsItsClosedFormSays) {
     std::vector<bool> held;
     for (const Eigen::Vector3d& p : places)
       for (int d = 0; d < 3; ++d) held.push_back(p[d] == 0);
-    auto solved = test::solve_all(body, {{}, std::vector<double>(mesh.tets.size(), kTension)}, held,
+    auto solved = test::solve_all(body, {{}, {}, std::vector<double>(mesh.tets.size(), kTension)}, held,
                                   {.steps = 2, .tolerance = 1e-10});
     ASSERT_TRUE(solved) << solved.error().message;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -192,13 +192,35 @@ TEST(MechanicsBody, ABarUnderTensionShortensAsItsClosedFormSays) {
   }
 }
 
+TEST(MechanicsBody, SpringsGiveWayByPressureOverStiffness) {
+  // All nodes slide along x alone: a pressure on one end pushes the other one against its springs.
+  const TetMesh mesh = box();
+  constexpr double kPressure = 0.6, kStiffness = 3;
+  const auto end_at = [&](double x) {
+    return test::faces_where(mesh, [&, x](std::uint32_t i) { return mesh.points[i].x() == x; });
+  };
+  for (const Formulation formulation : kFormulations) {
+    const Body body = body_of(mesh, formulation, TransverselyIsotropic{});
+    const auto& places = body.nodes().places();
+    std::vector<bool> held;
+    for (std::size_t i = 0; i < places.size(); ++i) held.insert(held.end(), {false, true, true});
+    const Surface pushed(body.nodes(), end_at(2)), springy(body.nodes(), end_at(0));
+    const auto solved =
+        test::solve_all(body, {{{pushed, kPressure}}, {{springy, kStiffness, 100}}, {}}, held, {.steps = 2});
+    ASSERT_TRUE(solved) << solved.error().message;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (places[i].x() == 0)
+        EXPECT_NEAR(solved->u[3 * static_cast<Eigen::Index>(i)], -kPressure / kStiffness, 1e-6);
+  }
+}
+
 TEST(MechanicsBody, WhatCannotBeBalancedSaysWhereAndKeepsTheLastState) {
-  // A block that is squeezed between clamped ends by a tension that no material like it can bear.
+  // A soft block, clamped at one end, under a pressure that it cannot bear.
   const TetMesh mesh = box();
   const Body body = body_of(mesh, Formulation::kLinear, MooneyRivlin{1e-3, 0});
   const auto held = test::held_where(body.nodes(), [](const Eigen::Vector3d& p) { return p.x() == 0; });
   const auto top = test::faces_where(mesh, [&](std::uint32_t i) { return mesh.points[i].z() == 1; });
-  auto solve = LoadSteps::start(body, {{{Surface(body.nodes(), top), 1e3}}, {}}, held,
+  auto solve = LoadSteps::start(body, {{{Surface(body.nodes(), top), 1e3}}, {}, {}}, held,
                                 {.steps = 2, .most_iterations = 6, .most_halvings = 2})
                    .value();
   Result<bool> done = solve.advance();

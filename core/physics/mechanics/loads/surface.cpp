@@ -116,4 +116,22 @@ void Surface::add_area_tangent(const Nodes& nodes, const Eigen::VectorXd& u, dou
     }
 }
 
+void Surface::add_springs(const Nodes& nodes, double normal_kpa_per_mm, double tangential_kpa_per_mm,
+                          fem::SparseMatrix& matrix) const {
+  const auto points = face_points(per_face_);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(nodes.places().size()));
+  for (const auto& face : faces_)
+    for (const FacePoint& point : points) {
+      const Place at = place_of(nodes, rest, face.data(), per_face_, point);
+      const Eigen::Vector3d area = at.side_1.cross(at.side_2);
+      const Eigen::Matrix3d normal = area.normalized() * area.normalized().transpose();
+      const Eigen::Matrix3d stiff =
+          point.weight * area.norm() *
+          (normal_kpa_per_mm * normal + tangential_kpa_per_mm * (Eigen::Matrix3d::Identity() - normal));
+      for (std::size_t i = 0; i < per_face_; ++i)
+        for (std::size_t j = 0; j < per_face_; ++j)
+          add_block(face[i], face[j], point.shape[i].value * point.shape[j].value * stiff, matrix);
+    }
+}
+
 }  // namespace voxtet::mechanics

@@ -36,6 +36,12 @@ class Surface {
   void add_area_tangent(const Nodes& nodes, const Eigen::VectorXd& u, double factor,
                         fem::SparseMatrix& tangent) const;
 
+  /// Adds the matrix of springs that hold the surface where it was undeformed: times u it is the force that
+  /// stretches them. Stiffnesses are by undeformed area, along its normals and across them, kPa/mm. Such a
+  /// matrix couples the nodes of a face, as Body::empty_tangent() does; it is symmetric, but for rounding.
+  void add_springs(const Nodes& nodes, double normal_kpa_per_mm, double tangential_kpa_per_mm,
+                   fem::SparseMatrix& matrix) const;
+
  private:
   std::size_t per_face_ = 3;
   std::vector<std::array<std::uint32_t, 6>> faces_;

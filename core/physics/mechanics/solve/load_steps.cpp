@@ -49,6 +49,10 @@ Result<LoadSteps> LoadSteps::start(const Body& body, Loads loads, std::vector<bo
   out.step_ = 1.0 / params.steps;
   out.u_ = std::move(start);
   out.tangent_ = body.empty_tangent();
+  if (!out.loads_.springs.empty()) out.springs_ = out.tangent_;
+  for (const Springs& springs : out.loads_.springs)
+    springs.surface.add_springs(body.nodes(), springs.normal_kpa_per_mm, springs.tangential_kpa_per_mm,
+                                out.springs_);
   return out;
 }
 
@@ -59,6 +63,13 @@ Result<LoadSteps::Imbalance> LoadSteps::imbalance(const Eigen::VectorXd& u, doub
   for (double& kpa : tension) kpa *= load;
   if (Status added = body_->add_forces(u, tension, out.force, tangent ? &tangent_ : nullptr); !added)
     return added.error();
+  if (springs_.rows() > 0) {
+    Eigen::VectorXd pull;
+    fem::multiply(springs_, u, pull);
+    out.force += pull;
+    if (tangent)
+      for (Eigen::Index i = 0; i < tangent_.nonZeros(); ++i) tangent_.valuePtr()[i] += springs_.valuePtr()[i];
+  }
   out.scale = out.force.norm();
   for (const Pressure& pressure : loads_.pressures) {
     pressure.surface.add_area_vectors(body_->nodes(), u, load * pressure.kpa, out.force);
@@ -117,9 +128,12 @@ Result<bool> LoadSteps::advance() {
   while (true) {
     // The last step ends at 1 exactly, and leaves no sliver before it.
     const double load = load_ + step_ * (1 + 1e-9) >= 1 ? 1 : load_ + step_;
-    Eigen::VectorXd u = u_;
+    // Onwards as in the step before, unless that inverts something.
+    Eigen::VectorXd u = rate_.size() > 0 ? Eigen::VectorXd(u_ + (load - load_) * rate_) : u_;
+    if (rate_.size() > 0 && !imbalance(u, load, false)) u = u_;
     const Result<int> took = balance(u, load);
     if (took) {
+      rate_ = (u - u_) / (load - load_);
       u_ = std::move(u);
       load_ = load;
       if (*took <= kFewIterations) step_ = std::min(2 * step_, 1.0 / params_.steps);

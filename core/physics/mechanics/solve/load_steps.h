@@ -19,9 +19,16 @@ struct Pressure {
   double kpa = 0;
 };
 
+/// Springs, of the same stiffness at all loads: see Surface::add_springs.
+struct Springs {
+  Surface surface;
+  double normal_kpa_per_mm = 0, tangential_kpa_per_mm = 0;
+};
+
 /// What acts on a body at full load.
 struct Loads {
   std::vector<Pressure> pressures;
+  std::vector<Springs> springs;
   std::vector<double> tension_kpa;  ///< active stress, by tetrahedron; empty: none
 };
 
@@ -73,8 +80,8 @@ class LoadSteps {
   double load_ = 0, step_ = 1;
   double scale_ = 0;  ///< the largest force so far
   int iterations_ = 0;
-  Eigen::VectorXd u_;
-  fem::SparseMatrix tangent_;
+  Eigen::VectorXd u_, rate_;  ///< displacement, and its change in the last step over that of the load
+  fem::SparseMatrix tangent_, springs_;  ///< springs_ is empty where there are none
   TangentSolver solver_;
 };
 
