@@ -59,7 +59,7 @@ void print_beam(bool all) {
 void print_ventricle(bool contracts, bool all) {
   constexpr Row kRows[] = {
       {Formulation::kLinear, 1, 8, true},
-      {Formulation::kLinear, 2, 16, true},
+      {Formulation::kLinear, 2, 16, false},
       {Formulation::kAverageNodalPressure, 1, 8, true},
       {Formulation::kAverageNodalPressure, 2, 16, true},
       {Formulation::kAverageNodalPressure, 3, 20, false},
@@ -74,12 +74,16 @@ void print_ventricle(bool contracts, bool all) {
       contracts ? "-15.2 to -15.5" : "-28.18");
   for (const Row& row : kRows) {
     if (!row.fast && !all) continue;
-    const auto heart = value_or_exit(test::land_ventricle(contracts, static_cast<std::uint32_t>(row.across),
-                                                          static_cast<std::uint32_t>(row.along),
-                                                          row.formulation, kBulk, kSteps));
-    std::printf("  %-7s  %6d  %5d  %8zu  %10d  %14d  %6.2f  %7.2f\n", name_of(row.formulation), row.across,
-                row.along, heart.result.unknowns, heart.result.iterations, heart.result.factorisations,
-                heart.endo_mm, heart.epi_mm);
+    const auto heart =
+        test::land_ventricle(contracts, static_cast<std::uint32_t>(row.across),
+                             static_cast<std::uint32_t>(row.along), row.formulation, kBulk, kSteps);
+    std::printf("  %-7s  %6d  %5d  ", name_of(row.formulation), row.across, row.along);
+    // Locked elements may buckle: what the solver says then is a result too.
+    if (heart)
+      std::printf("%8zu  %10d  %14d  %6.2f  %7.2f\n", heart->result.unknowns, heart->result.iterations,
+                  heart->result.factorisations, heart->endo_mm, heart->epi_mm);
+    else
+      std::printf("%s\n", heart.error().message.c_str());
     std::fflush(stdout);
   }
 }

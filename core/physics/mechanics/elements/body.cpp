@@ -245,16 +245,4 @@ Result<double> Body::energy(const Eigen::VectorXd& u) const {
   return sum;
 }
 
-std::vector<double> Body::volume_ratios(const Eigen::VectorXd& u) const {
-  const std::size_t per_tet = nodes_.samples_per_tet();
-  std::vector<double> ratios(nodes_.tets(), 0.0);
-  Shapes shapes;
-  for (std::size_t t = 0; t < ratios.size(); ++t)
-    for (std::size_t s = 0; s < per_tet; ++s) {
-      nodes_.shapes_at(t, s, shapes.data());
-      ratios[t] += deformation(u, t, shapes.data()).determinant() / static_cast<double>(per_tet);
-    }
-  return ratios;
-}
-
 }  // namespace voxtet::mechanics

@@ -49,11 +49,8 @@ class Body {
   Status add_forces(const Eigen::VectorXd& u, std::span<const double> tension_kpa, Eigen::VectorXd& force,
                     fem::SparseMatrix* tangent) const;
 
-  /// The energy itself, kPa mm^3 = uJ. Without that of the tension.
+  /// The energy itself, kPa mm^3 = uJ. Without that of the tension. Returns the same error.
   Result<double> energy(const Eigen::VectorXd& u) const;
-
-  /// det F at the samples of each tetrahedron, the mean.
-  std::vector<double> volume_ratios(const Eigen::VectorXd& u) const;
 
  private:
   Body() = default;

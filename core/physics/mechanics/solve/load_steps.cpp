@@ -123,14 +123,20 @@ Result<int> LoadSteps::balance(Eigen::VectorXd& u, double load) {
   return Error{ErrorCode::kMeshing, kMechanicsStage, text.str(), {}};
 }
 
+/// Moves u onwards as in the step before, as far as that leaves less force along the way; else it stays.
+void LoadSteps::foretell(Eigen::VectorXd& u, double load) {
+  const Eigen::VectorXd change = (load - load_) * rate_;
+  if (const Result<Imbalance> now = imbalance(u, load, false))
+    search_line(u, change, load, fem::dot(now->force, change));
+}
+
 Result<bool> LoadSteps::advance() {
   const double shortest = std::ldexp(1.0 / params_.steps, -params_.most_halvings);
   while (true) {
     // The last step ends at 1 exactly, and leaves no sliver before it.
     const double load = load_ + step_ * (1 + 1e-9) >= 1 ? 1 : load_ + step_;
-    // Onwards as in the step before, unless that inverts something.
-    Eigen::VectorXd u = rate_.size() > 0 ? Eigen::VectorXd(u_ + (load - load_) * rate_) : u_;
-    if (rate_.size() > 0 && !imbalance(u, load, false)) u = u_;
+    Eigen::VectorXd u = u_;
+    if (rate_.size() > 0) foretell(u, load);
     const Result<int> took = balance(u, load);
     if (took) {
       rate_ = (u - u_) / (load - load_);

@@ -69,7 +69,8 @@ class LoadSteps {
   };
   /// With `tangent`, also its derivative by u, into tangent_.
   Result<Imbalance> imbalance(const Eigen::VectorXd& u, double load, bool tangent);
-  /// Moves u there and returns how many iterations it took.
+  void foretell(Eigen::VectorXd& u, double load);
+  /// Moves u to where the load is balanced, and returns how many iterations it took.
   Result<int> balance(Eigen::VectorXd& u, double load);
   Status search_line(Eigen::VectorXd& u, const Eigen::VectorXd& change, double load, double work);
 

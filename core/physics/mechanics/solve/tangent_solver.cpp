@@ -10,7 +10,7 @@ namespace voxtet::mechanics {
 namespace {
 
 constexpr double kTolerance = 1e-8;
-/// A factorisation takes as long as some fifty of these, each of two products with the factors.
+/// Each takes two products with the factors. Past these a factorisation is taken to be cheaper.
 constexpr int kMostIterations = 12;
 
 double norm(const Eigen::VectorXd& x) {
