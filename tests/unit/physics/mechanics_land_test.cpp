@@ -28,14 +28,14 @@ TEST(MechanicsLand, SofterVolumesUnlockLinearElements) {
 }
 
 TEST(MechanicsLand, TheInflatedVentricleIsAsLongAsAllCodesAgree) {
-  const auto heart = test::land_ventricle(false, 1, 8, Formulation::kQuadratic, 1000, 10);
+  const auto heart = test::land_ventricle(false, 1, 6, Formulation::kQuadratic, 1000, 10);
   ASSERT_TRUE(heart) << heart.error().message;
   EXPECT_NEAR(heart->endo_mm, -26.53, 0.01 * 26.53);
   EXPECT_NEAR(heart->epi_mm, -28.18, 0.01 * 28.18);
 }
 
 TEST(MechanicsLand, TheContractedVentricleIsAsLongAsTheCodesFind) {
-  const auto heart = test::land_ventricle(true, 2, 16, Formulation::kAverageNodalPressure, 1000, 10);
+  const auto heart = test::land_ventricle(true, 2, 16, Formulation::kAverageNodalPressure, 1000, 5);
   ASSERT_TRUE(heart) << heart.error().message;
   EXPECT_GT(heart->endo_mm, -12.5);
   EXPECT_LT(heart->endo_mm, -12.0);
