@@ -8,6 +8,8 @@ import { cpSync, existsSync, readFileSync, renameSync, writeFileSync } from 'nod
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
+const sourceName = 'voxtet-source.tar.gz';
+
 function listOf(dist) {
   const path = join(dist, 'engines.json');
   if (!existsSync(path))
@@ -26,7 +28,11 @@ export function keepEngines(oldDist, newDist) {
       throw new Error(
         `${oldDist}/engines.json: found the folder ${entry.folder}, expected assets/engine-DIGEST/`,
       );
-    cpSync(join(oldDist, entry.folder), join(newDist, entry.folder), { recursive: true });
+    const [from, to] = [oldDist, newDist].map((dist) => join(dist, entry.folder));
+    cpSync(from, to, { recursive: true });
+    // The licence asks for the source of what is served: an engine that was kept before has its own already.
+    const source = join(oldDist, sourceName);
+    if (!existsSync(join(to, sourceName)) && existsSync(source)) cpSync(source, join(to, sourceName));
     now[version] = entry;
     added.push(version);
   }

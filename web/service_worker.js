@@ -33,12 +33,18 @@ function isolated(response) {
 /** What lies in assets/ never changes under its name: it need not be asked for again. */
 const isNamedByDigest = (path) => path.startsWith('assets/');
 
+/** Whether a response is what the list says: some hosts answer with a page of theirs where a file is missing. */
+async function holds(response, integrity) {
+  const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', await response.arrayBuffer()));
+  return integrity === `sha256-${btoa(String.fromCharCode(...digest))}`;
+}
+
 async function keepAll() {
   const cache = await caches.open(ownCache);
   const keep = async ([path, integrity]) => {
     const address = new URL(path, scope).href;
     const known = isNamedByDigest(path) && (await caches.match(address));
-    if (known) return cache.put(address, known);
+    if (known && (await holds(known.clone(), integrity))) return cache.put(address, known);
     const response = await fetch(address, {
       integrity,
       cache: isNamedByDigest(path) ? 'default' : 'no-cache',

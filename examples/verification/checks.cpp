@@ -3,8 +3,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "physics/eikonal/solve_eikonal.h"
@@ -22,26 +20,6 @@ namespace {
 constexpr Way kLumped{"lumped mass", Integration::kSemiImplicit, 0};
 constexpr Way kHalf{"half-lumped mass", Integration::kSemiImplicit, 0.5};
 constexpr Way kExplicitly{"explicit", Integration::kExplicit, 0};
-
-/// What was measured, what is expected, and whether it lies in [low, high].
-void print_check(const char* check, const std::string& what, double measured, const char* unit, double low,
-                 double high, const std::string& expected, const char* source) {
-  const nlohmann::json line{{"check", check},
-                            {"case", what},
-                            {"measured", measured},
-                            {"unit", unit},
-                            {"expected", expected},
-                            {"source", source},
-                            {"agrees", measured >= low && measured <= high}};
-  std::printf("%s\n", line.dump().c_str());
-  std::fflush(stdout);
-}
-
-std::string text(const char* format, double value) {
-  char out[64];
-  std::snprintf(out, sizeof out, format, value);
-  return out;
-}
 
 void check_plane_wave() {
   const char* const closed =
@@ -170,6 +148,7 @@ void print_checks() {
   check_eikonal();
   check_slab();
   check_plane_wave();
+  print_circulation(false);
 }
 
 }  // namespace voxtet::verify

@@ -20,6 +20,7 @@ constexpr Part kParts[] = {{"plane_wave", voxtet::verify::print_plane_wave},
                            {"isthmus", voxtet::verify::print_isthmus},
                            {"speed", voxtet::verify::print_speed},
                            {"land", voxtet::verify::print_land},
+                           {"circulation", voxtet::verify::print_circulation},
                            {"checks", [](bool) { voxtet::verify::print_checks(); }}};
 
 }  // namespace
@@ -38,7 +39,8 @@ int main(int argc, char** argv) {
     } else {
       std::fprintf(stderr,
                    "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, isthmus, speed, "
-                   "land or checks\n",
+                   "land, circulation or "
+                   "checks\n",
                    argument.c_str());
       return 2;
     }

@@ -1,10 +1,31 @@
 #include "verify.h"
 
+#include <nlohmann/json.hpp>
+
 #include "geometry/topology/adjacency.h"
 #include "support/test_surfaces.h"
 #include "tetra/fill/fill_tets.h"
 
 namespace voxtet::verify {
+
+void print_check(const char* check, const std::string& what, double measured, const char* unit, double low,
+                 double high, const std::string& expected, const char* source) {
+  const nlohmann::json line{{"check", check},
+                            {"case", what},
+                            {"measured", measured},
+                            {"unit", unit},
+                            {"expected", expected},
+                            {"source", source},
+                            {"agrees", measured >= low && measured <= high}};
+  std::printf("%s\n", line.dump().c_str());
+  std::fflush(stdout);
+}
+
+std::string text(const char* format, double value) {
+  char out[64];
+  std::snprintf(out, sizeof out, format, value);
+  return out;
+}
 
 std::shared_ptr<const TetMesh> box_of_tets(const std::array<int, 3>& squares, double square_mm) {
   const SurfaceMesh surface = test::cells(squares, square_mm, [](int, int, int) { return Label{1}; });

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "physics/monodomain/monodomain.h"
@@ -22,9 +23,16 @@ void print_eikonal(bool all);
 void print_isthmus(bool all);
 void print_speed(bool all);
 void print_land(bool all);
+/// Active stress, pressure curves and the closed loop, as checks.
+void print_circulation(bool all);
 
 /// Short checks, a line of JSON each: {check, case, measured, unit, expected, source, agrees}.
 void print_checks();
+/// A line of them: what was measured, what is expected, and whether it lies in [low, high].
+void print_check(const char* check, const std::string& what, double measured, const char* unit, double low,
+                 double high, const std::string& expected, const char* source);
+/// A number as printf writes it.
+std::string text(const char* format, double value);
 
 /// Of the times by the eikonal equation and by the monodomain model in the generated heart, with these
 /// speeds.

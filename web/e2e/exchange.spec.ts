@@ -86,6 +86,7 @@ test('a zip holds mesh, report, case and painted mask, and opens again as the sa
     'biventricle.surfaces.vtu',
     'biventricle.vtu',
     'painted.nrrd',
+    'ro-crate-metadata.json',
   ]);
   const report = JSON.parse(strFromU8(entries['biventricle.report.json']));
   expect(report.tets).toBe(tets);

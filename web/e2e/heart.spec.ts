@@ -199,9 +199,11 @@ test('a click on the heart excites it while its wave is computed, and the case g
   const fine = { ...monodomain, step_ms: 0.01, end_ms: 1000 };
   await openAndRun(page, { ...heart, physics: { ...heart.physics, monodomain: fine } });
   await page.getByTestId('simulate-wave').click();
+  const tool = player(page).getByRole('button', { name: 'Stimulate' });
+  // Held before its first frame, a wave could not be stimulated.
+  await expect(tool).toBeVisible();
   // While frames come the bar is hardly still, and a fast machine would be done before it is.
   await player(page).getByRole('button', { name: 'Hold' }).dispatchEvent('click');
-  const tool = player(page).getByRole('button', { name: 'Stimulate' });
   await tool.click();
   await expect(tool).toHaveAttribute('aria-pressed', 'true');
   // On a busy machine the view may still be moving when the first click comes.

@@ -89,6 +89,8 @@ test('a link opens with the engine that made it where that is kept, and says so 
   await expect(verdict).toContainText('Reproduced');
   await expect(verdict).toContainText(`The engine is voxtet ${version}, kept here`);
   await expect(verdict.locator('tr.other')).toHaveCount(0);
+  const source = verdict.getByRole('link', { name: 'Its source' });
+  expect((await receiver.request.head(base + (await source.getAttribute('href')))).ok()).toBe(true);
   expect(modules.some((path) => path.startsWith(`/${folder}`))).toBe(true);
   // A reload goes on with it; a case of the page's own has the page's own engine.
   await receiver.reload();

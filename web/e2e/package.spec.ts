@@ -133,6 +133,34 @@ test('a job ends when its signal says so, and errors say what is wrong', () => {
   ]);
 });
 
+test('runs that are asked for at once each have their own volume, and a forecast its own source', () => {
+  writeFileSync(
+    join(folder, 'queue.mjs'),
+    `import { createMesher } from 'voxtet';
+    const box = (name, n) => {
+      const sizes = [n + 4, n + 4, n + 4];
+      const lines = ['NRRD0004', 'type: uint8', 'dimension: 3', 'sizes: ' + sizes.join(' '), 'encoding: raw',
+        'space: right-anterior-superior', 'space directions: (1,0,0) (0,1,0) (0,0,1)', 'space origin: (0,0,0)', '', ''];
+      const voxels = Uint8Array.from({ length: sizes[0] ** 3 }, (_, at) =>
+        [at, at / sizes[0], at / sizes[0] ** 2].every((x) => Math.floor(x) % sizes[0] > 1 && Math.floor(x) % sizes[0] < n + 2));
+      return { name, bytes: Uint8Array.from([...new TextEncoder().encode(lines.join('\\n')), ...voxels]) };
+    };
+    const mesher = await createMesher({ threads: false });
+    const recipe = { sizing: { edge_mm: 3 } };
+    const runs = [box('a.nrrd', 8), box('b.nrrd', 12)].map((volume) => mesher.run(recipe, { volume }));
+    for (const { report, recipe: full } of await Promise.all(runs))
+      console.log(full.source.file.name + ' ' + report.fidelity.labels[0].voxels);
+    const sphere = await mesher.forecast({ source: { phantom: { kind: 'sphere', radius_mm: 20 } }, sizing: { edge_mm: 5 } });
+    console.log('forecast ' + (sphere.tets > 100));
+    mesher.close();`,
+  );
+  expect(node(folder, 'queue.mjs').trim().split('\n')).toEqual([
+    'a.nrrd 512',
+    'b.nrrd 1728',
+    'forecast true',
+  ]);
+});
+
 test('a wave, the links of the app and the schema of recipes are there', () => {
   writeFileSync(
     join(folder, 'wave.mjs'),

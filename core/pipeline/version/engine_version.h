@@ -10,7 +10,8 @@ namespace voxtet {
 /// links, cases and the keys of stages.
 std::string engine_version();
 
-/// Likewise of the sources that decide what a simulation finds on a mesh.
+/// Likewise of `anatomy` and `physics`. What a simulation finds on a mesh depends on both versions: how the
+/// stages use the physics is among the sources of the other one.
 std::string physics_version();
 
 }  // namespace voxtet

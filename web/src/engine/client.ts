@@ -258,7 +258,7 @@ export class EngineClient {
     }, handlers.signal);
   }
 
-  /** Ends it for good; whatever it was asked fails as cancelled. */
+  /** Ends it for good; what it is at fails as cancelled. */
   close(): void {
     this.closed = true;
     for (const generation of [this.generation, this.spare]) {
@@ -380,7 +380,7 @@ export class EngineClient {
     const old = this.generation;
     old.end(reason);
     old.worker.terminate();
-    this.generation = this.spare?.alive ? this.spare : this.spawn();
+    if (!this.closed) this.generation = this.spare?.alive ? this.spare : this.spawn();
     this.spare = null;
   }
 

@@ -43,10 +43,15 @@ export function isNumberRight(question: NumberQuestion, given: number): boolean 
   return Math.abs(given - expected) <= allowed + slack * Math.max(1, Math.abs(expected));
 }
 
-/** What a pupil types as a number, with a comma or point. */
-export function numberTyped(text: string): number | null {
-  const typed = text.trim().replace('−', '-').replace(',', '.');
-  return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(typed) ? Number(typed) : null;
+/**
+ * What a pupil may mean by a number as typed: a comma is a decimal point, or stands between thousands, as the app
+ * writes them. "5,027" can be either.
+ */
+export function numbersTyped(text: string): number[] {
+  const typed = text.trim().replace('−', '-');
+  const readings = [typed.replace(',', '.')];
+  if (/^[+-]?\d{1,3}(,\d{3})+(\.\d*)?$/.test(typed)) readings.push(typed.replaceAll(',', ''));
+  return readings.filter((one) => /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(one)).map(Number);
 }
 
 /** A value as a signal, for whoever shows it. */

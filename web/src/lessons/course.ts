@@ -14,8 +14,8 @@ import { engine } from '../store/run/engine';
 import { shownKeys } from '../store/run/results';
 import { activity } from '../store/run/stages';
 import { chooseLayout, colourBy, cut, showEdges, sliceOverlay, stageShown } from '../store/view';
-import { pinned } from '../store/run/compare';
-import { allHold, decidable, isNumberRight, isRight, numberTyped } from './checks';
+import { pinned, unpin } from '../store/run/compare';
+import { allHold, decidable, isNumberRight, isRight, numbersTyped } from './checks';
 import type { Lesson, Step, StepView } from './lesson';
 import { decodeLesson } from './lesson_link';
 import { LessonError, parseLesson, readLesson } from './read_lesson';
@@ -55,7 +55,7 @@ interface Progress {
   solved: number[];
 }
 
-/** A lesson that was changed but for its words is the same. */
+/** A lesson is known again by its title and its length. */
 const keyOf = ({ title, steps }: Lesson): string => `${title} (${steps.length})`;
 
 function allProgress(): Record<string, Progress> {
@@ -111,7 +111,7 @@ async function checkCases({ steps }: Lesson): Promise<void> {
 
 /** Reads the lesson that is asked for and shows what it is; nothing of it is opened. */
 export async function openLesson(asked: LessonAsked): Promise<void> {
-  lesson.value = null;
+  endTrial();
   trouble.value = '';
   at.value = -1;
   try {
@@ -168,8 +168,11 @@ export function goTo(next: number): void {
   keepOpen();
   saveProgress();
   if (!step.value || fresh.length === 0) return;
-  if (fresh.some(({ case: recipe }) => recipe !== undefined)) reopenCase();
-  else setView(step.value.view);
+  if (fresh.some(({ case: recipe }) => recipe !== undefined)) {
+    // A run of another case is not what the lesson means by the pinned one.
+    unpin();
+    reopenCase();
+  } else setView(step.value.view);
 }
 
 /** The case that belongs to the step, as it was at first. */
@@ -224,6 +227,12 @@ export function leave(): void {
   history.replaceState(history.state, '', address);
 }
 
+/** From whatever lesson is open to the editor. */
+export function writeLesson(): void {
+  leave();
+  lessonAsked.value = { from: 'editor' };
+}
+
 function solve(text: string): void {
   solved.value = new Set([...solved.value, at.value]);
   feedback.value = { tone: 'right', text: text || 'Right.' };
@@ -245,12 +254,12 @@ export function answerChoice(index: number): void {
 export function answerNumber(typed: string): void {
   const { question, right, wrong } = step.value ?? {};
   if (question?.kind !== 'number') return;
-  const given = numberTyped(typed);
-  if (given === null)
+  const given = numbersTyped(typed);
+  if (given.length === 0)
     return void (feedback.value = { tone: 'unknown', text: 'Expected a number, as 2.5 or 1e3.' });
-  const verdict = isNumberRight(question, given);
-  if (verdict === null) feedback.value = unknown;
-  else if (verdict) solve(right ?? '');
+  const verdicts = given.map((number) => isNumberRight(question, number));
+  if (verdicts[0] === null) feedback.value = unknown;
+  else if (verdicts.includes(true)) solve(right ?? '');
   else feedback.value = { tone: 'wrong', text: wrong || 'Not this number. Try again.' };
 }
 

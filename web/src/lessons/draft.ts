@@ -1,5 +1,5 @@
 /** The lesson that a teacher is writing: kept by the browser with every change, until it is begun anew. */
-import { effect, signal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import { recipe } from '../store/case/recipe';
 import { keepText, keptText } from '../store/case/keep/web_storage';
 import { tell } from '../store/notices';
@@ -7,7 +7,7 @@ import { engine } from '../store/run/engine';
 import { colourBy, cut, layout, showEdges, sliceOverlay, stageShown } from '../store/view';
 import { begin } from './course';
 import { blankLesson, blankStep, type Lesson, type Step } from './lesson';
-import { maxLessonChars, maxPictureChars, readLesson } from './read_lesson';
+import { LessonError, maxLessonChars, maxPictureChars, readLesson } from './read_lesson';
 
 const draftKey = 'voxtet-lesson-draft';
 
@@ -25,9 +25,11 @@ export const draft = signal<Lesson>(kept());
 /** The step that is being written. */
 export const written = signal(0);
 
+/** Whether the browser keeps the draft: one that is too long to hand out is too long to keep. */
+export const draftKept = computed(() => JSON.stringify(draft.value).length <= maxLessonChars);
+
 effect(() => {
-  const text = JSON.stringify(draft.value);
-  if (text.length <= maxLessonChars) keepText('localStorage', draftKey, text);
+  if (draftKept.value) keepText('localStorage', draftKey, JSON.stringify(draft.value));
 });
 
 export function editLesson(change: Partial<Lesson>): void {
@@ -122,8 +124,19 @@ function filled(value: unknown): unknown {
   return Object.fromEntries(entries.map(([key, entry]) => [key, key === 'case' ? entry : filled(entry)]));
 }
 
-/** The lesson as it goes out. Throws LessonError, with what is missing. */
-export const finished = (): Lesson => readLesson(filled(draft.value));
+/** A lesson as the text of a file. */
+export const fileTextOf = (of: Lesson): string => JSON.stringify(of, null, 2);
+
+/** The lesson as it goes out. Throws LessonError, with what is missing or too much. */
+export function finished(): Lesson {
+  const found = readLesson(filled(draft.value));
+  const { length } = fileTextOf(found);
+  if (length > maxLessonChars)
+    throw new LessonError(
+      `The lesson has ${length.toLocaleString('en')} characters, at most ${maxLessonChars.toLocaleString('en')} can be opened: fewer or smaller pictures make it shorter.`,
+    );
+  return found;
+}
 
 /** Why the lesson cannot go out yet. */
 export function draftFault(): string {

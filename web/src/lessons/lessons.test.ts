@@ -3,7 +3,7 @@ import { deflateRawSync } from 'node:zlib';
 import { afterEach, describe, expect, it } from 'vitest';
 import { LinkError } from '../link/codec';
 import { chooseLayout } from '../store/view';
-import { holds, isNumberRight, meets, numberTyped, wordsOf } from './checks';
+import { holds, isNumberRight, meets, numbersTyped, wordsOf } from './checks';
 import type { Lesson } from './lesson';
 import { decodeLesson, encodeLesson } from './lesson_link';
 import { LessonError, maxSteps, parseLesson, readLesson } from './read_lesson';
@@ -285,8 +285,11 @@ describe('values and checks', () => {
   });
 
   it('read numbers as people type them', () => {
-    expect(['2.5', '2,5', ' −3 ', '1e3', '.5'].map(numberTyped)).toEqual([2.5, 2.5, -3, 1000, 0.5]);
-    expect(['', 'two', '1 2', '0x10', 'NaN', '1,000.5'].map(numberTyped)).toEqual(Array(6).fill(null));
+    expect(['2.5', '2,5', ' −3 ', '1e3', '.5'].flatMap(numbersTyped)).toEqual([2.5, 2.5, -3, 1000, 0.5]);
+    expect(numbersTyped('5,027')).toEqual([5.027, 5027]);
+    expect(numbersTyped('1,234,567')).toEqual([1234567]);
+    expect(numbersTyped('5,026.5')).toEqual([5026.5]);
+    expect(['', 'two', '1 2', '0x10', 'NaN', '10,00.5'].flatMap(numbersTyped)).toEqual([]);
   });
 
   it('say what they ask', () => {

@@ -14,8 +14,8 @@ export interface Spectrum {
   condition: number;
 }
 
-/** Larger meshes would hold the page up. */
-export const mostTets = 60_000;
+/** Larger meshes would hold the page up: this many take about a second. */
+export const mostTets = 12_000;
 
 /** A symmetric matrix by rows; entries off the diagonal. */
 interface Sparse {
@@ -142,17 +142,41 @@ function settled(matrix: Sparse, apply: (x: Float64Array) => Float64Array, most:
   return value;
 }
 
-const known = new WeakMap<Uint32Array, Spectrum>();
+const known = new WeakMap<Uint32Array, Spectrum | null>();
 
-/** Null where the mesh is too large to ask. The same mesh is worked on once. */
+/** Whether every point is reached from the first: else the null space is larger than the constants. */
+function isConnected({ diagonal, starts, columns }: Sparse): boolean {
+  const seen = new Uint8Array(diagonal.length);
+  const waiting = [0];
+  let count = 0;
+  seen[0] = 1;
+  for (let row = waiting.pop(); row !== undefined; row = waiting.pop()) {
+    count++;
+    for (let k = starts[row]; k < starts[row + 1]; k++)
+      if (!seen[columns[k]]) {
+        seen[columns[k]] = 1;
+        waiting.push(columns[k]);
+      }
+  }
+  return count === diagonal.length;
+}
+
+/**
+ * Null where the mesh is too large to ask, is not in one piece, or has an element without volume. The same mesh is
+ * worked on once.
+ */
 export function spectrumOf(mesh: Tets): Spectrum | null {
   if (mesh.tets.length / 4 > mostTets) return null;
   const before = known.get(mesh.tets);
-  if (before) return before;
-  const matrix = assemble(mesh);
-  const largest = settled(matrix, (x) => times(matrix, x), 3000);
-  const smallest = settled(matrix, (x) => solve(matrix, x), 40);
-  const found = { largest, smallest, condition: largest / smallest };
+  if (before !== undefined) return before;
+  const found = spectrum(assemble(mesh));
   known.set(mesh.tets, found);
   return found;
+}
+
+function spectrum(matrix: Sparse): Spectrum | null {
+  if (!matrix.diagonal.every(Number.isFinite) || !isConnected(matrix)) return null;
+  const largest = settled(matrix, (x) => times(matrix, x), 3000);
+  const smallest = settled(matrix, (x) => solve(matrix, x), 40);
+  return { largest, smallest, condition: largest / smallest };
 }

@@ -9,7 +9,7 @@ import { meshedLabels } from '../store/case/labels';
 import { volume } from '../store/case/input';
 import { recipe } from '../store/case/recipe';
 import { pinned, pinnedArrays, pinnedFound } from '../store/run/compare';
-import { foundFields, foundValues, hasValue, simulated, simulatedPhysics } from '../store/run/frames';
+import { foundFields, foundPhysics, foundValues, hasValue, simulated } from '../store/run/frames';
 import { meshedRecipe, report, upToDate } from '../store/run/report';
 import { shownResult } from '../store/run/results';
 import { isMadeFrom, stages } from '../store/run/stages';
@@ -44,7 +44,7 @@ function shownRun(): Run | null {
   const mesh = shownResult('optimise');
   if (!report.value || !meshedRecipe.value || !mesh || !upToDate.value) return null;
   // What was simulated with other tissue or stimuli says nothing of those that are asked for now.
-  const same = canonicalJson(simulatedPhysics.value) === canonicalJson(recipe.value?.physics ?? null);
+  const same = canonicalJson(foundPhysics.value) === canonicalJson(recipe.value?.physics ?? null);
   void foundFields.value;
   return {
     report: report.value,
@@ -319,8 +319,9 @@ const shapeOf = (run: Run, label: number) =>
   fidelity(run)?.topology.labels.find((one) => one.label === label);
 
 /** When the wave has come to the last point of a label, by the activation map. */
-function lastActivation({ mesh, found }: Run, label: number): number | undefined {
-  const times = found('eikonal_ms');
+function lastActivation({ mesh, found, simulated }: Run, label: number): number | undefined {
+  // An activation map of other physics stays to be looked at.
+  const times = simulated.eikonal && found('eikonal_ms');
   if (!times) return undefined;
   let last: number | undefined;
   for (let i = 0; i < mesh.tets.length; i++) {

@@ -2,7 +2,14 @@ import fc from 'fast-check';
 import { deflateRawSync } from 'node:zlib';
 import { describe, expect, it } from 'vitest';
 import { canonicalJson } from './canonical';
-import { decodeFragment, encodeFragment, encodePlainFragment, LinkError, maxRegions } from './codec';
+import {
+  decodeFragment,
+  encodeFragment,
+  encodePlainFragment,
+  jsonWithin,
+  LinkError,
+  maxRegions,
+} from './codec';
 
 const recipes = fc.dictionary(fc.string(), fc.jsonValue({ maxDepth: 4 }), { maxKeys: 8 }).filter((value) => {
   const regions = (value as { sizing?: { regions?: unknown[] } }).sizing?.regions;
@@ -63,5 +70,16 @@ describe('links', () => {
     ['hold broken percent codes', '#j=%E0%A4%A', 'percent'],
   ])('are refused when they %s', async (_, fragment, reason) => {
     await expect(decodeFragment(fragment)).rejects.toThrow(reason);
+  });
+
+  it('of an object are bounded before they are written out', () => {
+    expect(jsonWithin({ sizing: { edge_mm: 2 } })).toBe('{"sizing":{"edge_mm":2}}');
+    let twofold: unknown = 1;
+    for (let i = 0; i < 60; i++) twofold = [twofold, twofold];
+    expect(() => jsonWithin({ a: twofold })).toThrow('nests deeper than 12 levels');
+    const wide = Array.from({ length: 2000 }, () => 'x'.repeat(1000));
+    expect(() => jsonWithin({ a: wide })).toThrow('more than 1 MB');
+    const row = Array(1000).fill(1);
+    expect(() => jsonWithin({ a: Array(1000).fill(Array(1000).fill(row)) })).toThrow('more than 1 MB');
   });
 });

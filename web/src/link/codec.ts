@@ -59,6 +59,26 @@ export async function decodeFragment(fragment: string): Promise<Record<string, u
   throw new LinkError('The link holds no case: its fragment starts with neither #c1= nor #j=.');
 }
 
+/**
+ * JSON of a value that came as an object, within the bounds. What one object holds twice counts twice: parts that hold
+ * one another twofold would else be written out without end.
+ */
+export function jsonWithin(value: unknown): string {
+  let left = maxInflatedBytes;
+  const count = (part: unknown, depth: number): void => {
+    left -= typeof part === 'string' ? part.length : 1;
+    if (left < 0) throw new LinkError('The case holds more than 1 MB.');
+    if (part === null || typeof part !== 'object') return;
+    if (depth === 0) throw new LinkError(`The case nests deeper than ${maxDepth} levels.`);
+    for (const [key, entry] of Object.entries(part)) {
+      left -= key.length;
+      count(entry, depth - 1);
+    }
+  };
+  count(value, maxDepth);
+  return JSON.stringify(value);
+}
+
 /** A case from JSON text: an object within the bounds. */
 export function parseCase(text: string): Record<string, unknown> {
   if (text.length > maxInflatedBytes) throw new LinkError('The case holds more than 1 MB.');

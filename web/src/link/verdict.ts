@@ -49,6 +49,6 @@ export function verdictOf(expected: Expected, found: Found): Verdict {
   if (digests.some((one) => one.found === '')) return { mesh, simulation: 'awaited', rows };
   rows.push(row('Physics', expected.physics ?? '', found.physics ?? ''), ...digests);
   const same = digests.every((one) => one.same);
-  const other = sameMesh ? (expected.physics ?? found.physics) !== found.physics : otherEngine;
+  const other = otherEngine || (expected.physics ?? found.physics) !== found.physics;
   return { mesh, simulation: same ? 'reproduced' : other ? 'other_engine' : 'differs', rows };
 }

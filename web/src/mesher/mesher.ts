@@ -113,6 +113,7 @@ export class Mesher {
   readonly defaults: Recipe;
   /** The file that was read last, as recipes name it. */
   private file: Recipe['source']['file'];
+  private lastRun: Promise<unknown> = Promise.resolve();
   /** The recipe of the last mesh. */
   private meshed: Recipe | null = null;
 
@@ -147,11 +148,17 @@ export class Mesher {
   }
 
   /** Meshes a case. What has not changed since the run before is kept. Runs wait for one another. */
-  async run(recipe: RecipeInput, options: RunOptions = {}): Promise<Result> {
+  run(recipe: RecipeInput, options: RunOptions = {}): Promise<Result> {
+    // Each with its own files: the next may bring others.
+    const turn = this.lastRun.then(() => this.runNow(recipe, options));
+    this.lastRun = turn.catch(() => undefined);
+    return turn;
+  }
+
+  private async runNow(recipe: RecipeInput, options: RunOptions): Promise<Result> {
     const { volume, masks = [], images = [], onProgress, signal } = options;
-    const source = { ...recipe.source } as Partial<Recipe['source']>;
+    const source = volume ? ({ ...recipe.source } as Partial<Recipe['source']>) : this.sourceOf(recipe);
     if (volume) source.file = await this.read(volume, source);
-    else if (!source.file && !source.phantom && !source.inline) source.file = this.file;
     await this.readSides('mask', masks);
     await this.readSides('image', images);
     const mesh: Partial<Mesh> = {};
@@ -174,7 +181,7 @@ export class Mesher {
 
   /** What meshing will take, and with `tets` the sizes that give so many. A file must have been read by a run. */
   forecast(recipe: RecipeInput, tets = 0, signal?: AbortSignal): Promise<Forecast> {
-    const source = { file: this.file, ...recipe.source } as Partial<Recipe['source']>;
+    const source = this.sourceOf(recipe);
     return this.client.forecast(JSON.stringify({ ...recipe, source }), source, tets, signal);
   }
 
@@ -207,6 +214,12 @@ export class Mesher {
   /** Ends the engine and its workers; node does not end before. */
   close(): void {
     this.client.close();
+  }
+
+  /** That of a recipe; where it names none, the file that was read last. */
+  private sourceOf(recipe: RecipeInput): Partial<Recipe['source']> {
+    const source = { ...recipe.source } as Partial<Recipe['source']>;
+    return source.file || source.phantom || source.inline ? source : { ...source, file: this.file };
   }
 
   private lastRecipe(): Recipe {

@@ -10,6 +10,8 @@ export interface CrateFile {
   /** Media type. */
   format: string;
   bytes: Uint8Array<ArrayBuffer>;
+  /** What the run was made from; else what it has made. */
+  isInput?: boolean;
 }
 
 type Entity = { '@id': string; '@type': string | string[] } & Record<string, unknown>;
@@ -37,13 +39,13 @@ async function sha256Of(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
   return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
-/** The description of these files, as JSON-LD. `made`: those that the run has made of the case; `at`: when. */
+/** The description of these files, as JSON-LD; `at`: when the run was made. */
 export async function roCrate(
   found: Report,
   files: readonly CrateFile[],
-  context: { title: string; link: string; caseFile: string; at: Date },
+  context: { title: string; link: string; at: Date },
 ): Promise<object> {
-  const { title, link, caseFile, at } = context;
+  const { title, link, at } = context;
   const entries: Entity[] = await Promise.all(
     files.map(async ({ path, description, format, bytes }) => ({
       '@id': path,
@@ -86,14 +88,16 @@ export async function roCrate(
     description: `Segmented volumes to simulation-ready tetrahedra.${found.physics ? ` Physics ${found.physics}.` : ''}`,
     license: { '@id': agpl },
   };
-  const made = entries.filter((one) => one['@id'] !== caseFile);
+  const [inputs, made] = [true, false].map((input) =>
+    ids(entries.filter((_, i) => (files[i].isInput ?? false) === input)),
+  );
   const run: Entity = {
     '@id': '#run',
     '@type': 'CreateAction',
     name: `${title} meshed by voxtet ${found.engine}`,
     instrument: { '@id': '#engine' },
-    object: [{ '@id': caseFile }, { '@id': '#volume' }],
-    result: ids(made),
+    object: [...inputs, { '@id': '#volume' }],
+    result: made,
     endTime: at.toISOString(),
   };
   return {

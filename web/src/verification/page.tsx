@@ -20,11 +20,11 @@ export function VerificationPage() {
   return (
     <main>
       <a href="./">voxtet</a>
-      <h1>Verification of the electrophysiology</h1>
+      <h1>Verification of the physics</h1>
       <p>
-        Fibres, activation maps and waves of excitation, computed in this page by the engine that the app
-        uses, beside closed forms and what other codes give. Each line says what was measured here, what is
-        expected, and where that comes from.
+        Fibres, activation maps, waves of excitation, active stress and circulation, computed in this page by
+        the engine that the app uses, beside closed forms and what other codes give. Each line says what was
+        measured here, what is expected, and where that comes from.
       </p>
       <button type="button" class="primary" disabled={state.value === 'running'} onClick={run}>
         {state.value === 'idle' ? 'Run the checks' : 'Run again'}

@@ -46,7 +46,11 @@ export function VerdictCard() {
   if (!promise) return null;
   const kept = keptInUse.value !== null && (
     <p>
-      The engine is voxtet {keptInUse.value}, kept here beside the page's own: the one that made this case.
+      The engine is voxtet {keptInUse.value.version}, kept here beside the page's own: the one that made this
+      case.{' '}
+      <a href={`${keptInUse.value.folder}voxtet-source.tar.gz`} download>
+        Its source
+      </a>
     </p>
   );
   if (!found) {

@@ -1,3 +1,4 @@
+import { writeLesson } from '../../lessons/course';
 import { shipped } from '../../lessons/shipped';
 import { lessonAsked } from '../../store/case/keep/lesson_asked';
 import { openFiles } from '../../store/case/open_files';
@@ -43,7 +44,7 @@ export function LessonList({ onOpen }: { onOpen(): void }) {
           type="button"
           class="button"
           onClick={() => {
-            lessonAsked.value = { from: 'editor' };
+            writeLesson();
             onOpen();
           }}
         >

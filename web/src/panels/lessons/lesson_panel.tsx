@@ -17,10 +17,13 @@ import {
   start,
   step,
   trouble,
+  writeLesson,
 } from '../../lessons/course';
 import type { Lesson, Step } from '../../lessons/lesson';
 import { volume } from '../../store/case/input';
 import { lessonAsked, type LessonAsked } from '../../store/case/keep/lesson_asked';
+import { paintedEdges, paintedName } from '../../store/case/painting';
+import { writeFiles } from '../controls/write_files';
 import { dialogShown } from '../controls/dialog_shown';
 import { fetched } from '../controls/fetched';
 import { Icon } from '../controls/icons';
@@ -33,8 +36,7 @@ const LessonEditor = fetched(() => import('./editor/lesson_editor').then((part) 
 async function editCopy(of: Lesson): Promise<void> {
   const { beginDraft } = await import('../../lessons/draft');
   beginDraft(of);
-  leave();
-  lessonAsked.value = { from: 'editor' };
+  writeLesson();
 }
 
 /** Takes the focus, so that whoever does not see the page hears what has come. */
@@ -64,9 +66,22 @@ function Intro({ of }: { of: Lesson }) {
       <LessonText text={of.summary} />
       <p class="facts">{facts.join(', ')}.</p>
       {replaces && (
-        <p class="facts">It opens a case of its own. Yours stays a step back in the browser’s history.</p>
+        <p class="facts">
+          It opens a case of its own. The settings of yours stay a step back in the browser’s history; files
+          are dropped in again.
+          {paintedEdges().length > 0 && ' What you have painted is lost, unless you save it:'}
+        </p>
       )}
       <div class="lesson-actions">
+        {replaces && paintedEdges().length > 0 && (
+          <button
+            type="button"
+            class="button"
+            onClick={() => writeFiles(({ downloadPainted }) => downloadPainted())}
+          >
+            <Icon name="download" size={13} /> {paintedName}
+          </button>
+        )}
         <button type="button" class="button" onClick={() => (dialogShown.value = 'sheet')}>
           Sheet to print
         </button>

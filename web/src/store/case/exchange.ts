@@ -66,28 +66,27 @@ export function exportZip(format: ExportFormat, space: Space): Promise<void> {
     const text = (value: unknown) => new TextEncoder().encode(JSON.stringify(value, null, 2));
     const found = fullReport.value;
     if (!found) return '';
-    const caseFile = `${name}.case.json`;
-    const described: [path: string, description: string, bytes: Uint8Array<ArrayBuffer>][] = [
-      ...mesh.map(({ suffix, bytes }): (typeof described)[number] => [`${name}${suffix}`, 'The mesh', bytes]),
-      ...heldSides().flatMap(({ file }) =>
-        Object.entries({ ...file.siblings, [file.name]: file.bytes }).map(
-          ([path, bytes]): (typeof described)[number] => [path, 'A mask or an image of sizes', bytes],
-        ),
-      ),
-      [caseFile, 'The case: recipe, promised digests', text(minimal)],
-      [`${name}.report.json`, 'What was measured, and how it was made', text(found)],
-      [`${name}.report.html`, 'The evidence as a page', new TextEncoder().encode(page)],
-    ];
     const { crateFileName, mediaTypeOf, roCrate } = await import('../../report/ro_crate');
-    const files = described.map(([path, description, bytes]) => ({
+    const file = (path: string, description: string, bytes: Uint8Array<ArrayBuffer>, isInput = false) => ({
       path,
       description,
       format: mediaTypeOf(path),
       bytes,
-    }));
-    const crate = await roCrate(found, files, { title: name, link: url, caseFile, at: new Date() });
+      isInput,
+    });
+    const sides = heldSides().flatMap(({ file: { name, bytes, siblings } }) =>
+      Object.entries({ ...siblings, [name]: bytes }),
+    );
+    const files = [
+      ...mesh.map(({ suffix, bytes }) => file(`${name}${suffix}`, 'The mesh', bytes)),
+      ...sides.map(([path, bytes]) => file(path, 'A mask or an image of sizes', bytes, true)),
+      file(`${name}.case.json`, 'The case: recipe, promised digests', text(minimal), true),
+      file(`${name}.report.json`, 'What was measured, and how it was made', text(found)),
+      file(`${name}.report.html`, 'The evidence as a page', new TextEncoder().encode(page)),
+    ];
+    const crate = await roCrate(found, files, { title: name, link: url, at: new Date() });
     const zip = await packZip({
-      ...Object.fromEntries(described.map(([path, , bytes]) => [path, bytes])),
+      ...Object.fromEntries(files.map(({ path, bytes }) => [path, bytes])),
       [crateFileName]: text(crate),
     });
     if (!newest()) return '';

@@ -135,6 +135,7 @@ function beginCase(
 ): void {
   const own = ownEngine();
   if (!own) return;
+  closeOffer();
   if (engine !== own.client) workWith(own);
   const fresh = structuredClone(own.info.defaults);
   const source = { ...fresh.source, ...reading, file: { name: fileName, sha256: summary.digest, url: '' } };
@@ -143,6 +144,7 @@ function beginCase(
   dismissErrors();
   startRecipe({ ...fresh, source, sizing: { ...fresh.sizing, edge_mm: startingEdge(summary) } });
   expectation.value = null;
+  awaitedView.value = null;
   showVolume(summary, labels);
 }
 
@@ -239,11 +241,12 @@ async function resumeCase(
   laterLink: string | null = null,
   view: SharedView | null = null,
 ) {
+  let maker: StartedEngine | undefined;
   try {
     const last = laterLink ? ((await decodeFragment(laterLink)) as unknown as Recipe) : saved.recipe;
     const digest = saved.recipe.source.file?.sha256;
     if (digest && saved.file) engine.files.keepVolume(digest, saved.file);
-    const maker = await engineOf(saved.promise?.expected.engine);
+    maker = await engineOf(saved.promise?.expected.engine);
     const { recipe: known, left } = await acceptSaved(last, maker);
     const { recipe: accepted } = apart(known);
     const { id, sides } = saved;
@@ -253,6 +256,7 @@ async function resumeCase(
       tell('error', 'Your last case was made with another version', `Left out of it: ${left.join(', ')}.`);
     if (!interrupted) void acceptOffer(false);
   } catch (error) {
+    if (maker) release(maker);
     offered.value = null;
     if (error instanceof EngineError)
       tell('error', 'Your last case cannot be taken up', `The engine refuses it: ${error.message}.`);

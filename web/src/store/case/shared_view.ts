@@ -1,6 +1,7 @@
 /** What is looked at, as a link carries it: camera, cut, colour, element, time. */
 import { effect, signal, untracked } from '@preact/signals';
 import { stageNames, type SharedView, type StageName, type Vec3 } from '../../engine/contract';
+import { stepCount } from './recipe';
 import { frameTimes } from '../run/frames';
 import { seek } from '../run/player';
 import { pointsOf, shownKeys, shownResult } from '../run/results';
@@ -68,7 +69,8 @@ function showBody({ camera, cut, layout, crosshair, hidden, edges, explode }: Sh
 function showStage(wanted: SharedView, stage: StageName): void {
   view.stageShown.value = stage;
   view.colourBy.value = wanted.colour || 'label';
-  if (wanted.element < 0) return;
+  // After an edit the number is another element's.
+  if (wanted.element < 0 || stepCount.value > 0) return;
   view.focusTet.value = wanted.element;
   // The element has brought the camera to itself: the link's own place counts.
   if (wanted.camera) view.command.value = { kind: 'place_camera', camera: wanted.camera };

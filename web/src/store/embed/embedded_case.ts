@@ -1,7 +1,7 @@
 /** The case of an app that is embedded in another page, and what its one button does. */
 import { signal } from '@preact/signals';
 import type { SharedView } from '../../engine/contract';
-import { decodeFragment, encodeFragment, parseCase } from '../../link/codec';
+import { decodeFragment, encodeFragment, jsonWithin, parseCase } from '../../link/codec';
 import { acceptOffer, offerCase, offered } from '../case/open_case';
 import { hasSource, needsNoFile, recipe } from '../case/recipe';
 import { awaitedView } from '../case/shared_view';
@@ -41,7 +41,7 @@ export async function openEmbedded(given: object | string): Promise<void> {
   const value =
     typeof given === 'string'
       ? await decodeFragment(given.slice(Math.max(0, given.indexOf('#'))))
-      : parseCase(JSON.stringify(given));
+      : parseCase(jsonWithin(given));
   await offerCase(value, 'link');
   embeddedLink.value = await encodeFragment(value);
   stopPlaying();
@@ -50,7 +50,7 @@ export async function openEmbedded(given: object | string): Promise<void> {
 
 /** Shows what the `view` of a recipe says, or will once there is something to see. */
 export async function showEmbedded(given: object): Promise<void> {
-  const { recipe: checked } = await engine.checkRecipe(parseCase(JSON.stringify({ view: given })));
+  const { recipe: checked } = await engine.checkRecipe(parseCase(jsonWithin({ view: given })));
   const view = (checked as { view?: SharedView }).view ?? null;
   if (offered.value) offered.value = { ...offered.value, view };
   else awaitedView.value = view;

@@ -9,7 +9,7 @@ import {
   type StageArrays,
 } from '../../engine/contract';
 import { chooseLayout, layout } from '../view';
-import { keptSimulation, simulated, simulatedPhysics, type KeptSimulation } from './frames';
+import { foundPhysics, keptSimulation, simulated, simulatedPhysics, type KeptSimulation } from './frames';
 import { meshedRecipe, report } from './report';
 import { shownKeys, shownResult } from './results';
 
@@ -54,7 +54,7 @@ export function pinRun(): void {
     report: report.value,
     recipe: meshedRecipe.value,
     mesh: shownKeys.value.optimise,
-    physics: simulatedPhysics.value,
+    physics: foundPhysics.value ?? simulatedPhysics.value,
     simulated: simulated.value,
   };
 }

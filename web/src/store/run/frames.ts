@@ -87,6 +87,9 @@ export const simulationDigests = computed<SimulationDigests | null>(() => {
   return { physics, stages: Object.fromEntries(digests) };
 });
 
+/** The physics that this is of, with what was given to a wave on its way. */
+export const foundPhysics = computed<Physics | null>(() => simulationReport.value?.recipe.physics ?? null);
+
 /** What the last of them was asked, with what it was given on its way. */
 export const simulatedPhysics = signal<Physics | null>(null);
 

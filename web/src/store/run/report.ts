@@ -4,7 +4,7 @@ import type { Expected, Recipe, Report, SliceAlignment } from '../../engine/cont
 import { canonicalJson } from '../../link/canonical';
 import { verdictOf } from '../../link/verdict';
 import { recipe } from '../case/recipe';
-import { forgetFound, forgetFrames, simulatedPhysics, simulationDigests, simulationReport } from './frames';
+import { forgetFound, forgetFrames, foundPhysics, simulationDigests, simulationReport } from './frames';
 import { sameMesh } from './stage_inputs';
 
 export interface Expectation {
@@ -38,7 +38,7 @@ export const verdict = computed(() => {
 
 /** Whether what was simulated is what a recipe asks for. */
 function samePhysics({ physics }: Recipe): boolean {
-  const done = simulatedPhysics.value;
+  const done = foundPhysics.value;
   return physics !== undefined && done !== null && canonicalJson(physics) === canonicalJson(done);
 }
 

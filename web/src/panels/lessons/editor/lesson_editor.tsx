@@ -11,6 +11,8 @@ import {
   removeStep,
   tryLesson,
   written,
+  draftKept,
+  fileTextOf,
 } from '../../../lessons/draft';
 import { maxSteps } from '../../../lessons/read_lesson';
 import { lessonAddress } from '../../../lessons/lesson_link';
@@ -139,9 +141,8 @@ function Ready() {
           class="button"
           disabled={fault !== ''}
           onClick={() => {
-            const { title } = finished();
-            const text = JSON.stringify(finished(), null, 2);
-            writeFiles(({ downloadLesson }) => downloadLesson(title, text));
+            const ready = finished();
+            writeFiles(({ downloadLesson }) => downloadLesson(ready.title, fileTextOf(ready)));
           }}
         >
           <Icon name="download" size={13} /> File
@@ -167,9 +168,12 @@ export function LessonEditor() {
   return (
     <div class="lesson-body edit" data-testid="lesson-editor">
       <p class="facts">
-        Open a case and set the page as pupils are to find it; then write what they read and are asked. Kept
-        in this browser with every change.
+        Open a case and set the page as pupils are to find it; then write what they read and are asked.
+        {draftKept.value && ' Kept in this browser with every change.'}
       </p>
+      {!draftKept.value && (
+        <p class="stale">Too long to be kept in this browser: a reload would lose the last changes.</p>
+      )}
       <LessonFields />
       <h3>Steps</h3>
       <StepBar />

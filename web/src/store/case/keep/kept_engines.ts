@@ -22,6 +22,8 @@ export type EngineMaker = (folder: string, files: OpenedFiles) => EngineClient;
 export interface StartedEngine {
   client: EngineClient;
   info: EngineInfo;
+  /** Of a kept one. */
+  folder: string | null;
 }
 
 let listed: Promise<Record<string, KeptEngine>> | undefined;
@@ -48,15 +50,15 @@ function recipeOnly({ schema, defaults }: EngineInfo): EngineInfo {
 let own: StartedEngine | undefined;
 let makeKept: EngineMaker | undefined;
 
-/** The version of the kept engine that works for the page, where it is not the page's own. */
-export const keptInUse = signal<string | null>(null);
+/** The kept engine that works for the page, where it is not the page's own. */
+export const keptInUse = signal<{ version: string; folder: string } | null>(null);
 
 /** Starts the page's own engine; with `make`, kept ones can be had beside it. */
 export async function startOwn(client: EngineClient, make?: EngineMaker): Promise<void> {
   makeKept = make;
   useEngine(client);
   const info = await client.ready;
-  own = { client, info: recipeOnly(info) };
+  own = { client, info: recipeOnly(info), folder: null };
   workWith(own);
 }
 
@@ -64,13 +66,13 @@ export async function startOwn(client: EngineClient, make?: EngineMaker): Promis
 export async function engineOf(version: string | undefined): Promise<StartedEngine> {
   if (!own) throw new Error('The engine has not been started.');
   if (!version || version === own.info.schema.version || !makeKept) return own;
-  if (version === keptInUse.value) return inUse ?? own;
+  if (version === keptInUse.value?.version) return inUse ?? own;
   const folder = await folderOf(version);
   if (!folder) return own;
   const client = makeKept(folder, own.client.files);
   try {
     const info = await client.ready;
-    if (info.schema.version === version) return { client, info: recipeOnly(info) };
+    if (info.schema.version === version) return { client, info: recipeOnly(info), folder };
   } catch {
     // It counts as one that is not here.
   }
@@ -90,7 +92,7 @@ export function workWith(next: StartedEngine): void {
   useEngine(next.client);
   schema.value = next.info.schema;
   defaults.value = next.info.defaults;
-  keptInUse.value = next === own ? null : next.info.schema.version;
+  keptInUse.value = next.folder === null ? null : { version: next.info.schema.version, folder: next.folder };
   if (before && before !== next) release(before);
 }
 
