@@ -39,8 +39,7 @@ int main(int argc, char** argv) {
     } else {
       std::fprintf(stderr,
                    "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, isthmus, speed, "
-                   "land, circulation or "
-                   "checks\n",
+                   "land, circulation or checks\n",
                    argument.c_str());
       return 2;
     }
