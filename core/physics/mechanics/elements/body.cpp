@@ -154,7 +154,7 @@ Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tensio
     return wrong_count("tension_kpa", tension_kpa.size(), nodes_.tets());
   const bool nodal = !node_volumes_.empty();
   const std::vector<double> volumes_now = nodal ? node_volumes(u) : std::vector<double>();
-  const Status done = for_samples(u, [&](const Sample& sample) {
+  Status done = for_samples(u, [&](const Sample& sample) {
     const Eigen::Matrix3d c = sample.f.transpose() * sample.f;
     const Eigen::Matrix3d& frame = muscle_.frames[sample.index];
     const std::size_t material = muscle_.material.empty() ? 0 : muscle_.material[sample.tet];
