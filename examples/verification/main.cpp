@@ -19,6 +19,7 @@ constexpr Part kParts[] = {{"plane_wave", voxtet::verify::print_plane_wave},
                            {"eikonal", voxtet::verify::print_eikonal},
                            {"isthmus", voxtet::verify::print_isthmus},
                            {"speed", voxtet::verify::print_speed},
+                           {"land", voxtet::verify::print_land},
                            {"circulation", voxtet::verify::print_circulation},
                            {"checks", [](bool) { voxtet::verify::print_checks(); }}};
 
@@ -38,13 +39,12 @@ int main(int argc, char** argv) {
     } else {
       std::fprintf(stderr,
                    "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, isthmus, speed, "
-                   "circulation or "
-                   "checks\n",
+                   "land, circulation or checks\n",
                    argument.c_str());
       return 2;
     }
   }
-  if (wanted.empty()) wanted = {"plane_wave", "slab", "eikonal", "isthmus", "speed"};
+  if (wanted.empty()) wanted = {"plane_wave", "slab", "eikonal", "isthmus", "speed", "land"};
   for (const Part& part : kParts)
     if (std::find(wanted.begin(), wanted.end(), part.name) != wanted.end()) {
       part.print(all);

@@ -22,6 +22,7 @@ void print_slab(bool all);
 void print_eikonal(bool all);
 void print_isthmus(bool all);
 void print_speed(bool all);
+void print_land(bool all);
 /// Active stress, pressure curves and the closed loop, as checks.
 void print_circulation(bool all);
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "types/tet_mesh.h"
 
@@ -16,10 +17,9 @@ struct Element {
   std::array<Eigen::Vector3d, 4> gradient;
 };
 
-inline Element element_of(const TetMesh& mesh, std::size_t t) {
-  const Tet& tet = mesh.tets[t];
-  const Eigen::Vector3d& p = mesh.points[tet[0]];
-  const Eigen::Vector3d a = mesh.points[tet[1]] - p, b = mesh.points[tet[2]] - p, c = mesh.points[tet[3]] - p;
+inline Element element_of(const std::vector<Eigen::Vector3d>& points, const Tet& tet) {
+  const Eigen::Vector3d& p = points[tet[0]];
+  const Eigen::Vector3d a = points[tet[1]] - p, b = points[tet[2]] - p, c = points[tet[3]] - p;
   const Eigen::Vector3d across_a = b.cross(c), across_b = c.cross(a), across_c = a.cross(b);
   const double six_volumes = a.dot(across_a);
   Element element;
@@ -29,6 +29,10 @@ inline Element element_of(const TetMesh& mesh, std::size_t t) {
   element.gradient[3] = across_c / six_volumes;
   element.gradient[0] = -(element.gradient[1] + element.gradient[2] + element.gradient[3]);
   return element;
+}
+
+inline Element element_of(const TetMesh& mesh, std::size_t t) {
+  return element_of(mesh.points, mesh.tets[t]);
 }
 
 }  // namespace voxtet::fem

@@ -1,0 +1,78 @@
+// An elastic body: the forces that its nodes feel from its stress, and how they change with displacements.
+// Bonet and Wood, "Nonlinear Continuum Mechanics for Finite Element Analysis" (2008), chapters 8 and 9.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "physics/fem/fixed_order.h"
+#include "physics/fem/point_tets.h"
+#include "physics/mechanics/elements/nodes.h"
+#include "physics/mechanics/materials/material.h"
+#include "types/result.h"
+
+namespace voxtet::mechanics {
+
+inline const char* const kMechanicsStage = "mechanics";
+
+/// What a body is made of.
+struct Muscle {
+  std::vector<Material> materials{TransverselyIsotropic{}};
+  std::vector<std::uint16_t> material;  ///< of each tetrahedron; empty: the first
+  double bulk_kpa = 1000;               ///< resistance to a change of volume
+  /// Columns fibre, sheet, sheet normal, at each sample of Nodes, tetrahedron by tetrahedron. Empty: the
+  /// axes.
+  std::vector<Eigen::Matrix3d> frames;
+};
+
+/// Displacements u and forces are vectors of three numbers a node, 3 i + d (mm; kPa mm^2 = mN). The samples
+/// of Nodes are summed in their order, so that results are the same bytes on every platform.
+class Body {
+ public:
+  /// Returns kUsage for a bulk modulus or material out of range, kInternal for lists of the wrong length, and
+  /// kBadInput, with its place, for a tetrahedron without a positive volume.
+  static Result<Body> make(const TetMesh& mesh, Formulation formulation, Muscle muscle);
+
+  const Nodes& nodes() const { return nodes_; }
+  Eigen::Index unknowns() const { return 3 * static_cast<Eigen::Index>(nodes_.places().size()); }
+
+  /// Zeros where a tangent may have entries. With average nodal pressure, nodes are coupled with the
+  /// neighbours of their neighbours.
+  fem::SparseMatrix empty_tangent() const;
+
+  /// The gradient of the energy by u: what holds the body in balance with loads. `tension_kpa`: the active
+  /// stress along the fibre, one number for each tetrahedron, or none. `tangent`, when given, is one of
+  /// empty_tangent(), to which the derivative of the force is added; symmetric but for rounding. Returns
+  /// kMeshing, with its place in the undeformed mesh, for a tetrahedron that u inverts.
+  Status add_forces(const Eigen::VectorXd& u, std::span<const double> tension_kpa, Eigen::VectorXd& force,
+                    fem::SparseMatrix* tangent) const;
+
+  /// The energy itself, kPa mm^3 = uJ. Without that of the tension. Returns the same error.
+  Result<double> energy(const Eigen::VectorXd& u) const;
+
+ private:
+  Body() = default;
+
+  struct Sample;  ///< one place of integration, deformed
+
+  /// Calls visit(Sample) for all in order; an error for the first that is inverted.
+  template <class Visit>
+  Status for_samples(const Eigen::VectorXd& u, Visit&& visit) const;
+  Volumetric at_node(const std::vector<double>& volumes_now, std::size_t node) const;
+  /// A quarter of every tetrahedron's volume, deformed by u, to each of its nodes.
+  std::vector<double> node_volumes(const Eigen::VectorXd& u) const;
+  Eigen::Matrix3d deformation(const Eigen::VectorXd& u, std::size_t t, const Shape* shapes) const;
+  void add_sample(const Sample& sample, const Response& response, Eigen::VectorXd& force,
+                  fem::SparseMatrix* tangent) const;
+  void add_node_pressures(const Eigen::VectorXd& u, const std::vector<double>& volumes_now,
+                          fem::SparseMatrix& tangent) const;
+
+  Nodes nodes_;
+  Muscle muscle_;
+  fem::PointTets tets_of_;            ///< the tetrahedra around each point
+  std::vector<double> node_volumes_;  ///< undeformed, with average nodal pressure alone
+};
+
+}  // namespace voxtet::mechanics

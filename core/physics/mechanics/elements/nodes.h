@@ -1,0 +1,62 @@
+// The nodes of linear and quadratic tetrahedra, and the functions that belong to them.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "physics/fem/element.h"
+#include "types/tet_mesh.h"
+
+namespace voxtet::mechanics {
+
+/// How displacements are made of the values at nodes, and what a change of volume costs.
+enum class Formulation {
+  kLinear,  ///< P1: locks where the material hardly changes its volume
+  /// P1 whose pressure is that of nodes: Bonet and Burton, Communications in Numerical Methods in Engineering
+  /// 14 (1998)
+  kAverageNodalPressure,
+  kQuadratic,  ///< P2 with straight edges
+};
+
+/// A node's function at one place: its value there, and its gradient by undeformed places, 1/mm.
+struct Shape {
+  double value;
+  Eigen::Vector3d gradient;
+};
+
+/// The nodes of a mesh: its points and then, for quadratic elements, the middles of its edges, in ascending
+/// order of their ends.
+class Nodes {
+ public:
+  Nodes() = default;
+  /// Every tetrahedron has a positive volume.
+  Nodes(const TetMesh& mesh, Formulation formulation);
+
+  const std::vector<Eigen::Vector3d>& places() const { return places_; }  ///< undeformed, mm
+  std::size_t tets() const { return tets_.size(); }
+  bool quadratic() const { return !edges_.empty(); }
+  /// 4, or 10: the corners, then the edges in the order of kEdgesOfTet.
+  std::size_t per_tet() const { return quadratic() ? 10 : 4; }
+  const std::uint32_t* of_tet(std::size_t t) const { return tets_[t].data(); }
+  /// The node in the middle of an edge of the mesh of quadratic elements.
+  std::uint32_t middle(std::uint32_t end, std::uint32_t other) const;
+
+  double volume_mm3(std::size_t t) const { return fem::element_of(places_, corners(t)).volume; }
+  /// Where elements are integrated: one place of linear ones, four of the same weight of quadratic ones.
+  std::size_t samples_per_tet() const { return quadratic() ? 4 : 1; }
+  Eigen::Vector3d sample_place(std::size_t t, std::size_t sample) const;
+  /// Of the nodes of a tetrahedron there, per_tet() of them.
+  void shapes_at(std::size_t t, std::size_t sample, Shape* shapes) const;
+
+ private:
+  Tet corners(std::size_t t) const { return {tets_[t][0], tets_[t][1], tets_[t][2], tets_[t][3]}; }
+
+  std::vector<Eigen::Vector3d> places_;
+  std::vector<std::array<std::uint32_t, 10>> tets_;
+  std::vector<std::array<std::uint32_t, 2>> edges_;  ///< ascending; edge i has the node points + i
+};
+
+}  // namespace voxtet::mechanics
