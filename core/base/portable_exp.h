@@ -10,8 +10,9 @@ namespace voxtet {
 inline constexpr double kLn2 = 0.693147180559945309417232121458;
 
 /// e^x to some 2e-16 of its value: Taylor's series of what is left of x beside a multiple of ln 2. Infinity
-/// above 709.8, 0 below -745.2.
+/// above 709.8, 0 below -745.2, NaN of NaN.
 inline double portable_exp(double x) {
+  if (std::isnan(x)) return x;
   // ln 2 in two parts, of which the first has few bits: its multiples are exact.
   constexpr double kHigh = 6.93147180369123816490e-01, kLow = 1.90821492927058770002e-10;
   constexpr double kLeast = -760, kMost = 720;

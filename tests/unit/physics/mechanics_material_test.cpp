@@ -145,6 +145,7 @@ TEST(PortableExp, IsTheExponentialAndTheLogarithm) {
   EXPECT_EQ(portable_log(1), 0);
   EXPECT_EQ(portable_exp(-1e300), 0);
   EXPECT_TRUE(std::isinf(portable_exp(1e300)));
+  EXPECT_TRUE(std::isnan(portable_exp(std::nan(""))));
 }
 
 }  // namespace
