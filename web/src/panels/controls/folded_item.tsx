@@ -1,6 +1,16 @@
 import type { ComponentChildren } from 'preact';
 import { Icon } from './icons';
 
+/** Takes a thing out of a list. */
+export function RemoveButton({ what, onRemove }: { what: string; onRemove(): void }) {
+  const name = `Remove ${what}`;
+  return (
+    <button type="button" class="icon-button small" aria-label={name} title="Remove" onClick={onRemove}>
+      <Icon name="trash" size={14} />
+    </button>
+  );
+}
+
 /** One thing of a list: its name and what it asks for; its fields while it is open. */
 export function FoldedItem(props: {
   name: string;
@@ -20,15 +30,7 @@ export function FoldedItem(props: {
           </span>
           <span class="region-edge">{note}</span>
         </button>
-        <button
-          type="button"
-          class="icon-button small"
-          aria-label={`Remove ${name}`}
-          title="Remove"
-          onClick={props.onRemove}
-        >
-          <Icon name="trash" size={14} />
-        </button>
+        <RemoveButton what={name} onRemove={props.onRemove} />
       </div>
       {open && <div class="region-fields">{props.children}</div>}
     </div>

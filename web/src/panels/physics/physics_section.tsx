@@ -18,6 +18,7 @@ import { activity } from '../../store/run/stages';
 import { crosshairMm } from '../../store/view_place';
 import { CheckField, SelectField, VectorField } from '../controls/fields';
 import { short } from '../controls/format';
+import { RemoveButton } from '../controls/folded_item';
 import { Icon } from '../controls/icons';
 import { SizeList } from '../controls/size_list';
 import { BodyFields, BodyHandles, BodyShape } from '../controls/body_fields';
@@ -303,15 +304,10 @@ export function PhysicsSection({ current, physics }: { current: Recipe; physics:
     <section class="section">
       <div class="section-head">
         <h2>Physics</h2>
-        <button
-          type="button"
-          class="icon-button small"
-          aria-label="Remove simulation"
-          title="Remove"
-          onClick={() => editRecipe('Remove simulation', (draft) => void delete draft.physics)}
-        >
-          <Icon name="trash" size={14} />
-        </button>
+        <RemoveButton
+          what="simulation"
+          onRemove={() => editRecipe('Remove simulation', (draft) => void delete draft.physics)}
+        />
       </div>
       <PhysicsFields current={current} physics={physics} />
     </section>

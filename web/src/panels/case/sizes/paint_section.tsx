@@ -10,6 +10,7 @@ import {
 import { chooseLayout } from '../../../store/view';
 import { fetched } from '../../controls/fetched';
 import { NumberInput } from '../../controls/fields';
+import { RemoveButton } from '../../controls/folded_item';
 import { Icon } from '../../controls/icons';
 
 /** Switches the brush on or off, its radius within what it may have. */
@@ -51,15 +52,7 @@ export function PaintSection() {
             onChange={(edge) => edge !== null && setPaintedEdge(label, edge)}
           />
           <span class="unit">mm</span>
-          <button
-            type="button"
-            class="icon-button small"
-            aria-label={`Remove what is painted with ${edge_mm} mm`}
-            title="Remove"
-            onClick={() => erasePainted(label)}
-          >
-            <Icon name="trash" size={14} />
-          </button>
+          <RemoveButton what={`what is painted with ${edge_mm} mm`} onRemove={() => erasePainted(label)} />
         </div>
       ))}
     </div>

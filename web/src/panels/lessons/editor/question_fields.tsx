@@ -3,6 +3,7 @@ import { unitOf } from '../../../lessons/checks';
 import type { ChoiceQuestion, NumberQuestion, Option, Question } from '../../../lessons/lesson';
 import { readValue } from '../../../lessons/values';
 import { SelectField } from '../../controls/fields';
+import { RemoveButton } from '../../controls/folded_item';
 import { Icon } from '../../controls/icons';
 import { foundText } from '../live_values';
 import { TextField } from './text_field';
@@ -49,15 +50,7 @@ function OptionFields(props: {
           <option value="wrong">Wrong</option>
           <option value="when">Right while checks hold</option>
         </select>
-        <button
-          type="button"
-          class="icon-button small"
-          aria-label={`Remove ${name.toLowerCase()}`}
-          title="Remove"
-          onClick={props.onRemove}
-        >
-          <Icon name="trash" size={14} />
-        </button>
+        <RemoveButton what={name.toLowerCase()} onRemove={props.onRemove} />
       </div>
       {when && <ChecksFields checks={when} onChange={(next) => set({ when: next })} />}
     </div>

@@ -6,6 +6,7 @@ import { tellError } from '../../../store/run/engine';
 import { sceneMounted } from '../../../store/view';
 import { CheckField } from '../../controls/fields';
 import { FileInput } from '../../controls/file_input';
+import { RemoveButton } from '../../controls/folded_item';
 import { Icon } from '../../controls/icons';
 import { writeFiles } from '../../controls/write_files';
 import { QuestionFields } from './question_fields';
@@ -46,17 +47,7 @@ function PictureFields({ picture }: { picture: Step['picture'] }) {
         >
           Picture of the view
         </button>
-        {picture && (
-          <button
-            type="button"
-            class="icon-button small"
-            aria-label="Remove picture"
-            title="Remove"
-            onClick={() => editStep({ picture: undefined })}
-          >
-            <Icon name="trash" size={14} />
-          </button>
-        )}
+        {picture && <RemoveButton what="picture" onRemove={() => editStep({ picture: undefined })} />}
       </div>
       {picture && (
         <>

@@ -3,6 +3,7 @@ import { holds, unitOf } from '../../../lessons/checks';
 import type { Check, ValueRef } from '../../../lessons/lesson';
 import { allValues, readValue, valueNamed } from '../../../lessons/values';
 import { recipe } from '../../../store/case/recipe';
+import { RemoveButton } from '../../controls/folded_item';
 import { Icon } from '../../controls/icons';
 import { foundText } from '../live_values';
 
@@ -119,15 +120,7 @@ function CheckFields(props: { name: string; check: Check; onChange(next: Check):
             />
           </label>
         ))}
-        <button
-          type="button"
-          class="icon-button small"
-          aria-label={`Remove ${name.toLowerCase()}`}
-          title="Remove"
-          onClick={props.onRemove}
-        >
-          <Icon name="trash" size={14} />
-        </button>
+        <RemoveButton what={name.toLowerCase()} onRemove={props.onRemove} />
       </div>
       <HoldsNow check={check} />
     </div>
