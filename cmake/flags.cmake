@@ -4,6 +4,8 @@ add_compile_options(-ffp-contract=off)
 add_compile_definitions(
   CGAL_DISABLE_GMP CGAL_ALWAYS_ROUND_TO_NEAREST EIGEN_DONT_VECTORIZE CGAL_NO_DEPRECATION_WARNINGS)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+# What is built names no folder of the machine: the same bytes from every checkout, with or without ccache.
+add_compile_options("-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=")
 
 if(VOXTET_SANITIZE)
   # Without what the address sanitizer finds too (null pointers that are followed, accesses and pointers beyond an
