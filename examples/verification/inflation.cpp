@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <ctime>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 #include "support/land.h"
 #include "verify.h"
@@ -19,12 +20,19 @@ constexpr int kInflationSteps = 10;
 struct InflationCase {
   const char* element;
   Formulation formulation;
-  const char* material;
-  mechanics::TransverselyIsotropic of;
+  const char* name;  ///< of the material
+  mechanics::Material material;
 };
 
+/// Of a material without fibres their numbers are 0.
+mechanics::TransverselyIsotropic numbers_of(const mechanics::Material& material) {
+  if (const auto* plain = std::get_if<mechanics::MooneyRivlin>(&material))
+    return {plain->c1_kpa, plain->c2_kpa, 0, 0};
+  return std::get<mechanics::TransverselyIsotropic>(material);
+}
+
 /// The coordinates of points, or of vectors, one after the other.
-nlohmann::json numbers_of(const std::vector<Eigen::Vector3d>& vectors) {
+nlohmann::json coordinates_of(const std::vector<Eigen::Vector3d>& vectors) {
   nlohmann::json numbers = nlohmann::json::array();
   for (const Eigen::Vector3d& v : vectors) numbers.insert(numbers.end(), {v.x(), v.y(), v.z()});
   return numbers;
@@ -55,7 +63,7 @@ void print_case(const InflationCase& wanted) {
 
   const std::clock_t begin = std::clock();
   const std::size_t samples = mechanics::Nodes(heart.mesh, wanted.formulation).samples_per_tet();
-  mechanics::Muscle muscle{{wanted.of}, {}, kInflationBulk, {}};
+  mechanics::Muscle muscle{{wanted.material}, {}, kInflationBulk, {}};
   for (const Eigen::Vector3d& fibre : fibres) {
     Eigen::Matrix3d frame;
     frame << fibre, fibre.unitOrthogonal(), fibre.cross(fibre.unitOrthogonal());
@@ -72,22 +80,23 @@ void print_case(const InflationCase& wanted) {
 
   std::vector<Eigen::Vector3d> u;
   for (Eigen::Index i = 0; i < found.u.size(); i += 3) u.emplace_back(found.u.segment<3>(i));
+  const mechanics::TransverselyIsotropic numbers = numbers_of(wanted.material);
   const nlohmann::json line{{"element", wanted.element},
-                            {"material", wanted.material},
-                            {"c1_kpa", wanted.of.c1_kpa},
-                            {"c2_kpa", wanted.of.c2_kpa},
-                            {"a_f_kpa", wanted.of.a_f_kpa},
-                            {"b_f", wanted.of.b_f},
+                            {"material", wanted.name},
+                            {"c1_kpa", numbers.c1_kpa},
+                            {"c2_kpa", numbers.c2_kpa},
+                            {"a_f_kpa", numbers.a_f_kpa},
+                            {"b_f", numbers.b_f},
                             {"bulk_kpa", kInflationBulk},
                             {"pressure_kpa", kInflationPressure},
                             {"steps", kInflationSteps},
                             {"held", faces_of(heart, HeartSurface::kBase)},
-                            {"points_mm", numbers_of(heart.mesh.points)},
+                            {"points_mm", coordinates_of(heart.mesh.points)},
                             {"tets", heart.mesh.tets},
                             {"loaded", inside},
-                            {"fibres", numbers_of(fibres)},
-                            {"nodes_mm", numbers_of(body.nodes().places())},
-                            {"u_mm", numbers_of(u)},
+                            {"fibres", coordinates_of(fibres)},
+                            {"nodes_mm", coordinates_of(body.nodes().places())},
+                            {"u_mm", coordinates_of(u)},
                             {"iterations", found.iterations},
                             {"factorisations", found.factorisations},
                             {"cpu_seconds", seconds}};
@@ -98,7 +107,8 @@ void print_case(const InflationCase& wanted) {
 }  // namespace
 
 void print_inflation(bool) {
-  const mechanics::TransverselyIsotropic muscle, isotropic{.a_f_kpa = 0};
+  const mechanics::TransverselyIsotropic muscle;
+  const mechanics::MooneyRivlin isotropic{muscle.c1_kpa, muscle.c2_kpa};
   for (const auto& [element, formulation] :
        {std::pair{"P1", Formulation::kLinear}, std::pair{"P2", Formulation::kQuadratic}}) {
     print_case({element, formulation, "isotropic", isotropic});

@@ -5,8 +5,8 @@
 written as such, in UFL, and makes forces and tangents from them by itself: linear and quadratic elements, held at the
 base, under a pressure that follows the inner surface, with the same places of integration and the same steps of the load;
 Newton's method with PETSc's MUMPS. Each runs in one process with one thread. Prints how far displacements differ, over the
-largest, and the seconds of the processor of both, of FEniCSx without compiling its forms. Fails where they differ by more than 0.5 %.
-A further row, for comparison, has elements that FEniCSx integrates in 15 places instead of 4.
+largest, and the seconds of the processor of both, of FEniCSx without compiling its forms. Fails where they differ by more
+than 0.5 %. A further row, for comparison, has elements that FEniCSx integrates in 15 places instead of 4.
 
 FEniCSx is Debian's: apt-get install python3-dolfinx (0.5.2 in Debian 12), for /usr/bin/python3. Exit 0 if all agree,
 1 if not, 77 (skipped) without FEniCSx.
