@@ -25,6 +25,7 @@ Body body_of(const TetMesh& mesh, Formulation formulation, const Material& mater
   Muscle muscle;
   muscle.materials = {material};
   muscle.bulk_kpa = 30;
+  muscle.viscosity_kpa_s = 0.7;
   return Body::make(mesh, formulation, std::move(muscle)).value();
 }
 
@@ -35,9 +36,10 @@ Eigen::VectorXd random_displacement(Eigen::Index size, double most, std::uint64_
   return u;
 }
 
-Eigen::VectorXd forces(const Body& body, const Eigen::VectorXd& u, std::span<const double> tension) {
+Eigen::VectorXd forces(const Body& body, const Eigen::VectorXd& u, std::span<const double> tension,
+                       const StrainRate* rate = nullptr) {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(u.size());
-  EXPECT_TRUE(body.add_forces(u, tension, force, nullptr));
+  EXPECT_TRUE(body.add_forces(u, tension, force, nullptr, rate));
   return force;
 }
 
@@ -63,17 +65,42 @@ TEST(MechanicsBody, TangentIsTheDerivativeOfTheForces) {
   for (const Formulation formulation : kFormulations) {
     const Body body = body_of(mesh, formulation);
     const Eigen::VectorXd u = random_displacement(body.unknowns(), 0.05, 8);
+    const Eigen::VectorXd before = random_displacement(body.unknowns(), 0.05, 11);
+    const StrainRate rate{before, 0.02};
     fem::SparseMatrix tangent = body.empty_tangent();
     Eigen::VectorXd force = Eigen::VectorXd::Zero(u.size());
-    ASSERT_TRUE(body.add_forces(u, tension, force, &tangent));
+    ASSERT_TRUE(body.add_forces(u, tension, force, &tangent, &rate));
     const Eigen::MatrixXd dense = tangent;
     for (Eigen::Index i = 0; i < u.size(); i += 3) {
       const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(u.size(), i);
       const Eigen::VectorXd slope =
-          (forces(body, u + h, tension) - forces(body, u - h, tension)) / (2 * kStep);
+          (forces(body, u + h, tension, &rate) - forces(body, u - h, tension, &rate)) / (2 * kStep);
       EXPECT_LT((slope - dense.col(i)).norm(), 1e-7 * dense.col(i).norm());
     }
     EXPECT_LT((dense - dense.transpose()).norm(), 1e-12 * dense.norm());
+  }
+}
+
+TEST(MechanicsBody, ViscosityResistsTheRateOfStrain) {
+  // A block stretched along x from 1 to l in a step: E_xx has grown by (l^2 - 1) / 2, and the force on its
+  // end of area A is that of P = l S.
+  const TetMesh mesh = test::bricks({2, 1, 1}, {2, 1, 1});
+  constexpr double kStretch = 1.2, kViscosity = 0.7, kStep = 0.02, kArea = 1;
+  for (const Formulation formulation : kFormulations) {
+    const Body body = body_of(mesh, formulation);
+    const auto& places = body.nodes().places();
+    const Eigen::VectorXd before = Eigen::VectorXd::Zero(body.unknowns());
+    Eigen::VectorXd u = before;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      u[3 * static_cast<Eigen::Index>(i)] = (kStretch - 1) * places[i].x();
+    const StrainRate rate{before, kStep};
+    const Eigen::VectorXd viscous = forces(body, u, {}, &rate) - forces(body, u, {});
+    double pull = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (places[i].x() == 2) pull += viscous[3 * static_cast<Eigen::Index>(i)];
+    EXPECT_NEAR(pull, kArea * kStretch * kViscosity * (kStretch * kStretch - 1) / 2 / kStep, 1e-11);
+    const StrainRate still{u, kStep};
+    EXPECT_EQ(forces(body, u, {}, &still), forces(body, u, {}));
   }
 }
 
@@ -249,6 +276,9 @@ TEST(MechanicsBody, WrongListsAndMaterialsAreRefused) {
   const TetMesh mesh = box();
   Muscle muscle;
   muscle.bulk_kpa = 0;
+  EXPECT_EQ(Body::make(mesh, Formulation::kLinear, muscle).error().code, ErrorCode::kUsage);
+  muscle = {};
+  muscle.viscosity_kpa_s = -1;
   EXPECT_EQ(Body::make(mesh, Formulation::kLinear, muscle).error().code, ErrorCode::kUsage);
   muscle = {};
   muscle.material = {0};

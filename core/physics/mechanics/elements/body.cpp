@@ -54,6 +54,9 @@ Result<Body> Body::make(const TetMesh& mesh, Formulation formulation, Muscle mus
   if (!(std::isfinite(muscle.bulk_kpa) && muscle.bulk_kpa > 0))
     return usage_error(kMechanicsStage, "bulk_kpa: found " + std::to_string(muscle.bulk_kpa) +
                                             ", expected a finite number above 0");
+  if (!(std::isfinite(muscle.viscosity_kpa_s) && muscle.viscosity_kpa_s >= 0))
+    return usage_error(kMechanicsStage, "viscosity_kpa_s: found " + std::to_string(muscle.viscosity_kpa_s) +
+                                            ", expected a finite number not below 0");
   for (const Material& material : muscle.materials)
     if (const auto fault = fault_of(material)) return usage_error(kMechanicsStage, *fault);
   const std::size_t tets = mesh.tets.size();
@@ -149,9 +152,12 @@ Volumetric Body::at_node(const std::vector<double>& volumes_now, std::size_t nod
 }
 
 Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tension_kpa, Eigen::VectorXd& force,
-                        fem::SparseMatrix* tangent) const {
+                        fem::SparseMatrix* tangent, const StrainRate* rate) const {
   if (!tension_kpa.empty() && tension_kpa.size() != nodes_.tets())
     return wrong_count("tension_kpa", tension_kpa.size(), nodes_.tets());
+  if (rate && rate->before.size() != unknowns())
+    return wrong_count("before", static_cast<std::size_t>(rate->before.size()),
+                       static_cast<std::size_t>(unknowns()));
   const bool nodal = !node_volumes_.empty();
   const std::vector<double> volumes_now = nodal ? node_volumes(u) : std::vector<double>();
   Status done = for_samples(u, [&](const Sample& sample) {
@@ -160,6 +166,11 @@ Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tensio
     const std::size_t material = muscle_.material.empty() ? 0 : muscle_.material[sample.tet];
     Response response = response_of(muscle_.materials[material], c, frame);
     if (!tension_kpa.empty()) add_active_stress(tension_kpa[sample.tet], frame.col(0), response);
+    if (rate) {
+      const Eigen::Matrix3d before = deformation(rate->before, sample.tet, sample.shapes.data());
+      add_viscous_stress(muscle_.viscosity_kpa_s / rate->step_s, (c - before.transpose() * before) / 2,
+                         response);
+    }
     if (nodal) {
       double pressure = 0;
       for (std::size_t a = 0; a < 4; ++a)

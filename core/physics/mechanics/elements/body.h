@@ -22,17 +22,25 @@ struct Muscle {
   std::vector<Material> materials{TransverselyIsotropic{}};
   std::vector<std::uint16_t> material;  ///< of each tetrahedron; empty: the first
   double bulk_kpa = 1000;               ///< resistance to a change of volume
+  double viscosity_kpa_s = 0;           ///< resistance to the rate of strain
   /// Columns fibre, sheet, sheet normal, at each sample of Nodes, tetrahedron by tetrahedron. Empty: the
   /// axes.
   std::vector<Eigen::Matrix3d> frames;
+};
+
+/// How fast a body is strained, by the implicit Euler method: from `before` to what it is now, in a step
+/// above 0.
+struct StrainRate {
+  const Eigen::VectorXd& before;  ///< displacements at the step's begin
+  double step_s;
 };
 
 /// Displacements u and forces are vectors of three numbers a node, 3 i + d (mm; kPa mm^2 = mN). The samples
 /// of Nodes are summed in their order, so that results are the same bytes on every platform.
 class Body {
  public:
-  /// Returns kUsage for a bulk modulus or material out of range, kInternal for lists of the wrong length, and
-  /// kBadInput, with its place, for a tetrahedron without a positive volume.
+  /// Returns kUsage for a bulk modulus, viscosity or material out of range, kInternal for lists of the wrong
+  /// length, and kBadInput, with its place, for a tetrahedron without a positive volume.
   static Result<Body> make(const TetMesh& mesh, Formulation formulation, Muscle muscle);
 
   const Nodes& nodes() const { return nodes_; }
@@ -44,12 +52,14 @@ class Body {
 
   /// The gradient of the energy by u: what holds the body in balance with loads. `tension_kpa`: the active
   /// stress along the fibre, one number for each tetrahedron, or none. `tangent`, when given, is one of
-  /// empty_tangent(), to which the derivative of the force is added; symmetric but for rounding. Returns
-  /// kMeshing, with its place in the undeformed mesh, for a tetrahedron that u inverts.
+  /// empty_tangent(), to which the derivative of the force is added; symmetric but for rounding. `rate`: adds
+  /// the viscous stress S = viscosity dE/dt of Arostica et al., Computer Methods in Applied Mechanics and
+  /// Engineering 435 (2025); without it the body is at rest. Returns kMeshing, with its place in the
+  /// undeformed mesh, for a tetrahedron that u inverts, and kInternal for lists of the wrong length.
   Status add_forces(const Eigen::VectorXd& u, std::span<const double> tension_kpa, Eigen::VectorXd& force,
-                    fem::SparseMatrix* tangent) const;
+                    fem::SparseMatrix* tangent, const StrainRate* rate = nullptr) const;
 
-  /// The energy itself, kPa mm^3 = uJ. Without that of the tension. Returns the same error.
+  /// The energy itself, kPa mm^3 = uJ. Without that of tension and viscosity. Returns kMeshing likewise.
   Result<double> energy(const Eigen::VectorXd& u) const;
 
  private:

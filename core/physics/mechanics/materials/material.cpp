@@ -205,6 +205,11 @@ void add_active_stress(double tension_kpa, const Eigen::Vector3d& fibre, Respons
   response.stress += tension_kpa * along(fibre, fibre);
 }
 
+void add_viscous_stress(double kpa, const Eigen::Matrix3d& change_of_strain, Response& response) {
+  response.stress += kpa * tensor6(change_of_strain);
+  response.tangent += kpa * symmetric_square(Eigen::Matrix3d::Identity());
+}
+
 Volumetric volumetric(double bulk_kpa, double j) {
   return {bulk_kpa / 4 * (j * j - 1 - 2 * portable_log(j)), bulk_kpa / 2 * (j - 1 / j),
           bulk_kpa / 2 * (1 + 1 / (j * j))};

@@ -80,6 +80,10 @@ Response response_of(const Material& material, const Eigen::Matrix3d& c, const E
 /// (I4f - 1) / 2 for a tension that does not change with stretch.
 void add_active_stress(double tension_kpa, const Eigen::Vector3d& fibre, Response& response);
 
+/// Adds the stress of a change of strain in a step: S = kpa (E - E before), where `kpa` is viscosity over
+/// step.
+void add_viscous_stress(double kpa, const Eigen::Matrix3d& change_of_strain, Response& response);
+
 /// The pressure-like stress p = U'(J), kPa, and its derivative.
 struct Volumetric {
   double energy_kpa, pressure_kpa, modulus_kpa;
