@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "physics/fem/fixed_order.h"
-#include "physics/fem/point_tets.h"
+#include "physics/mechanics/elements/nodal_volumes.h"
+#include "physics/mechanics/elements/node_matrix.h"
 #include "physics/mechanics/elements/nodes.h"
 #include "physics/mechanics/materials/material.h"
 #include "types/result.h"
@@ -48,7 +49,7 @@ class Body {
 
   /// Zeros where a tangent may have entries. With average nodal pressure, nodes are coupled with the
   /// neighbours of their neighbours.
-  fem::SparseMatrix empty_tangent() const;
+  fem::SparseMatrix empty_tangent() const { return empty_node_matrix(graph_); }
 
   /// The gradient of the energy by u: what holds the body in balance with loads. `tension_kpa`: the active
   /// stress along the fibre, one number for each tetrahedron, or none. `tangent`, when given, is one of
@@ -67,22 +68,18 @@ class Body {
 
   struct Sample;  ///< one place of integration, deformed
 
-  /// Calls visit(Sample) for all in order; an error for the first that is inverted.
+  /// Calls visit(samples) for each tetrahedron in order; an error for the first that is inverted.
   template <class Visit>
-  Status for_samples(const Eigen::VectorXd& u, Visit&& visit) const;
-  Volumetric at_node(const std::vector<double>& volumes_now, std::size_t node) const;
-  /// A quarter of every tetrahedron's volume, deformed by u, to each of its nodes.
-  std::vector<double> node_volumes(const Eigen::VectorXd& u) const;
-  Eigen::Matrix3d deformation(const Eigen::VectorXd& u, std::size_t t, const Shape* shapes) const;
-  void add_sample(const Sample& sample, const Response& response, Eigen::VectorXd& force,
-                  fem::SparseMatrix* tangent) const;
-  void add_node_pressures(const Eigen::VectorXd& u, const std::vector<double>& volumes_now,
-                          fem::SparseMatrix& tangent) const;
+  Status for_tets(const Eigen::VectorXd& u, Visit&& visit) const;
+  /// Of the material without its resistance to a change of volume.
+  Response response_at(const Sample& sample) const;
 
   Nodes nodes_;
   Muscle muscle_;
-  fem::PointTets tets_of_;            ///< the tetrahedra around each point
-  std::vector<double> node_volumes_;  ///< undeformed, with average nodal pressure alone
+  bool nodal_ = false;  ///< whether pressures are those of nodal_volumes_
+  NodalVolumes nodal_volumes_;
+  NodeGraph graph_;                    ///< of the tangent
+  std::vector<std::uint32_t> places_;  ///< in graph_, of the pairs of each tetrahedron's nodes
 };
 
 }  // namespace voxtet::mechanics

@@ -3,20 +3,43 @@
 #include <algorithm>
 
 namespace voxtet::mechanics {
+namespace {
 
-fem::SparseMatrix empty_node_matrix(const std::vector<std::vector<std::uint32_t>>& neighbours) {
-  Eigen::Index entries = 0;
-  for (const auto& of_node : neighbours) entries += 9 * static_cast<Eigen::Index>(of_node.size());
-  const auto size = 3 * static_cast<Eigen::Index>(neighbours.size());
+std::uint32_t place_in(NodeGroup ascending, std::uint32_t node) {
+  return static_cast<std::uint32_t>(std::lower_bound(ascending.begin(), ascending.end(), node) -
+                                    ascending.begin());
+}
+
+}  // namespace
+
+NodeGraph::NodeGraph(std::size_t nodes, const std::vector<NodeGroup>& groups) {
+  std::vector<std::vector<std::uint32_t>> near(nodes);
+  for (const NodeGroup group : groups)
+    for (const std::uint32_t node : group) near[node].insert(near[node].end(), group.begin(), group.end());
+  for (auto& list : near) {
+    std::sort(list.begin(), list.end());
+    coupled_.insert(coupled_.end(), list.begin(), std::unique(list.begin(), list.end()));
+    begin_.push_back(coupled_.size());
+  }
+}
+
+void NodeGraph::append_places(NodeGroup group, std::vector<std::uint32_t>& places) const {
+  for (const std::uint32_t a : group)
+    for (const std::uint32_t b : group) places.push_back(place_in(of(a), b));
+}
+
+fem::SparseMatrix empty_node_matrix(const NodeGraph& graph) {
+  const auto entries = 9 * static_cast<Eigen::Index>(graph.couplings());
+  const auto size = 3 * static_cast<Eigen::Index>(graph.nodes());
   fem::SparseMatrix matrix(size, size);
   matrix.resizeNonZeros(entries);
   int* begin = matrix.outerIndexPtr();
   int* column = matrix.innerIndexPtr();
   int at = 0;
   *begin++ = 0;
-  for (const auto& of_node : neighbours)
+  for (std::size_t i = 0; i < graph.nodes(); ++i)
     for (int row = 0; row < 3; ++row) {
-      for (const std::uint32_t node : of_node)
+      for (const std::uint32_t node : graph.of(i))
         for (int d = 0; d < 3; ++d) column[at++] = 3 * static_cast<int>(node) + d;
       *begin++ = at;
     }
@@ -26,12 +49,11 @@ fem::SparseMatrix empty_node_matrix(const std::vector<std::vector<std::uint32_t>
 
 void add_block(std::uint32_t row, std::uint32_t column, const Eigen::Matrix3d& block,
                fem::SparseMatrix& matrix) {
-  const int* begin = matrix.outerIndexPtr() + 3 * static_cast<std::ptrdiff_t>(row);
-  const int* columns = matrix.innerIndexPtr();
+  const int* const begin = matrix.outerIndexPtr() + 3 * static_cast<std::ptrdiff_t>(row);
+  const int* const columns = matrix.innerIndexPtr();
   const auto offset = std::lower_bound(columns + begin[0], columns + begin[1], 3 * static_cast<int>(column)) -
                       columns - begin[0];
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) matrix.valuePtr()[begin[i] + offset + j] += block(i, j);
+  add_block_at(row, static_cast<std::uint32_t>(offset / 3), block, matrix);
 }
 
 }  // namespace voxtet::mechanics
