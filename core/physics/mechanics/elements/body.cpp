@@ -18,6 +18,13 @@ Error wrong_count(const std::string& list, std::size_t found, std::size_t expect
           {}};
 }
 
+Eigen::VectorXd pressures_of(const std::vector<Volumetric>& at_nodes) {
+  Eigen::VectorXd kpa(static_cast<Eigen::Index>(at_nodes.size()));
+  for (std::size_t i = 0; i < at_nodes.size(); ++i)
+    kpa[static_cast<Eigen::Index>(i)] = at_nodes[i].pressure_kpa;
+  return kpa;
+}
+
 }  // namespace
 
 struct Body::Sample {
@@ -54,12 +61,18 @@ Result<Body> Body::make(const TetMesh& mesh, Formulation formulation, Muscle mus
   if (!muscle.frames.empty() && muscle.frames.size() != samples)
     return wrong_count("frames", muscle.frames.size(), samples);
   if (muscle.frames.empty()) muscle.frames.assign(samples, Eigen::Matrix3d::Identity());
+  body.formulation_ = formulation;
   body.muscle_ = std::move(muscle);
+  for (const Material& material : body.muscle_.materials) {
+    body.shear_kpa_.push_back(mean_shear_modulus_kpa(material));
+    if (body.stabilised() && !(body.shear_kpa_.back() > 0))
+      return usage_error(kMechanicsStage,
+                         "materials: found no resistance to shear, which stabilised pressures need");
+  }
   std::vector<NodeGroup> groups;
   for (std::size_t t = 0; t < tets; ++t) groups.emplace_back(body.nodes_.of_tet(t), body.nodes_.per_tet());
   body.graph_ = NodeGraph(body.nodes_.places().size(), groups);
-  body.nodal_ = formulation == Formulation::kAverageNodalPressure;
-  if (body.nodal_) {
+  if (body.nodal()) {
     body.nodal_volumes_ = NodalVolumes(body.nodes_, std::move(body.graph_));
     body.graph_ = body.nodal_volumes_.coupled();
     body.nodal_volumes_.find_blocks(body.graph_);
@@ -94,9 +107,36 @@ Status Body::for_tets(const Eigen::VectorXd& u, Visit&& visit) const {
 }
 
 Response Body::response_at(const Sample& sample) const {
-  const std::size_t material = muscle_.material.empty() ? 0 : muscle_.material[sample.tet];
-  return response_of(muscle_.materials[material], sample.f.transpose() * sample.f,
+  return response_of(muscle_.materials[material_of(sample.tet)], sample.f.transpose() * sample.f,
                      muscle_.frames[sample.index]);
+}
+
+Eigen::VectorXd Body::node_pressures_kpa(const Eigen::VectorXd& u) const {
+  if (stabilised()) return u.tail(unknowns() - displacements());
+  if (!nodal()) return {};
+  return pressures_of(nodal_volumes_.at_nodes(nodes_, u, muscle_.bulk_kpa));
+}
+
+LinearPressure Body::pressure_of(std::size_t t, const Eigen::VectorXd& node_pressures) const {
+  std::array<double, 4> kpa{};
+  for (std::size_t a = 0; a < 4; ++a) kpa[a] = node_pressures[nodes_.of_tet(t)[a]];
+  return {nodes_.volume_mm3(t), muscle_.bulk_kpa, shear_kpa_[material_of(t)], kpa};
+}
+
+void Body::add_pressures(const Sample& sample, const LinearPressure& pressure, Eigen::VectorXd& force,
+                         fem::SparseMatrix* tangent) const {
+  const std::uint32_t* const node = nodes_.of_tet(sample.tet);
+  const std::uint32_t* const place = places_.data() + 16 * sample.tet;
+  for (std::size_t a = 0; a < 4; ++a) force[displacements() + node[a]] += pressure.force(a, sample.j);
+  if (!tangent) return;
+  const Eigen::Matrix3d area = sample.weight / 4 * cofactor(sample.f);
+  for (std::size_t a = 0; a < 4; ++a) {
+    const Eigen::Vector3d gradient = area * sample.shapes[a].gradient;
+    for (std::size_t b = 0; b < 4; ++b) {
+      add_gradient_at(node[a], place[4 * a + b], node[b], place[4 * b + a], gradient, *tangent);
+      add_pressure_at(node[a], place[4 * a + b], pressure.tangent(a, b), *tangent);
+    }
+  }
 }
 
 Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tension_kpa, Eigen::VectorXd& force,
@@ -107,7 +147,8 @@ Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tensio
     return wrong_count("before", static_cast<std::size_t>(rate->before.size()),
                        static_cast<std::size_t>(unknowns()));
   std::vector<Volumetric> at_nodes;
-  if (nodal_) at_nodes = nodal_volumes_.at_nodes(nodes_, u, muscle_.bulk_kpa);
+  if (nodal()) at_nodes = nodal_volumes_.at_nodes(nodes_, u, muscle_.bulk_kpa);
+  const Eigen::VectorXd pressures = nodal() ? pressures_of(at_nodes) : node_pressures_kpa(u);
   Status done = for_tets(u, [&](std::span<const Sample> samples) {
     const std::size_t t = samples.front().tet, count = nodes_.per_tet();
     const std::uint32_t* const node = nodes_.of_tet(t);
@@ -122,10 +163,10 @@ Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tensio
         add_viscous_stress(muscle_.viscosity_kpa_s / rate->step_s, (c - before.transpose() * before) / 2,
                            response);
       }
-      if (nodal_) {
-        double pressure = 0;
-        for (std::size_t a = 0; a < 4; ++a) pressure += at_nodes[node[a]].pressure_kpa / 4;
-        add_pressure(pressure, 0, c, sample.j, response);
+      if (nodal() || stabilised()) {
+        const LinearPressure pressure = pressure_of(t, pressures);
+        add_pressure(pressure.mean_kpa(), 0, c, sample.j, response);
+        if (stabilised()) add_pressures(sample, pressure, force, tangent);
       } else {
         const Volumetric now = volumetric(muscle_.bulk_kpa, sample.j);
         add_pressure(now.pressure_kpa, now.modulus_kpa, c, sample.j, response);
@@ -142,20 +183,22 @@ Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tensio
         if (b > a) add_block_at(node[b], place[count * b + a], element.tangent(a, b).transpose(), *tangent);
       }
   });
-  if (done && nodal_ && tangent) nodal_volumes_.add_tangent(nodes_, u, at_nodes, *tangent);
+  if (done && nodal() && tangent) nodal_volumes_.add_tangent(nodes_, u, at_nodes, *tangent);
   return done;
 }
 
 Result<double> Body::energy(const Eigen::VectorXd& u) const {
+  const Eigen::VectorXd pressures = node_pressures_kpa(u);
   double sum = 0;
   const Status done = for_tets(u, [&](std::span<const Sample> samples) {
     for (const Sample& sample : samples) {
       sum += sample.weight * response_at(sample).energy_kpa;
-      if (!nodal_) sum += sample.weight * volumetric(muscle_.bulk_kpa, sample.j).energy_kpa;
+      if (stabilised()) sum += pressure_of(sample.tet, pressures).energy(sample.j);
+      if (!stabilised() && !nodal()) sum += sample.weight * volumetric(muscle_.bulk_kpa, sample.j).energy_kpa;
     }
   });
   if (!done) return done.error();
-  if (nodal_) sum += nodal_volumes_.energy(nodal_volumes_.at_nodes(nodes_, u, muscle_.bulk_kpa));
+  if (nodal()) sum += nodal_volumes_.energy(nodal_volumes_.at_nodes(nodes_, u, muscle_.bulk_kpa));
   return sum;
 }
 

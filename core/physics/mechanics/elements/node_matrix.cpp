@@ -28,22 +28,26 @@ void NodeGraph::append_places(NodeGroup group, std::vector<std::uint32_t>& place
     for (const std::uint32_t b : group) places.push_back(place_in(of(a), b));
 }
 
-fem::SparseMatrix empty_node_matrix(const NodeGraph& graph) {
-  const auto entries = 9 * static_cast<Eigen::Index>(graph.couplings());
-  const auto size = 3 * static_cast<Eigen::Index>(graph.nodes());
+fem::SparseMatrix empty_node_matrix(const NodeGraph& graph, bool with_pressures) {
+  const int nodes = static_cast<int>(graph.nodes()), per_node = with_pressures ? 4 : 3;
+  const Eigen::Index size = per_node * static_cast<Eigen::Index>(nodes);
   fem::SparseMatrix matrix(size, size);
-  matrix.resizeNonZeros(entries);
+  matrix.resizeNonZeros(per_node * per_node * static_cast<Eigen::Index>(graph.couplings()));
   int* begin = matrix.outerIndexPtr();
   int* column = matrix.innerIndexPtr();
   int at = 0;
   *begin++ = 0;
-  for (std::size_t i = 0; i < graph.nodes(); ++i)
-    for (int row = 0; row < 3; ++row) {
-      for (const std::uint32_t node : graph.of(i))
-        for (int d = 0; d < 3; ++d) column[at++] = 3 * static_cast<int>(node) + d;
-      *begin++ = at;
-    }
-  std::fill_n(matrix.valuePtr(), entries, 0.0);
+  const auto add_row = [&](int i) {
+    const NodeGroup coupled = graph.of(static_cast<std::size_t>(i));
+    for (const std::uint32_t node : coupled)
+      for (int d = 0; d < 3; ++d) column[at++] = 3 * static_cast<int>(node) + d;
+    for (std::size_t k = 0; with_pressures && k < coupled.size(); ++k)
+      column[at++] = 3 * nodes + static_cast<int>(coupled[k]);
+    *begin++ = at;
+  };
+  for (int row = 0; row < 3 * nodes; ++row) add_row(row / 3);
+  for (int i = 0; with_pressures && i < nodes; ++i) add_row(i);
+  std::fill_n(matrix.valuePtr(), matrix.nonZeros(), 0.0);
   return matrix;
 }
 

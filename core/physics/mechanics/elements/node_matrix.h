@@ -1,4 +1,5 @@
-// Sparse matrices of three rows and columns a node: 3 i + d is component d of node i.
+// Sparse matrices of three rows and columns a node: 3 i + d is component d of node i. Where nodes have a
+// pressure too, it is 3 nodes + i.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,19 +38,40 @@ class NodeGraph {
 };
 
 /// Zeros where nodes are coupled.
-fem::SparseMatrix empty_node_matrix(const NodeGraph& graph);
+fem::SparseMatrix empty_node_matrix(const NodeGraph& graph, bool with_pressures);
 
 /// Adds to the three rows of a node and the three columns of another one, which it is coupled with.
 void add_block(std::uint32_t row, std::uint32_t column, const Eigen::Matrix3d& block,
                fem::SparseMatrix& matrix);
 
-/// The same, where the other node's place among those that the first is coupled with is known.
+// The same where the place of each node among those that the other one is coupled with is known.
+
 inline void add_block_at(std::uint32_t row, std::uint32_t place, const Eigen::Matrix3d& block,
                          fem::SparseMatrix& matrix) {
   const int* const begin = matrix.outerIndexPtr() + 3 * static_cast<std::ptrdiff_t>(row);
   for (int i = 0; i < 3; ++i) {
     double* const values = matrix.valuePtr() + begin[i] + 3 * static_cast<std::ptrdiff_t>(place);
     for (int j = 0; j < 3; ++j) values[j] += block(i, j);
+  }
+}
+
+/// Adds to the row of a node's pressure and the column of another one's.
+inline void add_pressure_at(std::uint32_t row, std::uint32_t place, double value, fem::SparseMatrix& matrix) {
+  const int* const begin = matrix.outerIndexPtr() + 3 * (matrix.rows() / 4) + row;
+  matrix.valuePtr()[begin[0] + (begin[1] - begin[0]) / 4 * 3 + static_cast<int>(place)] += value;
+}
+
+/// Adds to the three rows of a node and the column of another one's pressure, and the other way round.
+inline void add_gradient_at(std::uint32_t node, std::uint32_t place_of_pressure, std::uint32_t pressure,
+                            std::uint32_t place_of_node, const Eigen::Vector3d& gradient,
+                            fem::SparseMatrix& matrix) {
+  const int* const begin = matrix.outerIndexPtr() + 3 * static_cast<std::ptrdiff_t>(node);
+  double* const across =
+      matrix.valuePtr() + matrix.outerIndexPtr()[3 * (matrix.rows() / 4) + pressure] + 3 * place_of_node;
+  for (int i = 0; i < 3; ++i) {
+    matrix.valuePtr()[begin[i] + (begin[i + 1] - begin[i]) / 4 * 3 + static_cast<int>(place_of_pressure)] +=
+        gradient[i];
+    across[i] += gradient[i];
   }
 }
 

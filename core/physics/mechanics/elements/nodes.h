@@ -19,6 +19,10 @@ enum class Formulation {
   /// 14 (1998)
   kAverageNodalPressure,
   kQuadratic,  ///< P2 with straight edges
+  /// P1 with a linear pressure as an unknown, P1-P1, stabilised by its projection to constants: Dohrmann and
+  /// Bochev, International Journal for Numerical Methods in Fluids 46 (2004); for large strains Karabelas,
+  /// Haase, Plank and Augustin, Computational Mechanics 65 (2020)
+  kStabilised,
 };
 
 /// A node's function at one place: its value there, and its gradient by undeformed places, 1/mm.
