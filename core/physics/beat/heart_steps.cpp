@@ -114,6 +114,10 @@ Status HeartSteps::complete(Trial& trial, bool tangent) {
   motion.acceleration = by_acceleration * (motion.u - now_.u - step * now_.velocity) -
                         (1 / (2 * kBeta) - 1) * now_.acceleration;
   motion.velocity = now_.velocity + step * ((1 - kGamma) * now_.acceleration + kGamma * motion.acceleration);
+  // Pressures within the muscle have no inertia.
+  const Eigen::Index pressures = heart.body.unknowns() - heart.body.displacements();
+  motion.velocity.tail(pressures).setZero();
+  motion.acceleration.tail(pressures).setZero();
   if (tangent) std::fill_n(tangent_.valuePtr(), tangent_.nonZeros(), 0.0);
   trial.force = Eigen::VectorXd::Zero(motion.u.size());
   const mechanics::StrainRate rate{now_.u, step};

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "physics/cavities/cavity.h"
-#include "physics/circulation/check_circulation.h"
 #include "physics/mechanics/elements/mass.h"
 #include "physics/mechanics/loads/surface.h"
 
@@ -77,47 +77,53 @@ std::vector<Eigen::Matrix3d> frames_of(const Wall& wall, const Fibres& fibres,
   return frames;
 }
 
-/// When each tetrahedron of the wall is activated in a beat, ms; NaN: never.
-std::vector<double> starts_of(const Wall& wall, const Anatomy& anatomy, const ContractionParams& params) {
-  std::vector<double> starts(wall.tets.size(), params.start_ms);
-  if (params.by == ActivationBy::kSynchronous) return starts;
-  for (std::size_t t = 0; t < starts.size(); ++t)
-    for (const std::uint32_t point : anatomy.mesh.tets[wall.tets[t]])
-      starts[t] += anatomy.activation_ms[point] / 4.0;
-  return starts;
+/// The mean over the corners of a tetrahedron of the whole mesh.
+double mean_on(const Tet& tet, std::span<const float> values) {
+  double sum = 0;
+  for (const std::uint32_t point : tet) sum += values[point] / 4.0;
+  return sum;
+}
+
+/// How one tetrahedron contracts in each beat.
+struct Contracting {
+  double start_ms, end_ms;  ///< NaN: never
+  double part;              ///< of the law's stress
+  int law;                  ///< that of the left ventricle, or of the right one
+};
+
+std::vector<Contracting> contracting(const Wall& wall, const Anatomy& anatomy, const BeatParams& params) {
+  const ContractionParams& contraction = params.contraction;
+  std::vector<Contracting> all;
+  for (const std::uint32_t t : wall.tets) {
+    Contracting one{contraction.start_ms, 0, 1, anatomy.right[t] ? 1 : 0};
+    double duration = std::numeric_limits<double>::quiet_NaN();
+    if (contraction.by != ActivationBy::kSynchronous) {
+      one.start_ms += mean_on(anatomy.mesh.tets[t], anatomy.activation_ms);
+      if (!anatomy.duration_ms.empty()) duration = mean_on(anatomy.mesh.tets[t], anatomy.duration_ms);
+    }
+    one.end_ms = one.start_ms + (std::isnan(duration) ? contraction.duration_ms : duration);
+    for (const MuscleLabels& kind : params.labels)
+      if (std::find(kind.labels.begin(), kind.labels.end(), anatomy.mesh.labels[t]) != kind.labels.end())
+        one.part = kind.contractility;
+    all.push_back(one);
+  }
+  return all;
 }
 
 /// Active stress of all tetrahedra, beat after beat.
-class Contraction {
- public:
-  Contraction(std::vector<double> starts_ms, std::vector<std::uint8_t> law, std::vector<float> part,
-              std::array<ActiveStressLaw, 2> laws, double duration_ms, double period_ms)
-      : starts_ms_(std::move(starts_ms)),
-        law_(std::move(law)),
-        part_(std::move(part)),
-        laws_(laws),
-        duration_ms_(duration_ms),
-        period_ms_(period_ms) {}
-
-  std::vector<double> operator()(double time_s) const {
-    std::vector<double> kpa(starts_ms_.size());
-    for (std::size_t t = 0; t < kpa.size(); ++t) {
-      const double start = starts_ms_[t];
-      // Of the beat that began last; in a new one nothing is left of the stress before.
-      const double beat = std::max(0.0, std::floor((1000 * time_s - start) / period_ms_));
-      kpa[t] = part_[t] * active_stress_kpa(laws_[law_[t]], start, start + duration_ms_,
-                                            1000 * time_s - beat * period_ms_);
-    }
-    return kpa;
+std::vector<double> tension_kpa(const std::vector<Contracting>& all,
+                                const std::array<ActiveStressLaw, 2>& laws, double period_ms,
+                                double time_ms) {
+  std::vector<double> kpa;
+  kpa.reserve(all.size());
+  for (const Contracting& one : all) {
+    // Of the beat that began last; nothing is left then of the stress before.
+    const double beat = std::max(0.0, std::floor((time_ms - one.start_ms) / period_ms));
+    kpa.push_back(one.part * active_stress_kpa(laws[static_cast<std::size_t>(one.law)], one.start_ms,
+                                               one.end_ms, time_ms - beat * period_ms));
   }
-
- private:
-  std::vector<double> starts_ms_;
-  std::vector<std::uint8_t> law_;
-  std::vector<float> part_;
-  std::array<ActiveStressLaw, 2> laws_;
-  double duration_ms_, period_ms_;
-};
+  return kpa;
+}
 
 std::array<ActiveStressLaw, 2> laws_of(const ContractionParams& params) {
   constexpr const char* kNames[] = {"fast", "ambit", "elastodynamics"};
@@ -135,11 +141,12 @@ Eigen::VectorXd filled_kpa(const BeatParams& params, Eigen::Index cavities) {
 
 void set_circulation(const BeatParams& params, int cavities, Heart& heart, HeartMotion& start) {
   if (params.closed_loop) {
-    ClosedLoopHeart loop = regazzoni_heart();
-    ClosedLoopParams with_period = *params.closed_loop;
-    with_period.period_s = params.period_ms / 1000;
-    heart.circulation = std::make_unique<ClosedLoop>(with_period);
-    start.circulation = loop.states;
+    ClosedLoopParams loop = *params.closed_loop;
+    loop.period_s = params.period_ms / 1000;
+    if (params.closed_loop->regurgitation > 0)
+      loop.pulmonary = regurgitant(loop.pulmonary, params.closed_loop->regurgitation);
+    heart.circulation = std::make_unique<ClosedLoop>(loop);
+    start.circulation = regazzoni_heart().states;
     return;
   }
   VentricleLoad pulmonary = params.windkessel.pulmonary;
@@ -166,16 +173,13 @@ Result<MadeHeart> make_heart(const Anatomy& anatomy, const BeatParams& params) {
   mechanics::Muscle muscle;
   muscle.bulk_kpa = params.bulk_kpa;
   muscle.viscosity_kpa_s = params.viscosity_kpa_s;
-  std::vector<float> part(wall.tets.size(), 1);
+  muscle.materials = {params.material.chosen()};
   muscle.material.assign(wall.tets.size(), 0);
-  for (const MuscleLabels& kind : params.muscle) {
-    muscle.materials.push_back(kind.material());
-    for (std::size_t t = 0; t < part.size(); ++t) {
-      if (std::find(kind.labels.begin(), kind.labels.end(), wall.mesh.labels[t]) == kind.labels.end())
-        continue;
-      muscle.material[t] = static_cast<std::uint16_t>(muscle.materials.size() - 1);
-      part[t] = static_cast<float>(kind.contractility);
-    }
+  for (const MuscleLabels& kind : params.labels) {
+    for (std::size_t t = 0; t < wall.tets.size(); ++t)
+      if (std::find(kind.labels.begin(), kind.labels.end(), wall.mesh.labels[t]) != kind.labels.end())
+        muscle.material[t] = static_cast<std::uint16_t>(muscle.materials.size());
+    muscle.materials.push_back(scaled(params.material.chosen(), kind.stiffness));
   }
   const mechanics::Nodes nodes(wall.mesh, params.element);
   muscle.frames = frames_of(wall, anatomy.fibres, nodes);
@@ -202,11 +206,10 @@ Result<MadeHeart> make_heart(const Anatomy& anatomy, const BeatParams& params) {
     heart->cavities.emplace_back(nodes, *cavity);
   }
 
-  std::vector<std::uint8_t> law(wall.tets.size());
-  for (std::size_t t = 0; t < law.size(); ++t) law[t] = anatomy.right[wall.tets[t]] ? 1 : 0;
-  heart->tension_kpa =
-      Contraction(starts_of(wall, anatomy, params.contraction), std::move(law), std::move(part),
-                  laws_of(params.contraction), params.contraction.duration_ms, params.period_ms);
+  heart->tension_kpa = [all = contracting(wall, anatomy, params), laws = laws_of(params.contraction),
+                        period_ms = params.period_ms](double time_s) {
+    return tension_kpa(all, laws, period_ms, 1000 * time_s);
+  };
   const double fill_s = params.fill_ms / 1000;
   heart->given_kpa = [full = filled_kpa(params, static_cast<Eigen::Index>(ventricles.size())),
                       fill_s](double time_s) -> Eigen::VectorXd {

@@ -20,9 +20,12 @@ namespace voxtet::beat {
 struct Anatomy {
   const TetMesh& mesh;
   const HeartSurfaces& surfaces;
-  const Fibres& fibres;                  ///< of the tetrahedra
-  const std::vector<bool>& right;        ///< by tetrahedron: whether it is of the right ventricle's free wall
-  std::span<const float> activation_ms;  ///< by point, NaN: never; may be empty where all contracts at once
+  const Fibres& fibres;            ///< of the tetrahedra
+  const std::vector<bool>& right;  ///< by tetrahedron: whether it is of the right ventricle's free wall
+  /// By point, since time 0 of a beat, NaN: never. May be empty where all contracts at once.
+  std::span<const float> activation_ms = {};
+  /// By point, from activation to recovery, NaN: as BeatParams has it. Empty: everywhere so.
+  std::span<const float> duration_ms = {};
 };
 
 /// The wall of the ventricles alone, without what is in them.

@@ -15,7 +15,7 @@ namespace voxtet::mechanics {
 namespace {
 
 constexpr Formulation kFormulations[] = {Formulation::kLinear, Formulation::kAverageNodalPressure,
-                                         Formulation::kQuadratic};
+                                         Formulation::kQuadratic, Formulation::kStabilised};
 
 TetMesh box() {
   return test::bricks({2, 1.5, 1}, {2, 2, 2});
@@ -29,10 +29,12 @@ Body body_of(const TetMesh& mesh, Formulation formulation, const Material& mater
   return Body::make(mesh, formulation, std::move(muscle)).value();
 }
 
-Eigen::VectorXd random_displacement(Eigen::Index size, double most, std::uint64_t seed) {
+/// Displacements of at most so many mm, and pressures of so many times 200 kPa.
+Eigen::VectorXd random_state(const Body& body, double most, std::uint64_t seed) {
   test::TestRandom random(seed);
-  Eigen::VectorXd u(size);
+  Eigen::VectorXd u(body.unknowns());
   for (double& x : u) x = most * (random.below(2001) - 1000) / 1000;
+  u.tail(body.unknowns() - body.displacements()) *= 200;
   return u;
 }
 
@@ -48,7 +50,7 @@ TEST(MechanicsBody, ForcesAreTheDerivativeOfTheEnergy) {
   const TetMesh mesh = box();
   for (const Formulation formulation : kFormulations) {
     const Body body = body_of(mesh, formulation);
-    const Eigen::VectorXd u = random_displacement(body.unknowns(), 0.05, 7);
+    const Eigen::VectorXd u = random_state(body, 0.05, 7);
     const Eigen::VectorXd force = forces(body, u, {});
     for (Eigen::Index i = 0; i < u.size(); i += 5) {
       const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(u.size(), i);
@@ -64,8 +66,8 @@ TEST(MechanicsBody, TangentIsTheDerivativeOfTheForces) {
   const std::vector<double> tension(mesh.tets.size(), 3.0);
   for (const Formulation formulation : kFormulations) {
     const Body body = body_of(mesh, formulation);
-    const Eigen::VectorXd u = random_displacement(body.unknowns(), 0.05, 8);
-    const Eigen::VectorXd before = random_displacement(body.unknowns(), 0.05, 11);
+    const Eigen::VectorXd u = random_state(body, 0.05, 8);
+    const Eigen::VectorXd before = random_state(body, 0.05, 11);
     const StrainRate rate{before, 0.02};
     fem::SparseMatrix tangent = body.empty_tangent();
     Eigen::VectorXd force = Eigen::VectorXd::Zero(u.size());
@@ -112,7 +114,7 @@ TEST(MechanicsBody, PressureOnAClosedSurfaceIsTheGradientOfItsVolume) {
     const Nodes& nodes = body.nodes();
     const Surface surface(nodes, mesh.faces);
     EXPECT_NEAR(surface.volume_mm3(nodes.places_after({})), 3, 1e-12);
-    const Eigen::VectorXd x = nodes.places_after(random_displacement(body.unknowns(), 0.1, 9));
+    const Eigen::VectorXd x = nodes.places_after(random_state(body, 0.1, 9));
     Eigen::VectorXd gradient = Eigen::VectorXd::Zero(x.size());
     surface.add_area_vectors(x, 1, gradient);
     for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -133,7 +135,7 @@ TEST(MechanicsBody, TangentOfAPressureIsTheDerivativeOfItsForce) {
   for (const Formulation formulation : {Formulation::kLinear, Formulation::kQuadratic}) {
     const Body body = body_of(mesh, formulation);
     const Nodes& nodes = body.nodes();
-    const Eigen::VectorXd x = nodes.places_after(random_displacement(body.unknowns(), 0.1, 10));
+    const Eigen::VectorXd x = nodes.places_after(random_state(body, 0.1, 10));
     for (const auto& faces : {mesh.faces, side}) {
       const Surface surface(nodes, faces);
       fem::SparseMatrix tangent = body.empty_tangent();
@@ -162,20 +164,25 @@ TEST(MechanicsBody, EveryElementReproducesAnAffineDeformation) {
   for (const Formulation formulation : kFormulations) {
     const Body body = body_of(mesh, formulation, TransverselyIsotropic{});
     const auto& places = body.nodes().places();
-    const std::vector<bool> held = test::held_where(body.nodes(), [](const Eigen::Vector3d& p) {
+    std::vector<bool> held = test::held_where(body.nodes(), [](const Eigen::Vector3d& p) {
       return p.x() == 0 || p.x() == 2 || p.y() == 0 || p.y() == 1.5 || p.z() == 0 || p.z() == 1;
     });
-    Eigen::VectorXd affine(body.unknowns());
+    held.resize(static_cast<std::size_t>(body.unknowns()));
+    Eigen::VectorXd affine = Eigen::VectorXd::Zero(body.unknowns());
     for (std::size_t i = 0; i < places.size(); ++i)
       affine.segment<3>(3 * static_cast<Eigen::Index>(i)) = slope * places[i];
     Eigen::VectorXd start = affine;
-    for (Eigen::Index i = 0; i < start.size(); ++i)
+    for (Eigen::Index i = 0; i < body.displacements(); ++i)
       if (!held[static_cast<std::size_t>(i)]) start[i] += 0.02;
     EXPECT_GT((start - affine).norm(), 0.03);
     auto solve = LoadSteps::start(body, {}, held, {.steps = 1, .tolerance = 1e-11}, start).value();
     const auto done = solve.advance();
     ASSERT_TRUE(done) << done.error().message;
-    EXPECT_LT((solve.displacement() - affine).norm(), 1e-9);
+    const Eigen::Index count = body.displacements();
+    EXPECT_LT((solve.displacement().head(count) - affine.head(count)).norm(), 1e-9);
+    const double j = (Eigen::Matrix3d::Identity() + slope).determinant();
+    for (const double pressure : body.node_pressures_kpa(solve.displacement()))
+      EXPECT_NEAR(pressure, volumetric(30, j).pressure_kpa, 1e-9);
   }
 }
 

@@ -28,7 +28,11 @@ std::array<double, 4> shares_of_corners(bool quadratic, std::size_t sample) {
 
 Nodes::Nodes(const TetMesh& mesh, Formulation formulation) : places_(mesh.points) {
   tets_.reserve(mesh.tets.size());
-  for (const Tet& tet : mesh.tets) tets_.push_back({tet[0], tet[1], tet[2], tet[3]});
+  elements_.reserve(mesh.tets.size());
+  for (const Tet& tet : mesh.tets) {
+    tets_.push_back({tet[0], tet[1], tet[2], tet[3]});
+    elements_.push_back(fem::element_of(mesh.points, tet));
+  }
   if (formulation != Formulation::kQuadratic) return;
   for (const Tet& tet : mesh.tets)
     for (const auto& [a, b] : kEdgesOfTet)
@@ -64,7 +68,7 @@ Eigen::Vector3d Nodes::sample_place(std::size_t t, std::size_t sample) const {
 }
 
 void Nodes::shapes_at(std::size_t t, std::size_t sample, Shape* shapes) const {
-  const auto gradient = fem::element_of(places_, corners(t)).gradient;
+  const auto& gradient = elements_[t].gradient;
   const auto share = shares_of_corners(quadratic(), sample);
   if (!quadratic()) {
     for (std::size_t i = 0; i < 4; ++i) shapes[i] = {share[i], gradient[i]};
@@ -77,6 +81,13 @@ void Nodes::shapes_at(std::size_t t, std::size_t sample, Shape* shapes) const {
     const auto b = static_cast<std::size_t>(kEdgesOfTet[e].second);
     shapes[4 + e] = {4 * share[a] * share[b], 4 * (share[a] * gradient[b] + share[b] * gradient[a])};
   }
+}
+
+Eigen::Matrix3d Nodes::deformation(const Eigen::VectorXd& u, std::size_t t, const Shape* shapes) const {
+  Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
+  for (std::size_t a = 0; a < per_tet(); ++a)
+    f += u.segment<3>(3 * static_cast<Eigen::Index>(tets_[t][a])) * shapes[a].gradient.transpose();
+  return f;
 }
 
 }  // namespace voxtet::mechanics

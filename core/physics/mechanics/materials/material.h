@@ -79,6 +79,10 @@ struct Response {
 /// determinant. The columns of `frame` are orthonormal: the undeformed fibre, sheet and sheet normal.
 Response response_of(const Material& material, const Eigen::Matrix3d& c, const Eigen::Matrix3d& frame);
 
+/// At rest, the mean over all directions: a tenth of the trace of dS/dE among tensors without trace. Of an
+/// isotropic material its shear modulus.
+double mean_shear_modulus_kpa(const Material& material);
+
 /// Adds the stress `tension_kpa` along the undeformed fibre, S = tension f f^T: its energy is tension
 /// (I4f - 1) / 2 for a tension that does not change with stretch.
 void add_active_stress(double tension_kpa, const Eigen::Vector3d& fibre, Response& response);
@@ -94,6 +98,13 @@ struct Volumetric {
 
 /// U(J) = bulk / 4 (J^2 - 1 - 2 ln J), which no finite energy brings to J = 0; bulk modulus at J = 1.
 Volumetric volumetric(double bulk_kpa, double j);
+
+/// The same law by the pressure: J, at which U'(J) is `pressure_kpa`, dJ/dp, and U* = p (J - 1) - U(J), whose
+/// derivative is J - 1.
+struct Dilation {
+  double energy_kpa, j, per_kpa;
+};
+Dilation dilation(double bulk_kpa, double pressure_kpa);
 
 /// Adds S = p J C^-1 and its derivative, where dp/dJ = modulus_kpa (0: p does not follow this J).
 void add_pressure(double pressure_kpa, double modulus_kpa, const Eigen::Matrix3d& c, double j,

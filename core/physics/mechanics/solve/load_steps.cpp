@@ -85,7 +85,15 @@ Result<LoadSteps::Imbalance> LoadSteps::imbalance(const Eigen::VectorXd& u, doub
   return out;
 }
 
-Status LoadSteps::search_line(Eigen::VectorXd& u, const Eigen::VectorXd& change, double load, double work) {
+double LoadSteps::work(const Eigen::VectorXd& force, const Eigen::VectorXd& change) const {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < force.size(); ++i)
+    sum += (i < body_->displacements() ? force[i] : -force[i]) * change[i];
+  return sum;
+}
+
+Status LoadSteps::search_line(Eigen::VectorXd& u, const Eigen::VectorXd& change, double load,
+                              double at_first) {
   std::string reason;
   ErrorPlace where;
   double part = 1;
@@ -95,7 +103,7 @@ Status LoadSteps::search_line(Eigen::VectorXd& u, const Eigen::VectorXd& change,
     if (!there) {
       reason = there.error().message;
       where = there.error().where;
-    } else if (std::abs(fem::dot(there->force, change)) <= std::abs(work)) {
+    } else if (std::abs(work(there->force, change)) <= std::abs(at_first)) {
       u = tried;
       return std::monostate{};
     } else {
@@ -117,8 +125,7 @@ Result<int> LoadSteps::balance(Eigen::VectorXd& u, double load) {
     ++iterations_;
     const Result<Eigen::VectorXd> change = solver_.solve(tangent_, -now->force, kLinearTolerance);
     if (!change) return change.error();
-    if (Status found = search_line(u, *change, load, fem::dot(now->force, *change)); !found)
-      return found.error();
+    if (Status found = search_line(u, *change, load, work(now->force, *change)); !found) return found.error();
   }
   std::ostringstream text;
   text << "after " << params_.most_iterations << " iterations " << left
@@ -130,7 +137,7 @@ Result<int> LoadSteps::balance(Eigen::VectorXd& u, double load) {
 void LoadSteps::foretell(Eigen::VectorXd& u, double load) {
   const Eigen::VectorXd change = (load - load_) * rate_;
   if (const Result<Imbalance> now = imbalance(u, load, false))
-    search_line(u, change, load, fem::dot(now->force, change));
+    search_line(u, change, load, work(now->force, change));
 }
 
 Result<bool> LoadSteps::advance() {
