@@ -12,7 +12,7 @@ namespace voxtet {
 namespace {
 
 Status fault(const std::string& field, const std::string& what) {
-  return usage_error(mechanics::kMechanicsStage, "physics.mechanics." + field + ": " + what);
+  return usage_error(kMechanicsStage, "physics.mechanics." + field + ": " + what);
 }
 
 Status within(const std::string& field, double value, double least, double most) {

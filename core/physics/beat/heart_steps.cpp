@@ -21,7 +21,7 @@ constexpr double kMm3PerMl = 1000;
 
 Error list_of_wrong_length(const char* list, Eigen::Index found, Eigen::Index expected) {
   return {ErrorCode::kInternal,
-          mechanics::kMechanicsStage,
+          kMechanicsStage,
           std::string(list) + ": found " + std::to_string(found) + " entries, expected " +
               std::to_string(expected),
           {}};
@@ -158,7 +158,7 @@ Status HeartSteps::complete(Trial& trial, bool tangent) {
   }
   trial.error /= params_.tolerance;
   if (!std::isfinite(trial.error))
-    return Error{ErrorCode::kMeshing, mechanics::kMechanicsStage, "a force is not finite", {}};
+    return Error{ErrorCode::kMeshing, kMechanicsStage, "a force is not finite", {}};
   return std::monostate{};
 }
 
@@ -171,7 +171,7 @@ Result<bool> HeartSteps::iterate() {
     std::ostringstream text;
     text << "after " << params_.most_iterations << " iterations " << trial.error * params_.tolerance
          << " of forces or volumes is out of balance, expected at most " << params_.tolerance;
-    return Error{ErrorCode::kMeshing, mechanics::kMechanicsStage, text.str(), {}};
+    return Error{ErrorCode::kMeshing, kMechanicsStage, text.str(), {}};
   }
   ++iterations_;
   const Heart& heart = *heart_;

@@ -165,7 +165,7 @@ void set_circulation(const BeatParams& params, int cavities, Heart& heart, Heart
 Result<MadeHeart> make_heart(const Anatomy& anatomy, const BeatParams& params) {
   if (Status checked = check_beat_params(params); !checked) return checked.error();
   if (params.closed_loop && !anatomy.surfaces.right)
-    return usage_error(mechanics::kMechanicsStage,
+    return usage_error(kMechanicsStage,
                        "physics.mechanics.closed_loop: found a heart without a right ventricle, expected two "
                        "ventricles in a closed loop");
   const Wall wall = wall_of(anatomy.mesh, anatomy.surfaces);

@@ -20,7 +20,8 @@ namespace voxtet::beat {
 struct Anatomy {
   const TetMesh& mesh;
   const HeartSurfaces& surfaces;
-  const Fibres& fibres;            ///< of the tetrahedra
+  const Fibres& fibres;                        ///< of the tetrahedra
+  const std::vector<Eigen::Vector3d>& across;  ///< of the tetrahedra: unit vectors through the wall
   const std::vector<bool>& right;  ///< by tetrahedron: whether it is of the right ventricle's free wall
   /// By point, since time 0 of a beat, NaN: never. May be empty where all contracts at once.
   std::span<const float> activation_ms = {};

@@ -13,10 +13,9 @@
 #include "physics/mechanics/elements/nodes.h"
 #include "physics/mechanics/materials/material.h"
 #include "types/result.h"
+#include "types/stage_names.h"
 
 namespace voxtet::mechanics {
-
-inline const char* const kMechanicsStage = "mechanics";
 
 /// What a body is made of.
 struct Muscle {
