@@ -92,7 +92,7 @@ void print_simulation(const json& simulation) {
   for (const auto& [name, found] : simulation.items()) {
     std::printf("%s\n", name.c_str());
     for (const auto& [key, value] : found.items())
-      std::printf("  %-22s %s\n", key.c_str(), value.dump().c_str());
+      if (key != "traces") std::printf("  %-22s %s\n", key.c_str(), value.dump().c_str());
   }
 }
 
@@ -101,6 +101,7 @@ Result<Stage> stage_to_run(const Recipe& recipe, const std::string& what) {
   if (!recipe.physics)
     return usage_error("cli", "physics: found none in the case, expected what is to be simulated");
   if (!what.empty()) return stage_of(what);
+  if (recipe.physics->mechanics) return Stage::kMechanics;
   return recipe.physics->monodomain ? Stage::kMonodomain : Stage::kEikonal;
 }
 
@@ -113,7 +114,10 @@ void add_simulate_command(CLI::App& command, CaseOptions& options, SimulateOptio
                   "mesh file with what was found at its points: .vtu .vtk .xdmf .carp")
       ->check(kNotEmpty);
   command.add_option("--report", wanted.report, "write the report as JSON to this file")->check(kNotEmpty);
-  command.add_option("--traces", wanted.traces, "write the electrodes' potentials as CSV to this file")
+  command
+      .add_option("--traces", wanted.traces,
+                  "write the electrodes' potentials, or volumes and pressures of a beating heart, as CSV to "
+                  "this file")
       ->check(kNotEmpty);
   command.add_option("--frames", wanted.frames, "write the voltage of each frame to this file, .igb")
       ->check(kNotEmpty);
@@ -125,8 +129,8 @@ void add_simulate_command(CLI::App& command, CaseOptions& options, SimulateOptio
       .add_option("--from-state", wanted.from_state,
                   "go on from this state: of a case that differs in end_ms or in later stimuli only")
       ->check(kNotEmpty);
-  command.add_option("--what", wanted.what, "monodomain, or eikonal: the activation map alone")
-      ->check(CLI::IsMember({kMonodomainStage, kEikonalStage}));
+  command.add_option("--what", wanted.what, "mechanics, monodomain, or eikonal: the activation map alone")
+      ->check(CLI::IsMember({kMechanicsStage, kMonodomainStage, kEikonalStage}));
   command.add_option("--space", output.lps_or_ras, "patient space of the mesh file")
       ->check(CLI::IsMember({"ras", "lps"}));
 }
@@ -138,7 +142,7 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
   if (Status opened = open_case(options, session); !opened) return fail(opened.error(), output);
   const Result<Stage> stage = stage_to_run(session.recipe(), wanted.what);
   if (!stage) return fail(stage.error(), output);
-  if (!wanted.traces.empty() &&
+  if (!wanted.traces.empty() && *stage != Stage::kMechanics &&
       (*stage != Stage::kMonodomain || session.recipe().physics->monodomain->electrodes.empty()))
     return fail(usage_error("cli", "--traces: found no physics.monodomain.electrodes, expected at least one"),
                 output);
@@ -176,7 +180,10 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
     return fail(run_error(done.error(), output));
   }
   if (!wanted.traces.empty())
-    if (Status written = write_text_file(wanted.traces, traces_csv(*session.monodomain())); !written)
+    if (Status written = write_text_file(
+            wanted.traces,
+            traces_csv(*stage == Stage::kMechanics ? *session.mechanics() : *session.monodomain()));
+        !written)
       return fail(written.error(), output);
   if (frames && frames->empty())
     print_warning("--frames: found no frame at a multiple of physics.monodomain.frame_ms, wrote no file");

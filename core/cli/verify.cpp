@@ -35,7 +35,7 @@ int run_verify(const CaseOptions& options, const Output& output) {
   if (!expected) return fail(expected.error(), output);
   if (Status done = session.run(Stage::kOptimise, ctx); !done) return fail_run(done.error(), output);
   std::vector<Pair> digests{{"digest", digest_of(*session.mesh()), expected->digest}};
-  const auto [eikonal, monodomain] = expected->stages;
+  const auto [eikonal, monodomain, mechanics] = expected->stages;
   if (!eikonal.empty()) {
     if (Status done = session.run(Stage::kEikonal, ctx); !done) return fail_run(done.error(), output);
     digests.push_back({kEikonalStage, digest_of(*session.eikonal()), eikonal});
@@ -43,6 +43,10 @@ int run_verify(const CaseOptions& options, const Output& output) {
   if (!monodomain.empty()) {
     if (Status done = session.run(Stage::kMonodomain, ctx); !done) return fail_run(done.error(), output);
     digests.push_back({kMonodomainStage, digest_of(*session.monodomain()), monodomain});
+  }
+  if (!mechanics.empty()) {
+    if (Status done = session.run(Stage::kMechanics, ctx); !done) return fail_run(done.error(), output);
+    digests.push_back({kMechanicsStage, digest_of(*session.mechanics()), mechanics});
   }
   const Pair engine{"engine", engine_version(), expected->engine};
   const Pair physics{"physics", physics_version(), expected->physics};

@@ -106,6 +106,7 @@ class Session {
   const QualityReport* quality() const { return result<QualityReport>(Stage::kQuality); }
   const EikonalResult* eikonal() const { return result<EikonalResult>(Stage::kEikonal); }
   const Trajectory* monodomain() const { return result<Trajectory>(Stage::kMonodomain); }
+  const MechanicsResult* mechanics() const { return result<MechanicsResult>(Stage::kMechanics); }
   const Trajectory* diffusion() const { return result<Trajectory>(Stage::kDiffusion); }
 
   /// Whether the result of a stage is at hand.

@@ -80,10 +80,38 @@ json monodomain_json(const Trajectory& result, const Recipe& recipe, double cond
   return out;
 }
 
+json mechanics_json(const MechanicsResult& result) {
+  json beats = json::array();
+  const char* const names[] = {"lv", "rv"};
+  for (const std::vector<VentricleBeat>& beat : result.beats) {
+    json of_beat = json::object();
+    for (std::size_t c = 0; c < beat.size(); ++c)
+      of_beat[names[c]] = {
+          {"end_diastolic_ml", beat[c].most_ml}, {"end_systolic_ml", beat[c].least_ml},
+          {"stroke_ml", beat[c].stroke_ml()},    {"ejection_fraction", beat[c].ejection_fraction()},
+          {"most_kpa", beat[c].most_kpa},        {"stroke_work_j", beat[c].stroke_work_j}};
+    beats.push_back(std::move(of_beat));
+  }
+  json lines = json::array();
+  for (const Trace& trace : result.traces)
+    lines.push_back(
+        {{"name", trace.name}, {"title", trace.title}, {"unit", trace.unit}, {"values", trace.values}});
+  json out{{"end_ms", result.times_ms.back()},
+           {"frames", result.times_ms.size()},
+           {"beats", std::move(beats)},
+           {"has_cycle", result.has_cycle},
+           {"steps", result.steps},
+           {"newton_iterations", result.newton_iterations},
+           {"traces", {{"times_ms", result.trace_times_ms}, {"lines", std::move(lines)}}}};
+  if (result.change_percent) out["change_percent"] = *result.change_percent;
+  return out;
+}
+
 }  // namespace
 
 json simulation_json(const Session& session) {
   json out = json::object();
+  if (session.mechanics()) out["mechanics"] = mechanics_json(*session.mechanics());
   const TissueResult* found = session.result<TissueResult>(Stage::kTissue);
   if (!found) return out;
   const std::vector<bool> conducts = conducting_points(*session.mesh(), found->tissue);

@@ -410,6 +410,7 @@ template <class V>
 void visit_fields(V& v, ExpectedStages& p) {
   v.field({"eikonal", "", 0, 0, "Digest of the activation map; empty: none is promised."}, p.eikonal);
   v.field({"monodomain", "", 0, 0, "Digest of the wave; empty: none is promised."}, p.monodomain);
+  v.field({"mechanics", "", 0, 0, "Digest of the beating heart; empty: none is promised."}, p.mechanics);
 }
 
 template <class V>

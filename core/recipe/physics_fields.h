@@ -2,6 +2,7 @@
 #pragma once
 
 #include "recipe/field_info.h"
+#include "recipe/mechanics_fields.h"
 #include "recipe/recipe.h"
 
 namespace voxtet {
@@ -118,6 +119,7 @@ void visit_fields(V& v, PhysicsParams& p) {
   v.group({"tissue", "", 0, 0, "Which labels conduct, and how."}, p.tissue);
   v.list({"stimuli", "", 0, 0, "Where and when the tissue is excited from outside."}, p.stimuli);
   v.optional_group({"monodomain", "", 0, 0, "The excitation wave, with its recovery."}, p.monodomain);
+  v.optional_group({"mechanics", "", 0, 0, "The beating heart; needs anatomy and fibres."}, p.mechanics);
   v.optional_group({"diffusion", "", 0, 0, "Heat that spreads from a label."}, p.diffusion);
 }
 

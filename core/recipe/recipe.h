@@ -10,6 +10,7 @@
 
 #include "anatomy/find_heart_surfaces.h"
 #include "phantom/make_phantom.h"
+#include "physics/beat/beat_params.h"
 #include "physics/diffusion/diffusion.h"
 #include "physics/monodomain/monodomain.h"
 #include "physics/tissue/make_tissue.h"
@@ -68,12 +69,13 @@ struct PhysicsParams {
   TissueParams tissue;
   std::vector<Stimulus> stimuli;
   std::optional<MonodomainParams> monodomain;
+  std::optional<BeatParams> mechanics;  ///< needs `anatomy` and fibres
   std::optional<DiffusionParams> diffusion;
 };
 
 /// Digests of what simulations find.
 struct ExpectedStages {
-  std::string eikonal, monodomain;
+  std::string eikonal, monodomain, mechanics;
 };
 
 /// What a shared case promises; empty fields promise nothing.

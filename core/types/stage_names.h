@@ -19,6 +19,7 @@ inline constexpr const char* kDiffusionStage = "diffusion";
 inline constexpr const char* kFibresStage = "fibres";
 inline constexpr const char* kTissueStage = "tissue";
 inline constexpr const char* kEikonalStage = "eikonal";
+inline constexpr const char* kMechanicsStage = "mechanics";
 inline constexpr const char* kMonodomainStage = "monodomain";
 
 }  // namespace voxtet

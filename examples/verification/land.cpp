@@ -19,6 +19,7 @@ const char* name_of(Formulation formulation) {
     case Formulation::kLinear: return "P1";
     case Formulation::kAverageNodalPressure: return "P1 ANP";
     case Formulation::kQuadratic: return "P2";
+    case Formulation::kStabilised: return "P1-P1";
   }
   return "";
 }

@@ -24,7 +24,7 @@ std::vector<Triangle> faces_where(const TetMesh& mesh, IsWanted&& is_wanted) {
   return faces;
 }
 
-/// Of each unknown of a body, whether it belongs to a node for whose place `is_held` holds.
+/// Of each displacement, whether it belongs to a node for whose place `is_held` holds.
 template <class IsHeld>
 std::vector<bool> held_where(const mechanics::Nodes& nodes, IsHeld&& is_held) {
   std::vector<bool> held;
@@ -41,6 +41,7 @@ struct LandResult {
 
 inline Result<LandResult> solve_all(const mechanics::Body& body, mechanics::Loads loads,
                                     std::vector<bool> held, const mechanics::NewtonParams& params) {
+  held.resize(static_cast<std::size_t>(body.unknowns()));
   auto steps = mechanics::LoadSteps::start(body, std::move(loads), std::move(held), params);
   if (!steps) return steps.error();
   for (;;) {

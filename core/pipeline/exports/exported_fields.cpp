@@ -16,10 +16,17 @@ void append(const std::vector<Field>& from, std::vector<Field>& to) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
+/// Of `more` those on a kind of elements that all have values.
+void append_on(On on, const std::vector<Field>& more, std::vector<Field>& fields) {
+  std::copy_if(more.begin(), more.end(), std::back_inserter(fields),
+               [on](const Field& field) { return field.on == on && all_finite(field.values); });
+}
+
 std::vector<Field> tet_fields(const Session& session, bool measures) {
   std::vector<Field> fields;
   if (session.transfer()) append(session.transfer()->fields, fields);
   if (const auto* fibres = session.result<FibresResult>(Stage::kFibres)) append(fibres->fields, fields);
+  if (session.mechanics()) append_on(On::kTets, session.mechanics()->last.fields, fields);
   if (measures && session.quality())
     std::copy_if(session.quality()->fields.begin(), session.quality()->fields.end(),
                  std::back_inserter(fields),
@@ -31,6 +38,7 @@ std::vector<Field> point_fields(const Session& session) {
   std::vector<Field> fields;
   if (session.eikonal()) append(session.eikonal()->fields, fields);
   if (session.monodomain()) append(session.monodomain()->fields, fields);
+  if (session.mechanics()) append_on(On::kPoints, session.mechanics()->last.fields, fields);
   return fields;
 }
 

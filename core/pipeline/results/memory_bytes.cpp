@@ -88,6 +88,11 @@ std::size_t memory_bytes(const EikonalResult& result) {
   return bytes_of(result.fields);
 }
 
+std::size_t memory_bytes(const MechanicsResult& result) {
+  return memory_bytes(static_cast<const Trajectory&>(result)) +
+         result.beats.size() * 2 * sizeof(VentricleBeat);
+}
+
 std::size_t memory_bytes(const Trajectory& result) {
   std::size_t bytes = bytes_of(result.times_ms) + bytes_of(result.last.fields) + bytes_of(result.fields) +
                       bytes_of(result.trace_times_ms);

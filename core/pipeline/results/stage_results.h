@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/circulation/elastance_heart.h"
 #include "physics/ventricles/ventricular_potentials.h"
 #include "types/field.h"
 #include "types/heart_surfaces.h"
@@ -88,6 +89,14 @@ struct Trajectory {
   std::string digest;
 };
 
+/// A heart that beats.
+struct MechanicsResult : Trajectory {
+  std::vector<std::vector<VentricleBeat>> beats;  ///< of each beat, each ventricle
+  std::optional<double> change_percent;           ///< BeatRecord::change_percent()
+  bool has_cycle = false;                         ///< whether that is what the recipe asks for
+  int steps = 0, newton_iterations = 0;
+};
+
 /// Bytes that a result holds, without those that it shares with others.
 std::size_t memory_bytes(const VolumeResult& result);
 std::size_t memory_bytes(const SurfaceMesh& surface);
@@ -102,6 +111,7 @@ std::size_t memory_bytes(const FibresResult& result);
 std::size_t memory_bytes(const TissueResult& result);
 std::size_t memory_bytes(const EikonalResult& result);
 std::size_t memory_bytes(const Trajectory& result);
+std::size_t memory_bytes(const MechanicsResult& result);
 template <class Mesh>
 std::size_t memory_bytes(const Built<Mesh>& result) {
   return memory_bytes(result.mesh) + (result.whole ? memory_bytes(*result.whole) : 0);

@@ -40,8 +40,10 @@ bool has_place(Stage stage, const Recipe& recipe, const LoadedFiles& files) {
 
 std::vector<Stage> inputs_of(Stage stage, const Recipe& recipe, const LoadedFiles& files) {
   std::vector<Stage> inputs;
-  for (const Stage input : spec_of(stage).inputs)
-    if (has_place(input, recipe, files)) inputs.push_back(input);
+  const StageSpec& spec = spec_of(stage);
+  for (const Stage input : spec.inputs)
+    if (has_place(input, recipe, files) && (!spec.wants || spec.wants(input, recipe)))
+      inputs.push_back(input);
   return inputs;
 }
 

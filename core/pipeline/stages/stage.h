@@ -39,9 +39,10 @@ enum class Stage {
   kTissue,
   kEikonal,
   kMonodomain,
-  kDiffusion
+  kDiffusion,
+  kMechanics
 };
-inline constexpr int kStageCount = 17;
+inline constexpr int kStageCount = 18;
 
 /// For each stage, the digest of everything that it depends on.
 using StageKeys = std::array<std::string, kStageCount>;
@@ -110,6 +111,8 @@ struct StageSpec {
   std::string_view title;  ///< for people
   bool shown = true;       ///< shown in the app; one that is not runs automatically before the next that is
   std::vector<Stage> inputs;
+  /// Whether a recipe makes the stage read one of them. Null: it reads all.
+  bool (*wants)(Stage input, const Recipe&) = nullptr;
   /// Fields of the recipe by their path; "list[].field" is that field of each entry of a list.
   std::vector<std::string_view> reads;
   /// Adds the digests of files that the stage reads. Null: it reads none.
@@ -140,7 +143,7 @@ inline const OpenedMesh* opened_mesh(const Recipe& recipe, const LoadedFiles& fi
 }
 /// Whether a stage has a place in a case: where its source is a mesh, no stage makes one.
 bool has_place(Stage stage, const Recipe& recipe, const LoadedFiles& files);
-/// Those of a stage's inputs that have one.
+/// Those of a stage's inputs that have one and that the recipe makes it read.
 std::vector<Stage> inputs_of(Stage stage, const Recipe& recipe, const LoadedFiles& files);
 
 /// Whether a run to `stage` gives the result of `input`.

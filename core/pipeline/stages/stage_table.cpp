@@ -5,6 +5,7 @@
 #include "pipeline/results/stage_results.h"
 #include "pipeline/stages/diffusion_stage.h"
 #include "pipeline/stages/heart_stages.h"
+#include "pipeline/stages/mechanics_stage.h"
 #include "pipeline/stages/mesh_stages.h"
 #include "pipeline/stages/monodomain_stage.h"
 #include "pipeline/stages/stage.h"
@@ -202,6 +203,17 @@ const std::array<StageSpec, kStageCount>& stage_table() {
        .counts = counts<Trajectory>,
        .arrays = arrays<Trajectory>,
        .digest = digest<Trajectory>},
+      {.stage = Stage::kMechanics,
+       .name = kMechanicsStage,
+       .title = "Beating heart",
+       .shown = false,
+       .inputs = {Stage::kOptimise, Stage::kAnatomy, Stage::kFibres, Stage::kEikonal, Stage::kMonodomain},
+       .wants = mechanics_wants,
+       .reads = {"physics.mechanics"},
+       .start = start_mechanics,
+       .counts = counts<MechanicsResult>,
+       .arrays = arrays<MechanicsResult>,
+       .digest = digest<MechanicsResult>},
   }};
   return table;
 }

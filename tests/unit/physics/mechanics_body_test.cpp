@@ -15,7 +15,7 @@ namespace voxtet::mechanics {
 namespace {
 
 constexpr Formulation kFormulations[] = {Formulation::kLinear, Formulation::kAverageNodalPressure,
-                                         Formulation::kQuadratic};
+                                         Formulation::kQuadratic, Formulation::kStabilised};
 
 TetMesh box() {
   return test::bricks({2, 1.5, 1}, {2, 2, 2});
@@ -25,19 +25,23 @@ Body body_of(const TetMesh& mesh, Formulation formulation, const Material& mater
   Muscle muscle;
   muscle.materials = {material};
   muscle.bulk_kpa = 30;
+  muscle.viscosity_kpa_s = 0.7;
   return Body::make(mesh, formulation, std::move(muscle)).value();
 }
 
-Eigen::VectorXd random_displacement(Eigen::Index size, double most, std::uint64_t seed) {
+/// Displacements of at most so many mm, and pressures of so many times 200 kPa.
+Eigen::VectorXd random_state(const Body& body, double most, std::uint64_t seed) {
   test::TestRandom random(seed);
-  Eigen::VectorXd u(size);
+  Eigen::VectorXd u(body.unknowns());
   for (double& x : u) x = most * (random.below(2001) - 1000) / 1000;
+  u.tail(body.unknowns() - body.displacements()) *= 200;
   return u;
 }
 
-Eigen::VectorXd forces(const Body& body, const Eigen::VectorXd& u, std::span<const double> tension) {
+Eigen::VectorXd forces(const Body& body, const Eigen::VectorXd& u, std::span<const double> tension,
+                       const StrainRate* rate = nullptr) {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(u.size());
-  EXPECT_TRUE(body.add_forces(u, tension, force, nullptr));
+  EXPECT_TRUE(body.add_forces(u, tension, force, nullptr, rate));
   return force;
 }
 
@@ -46,7 +50,7 @@ TEST(MechanicsBody, ForcesAreTheDerivativeOfTheEnergy) {
   const TetMesh mesh = box();
   for (const Formulation formulation : kFormulations) {
     const Body body = body_of(mesh, formulation);
-    const Eigen::VectorXd u = random_displacement(body.unknowns(), 0.05, 7);
+    const Eigen::VectorXd u = random_state(body, 0.05, 7);
     const Eigen::VectorXd force = forces(body, u, {});
     for (Eigen::Index i = 0; i < u.size(); i += 5) {
       const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(u.size(), i);
@@ -62,18 +66,43 @@ TEST(MechanicsBody, TangentIsTheDerivativeOfTheForces) {
   const std::vector<double> tension(mesh.tets.size(), 3.0);
   for (const Formulation formulation : kFormulations) {
     const Body body = body_of(mesh, formulation);
-    const Eigen::VectorXd u = random_displacement(body.unknowns(), 0.05, 8);
+    const Eigen::VectorXd u = random_state(body, 0.05, 8);
+    const Eigen::VectorXd before = random_state(body, 0.05, 11);
+    const StrainRate rate{before, 0.02};
     fem::SparseMatrix tangent = body.empty_tangent();
     Eigen::VectorXd force = Eigen::VectorXd::Zero(u.size());
-    ASSERT_TRUE(body.add_forces(u, tension, force, &tangent));
+    ASSERT_TRUE(body.add_forces(u, tension, force, &tangent, &rate));
     const Eigen::MatrixXd dense = tangent;
     for (Eigen::Index i = 0; i < u.size(); i += 3) {
       const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(u.size(), i);
       const Eigen::VectorXd slope =
-          (forces(body, u + h, tension) - forces(body, u - h, tension)) / (2 * kStep);
+          (forces(body, u + h, tension, &rate) - forces(body, u - h, tension, &rate)) / (2 * kStep);
       EXPECT_LT((slope - dense.col(i)).norm(), 1e-7 * dense.col(i).norm());
     }
     EXPECT_LT((dense - dense.transpose()).norm(), 1e-12 * dense.norm());
+  }
+}
+
+TEST(MechanicsBody, ViscosityResistsTheRateOfStrain) {
+  // A block stretched along x from 1 to l in a step: E_xx has grown by (l^2 - 1) / 2, and the force on its
+  // end of area A is that of P = l S.
+  const TetMesh mesh = test::bricks({2, 1, 1}, {2, 1, 1});
+  constexpr double kStretch = 1.2, kViscosity = 0.7, kStep = 0.02, kArea = 1;
+  for (const Formulation formulation : kFormulations) {
+    const Body body = body_of(mesh, formulation);
+    const auto& places = body.nodes().places();
+    const Eigen::VectorXd before = Eigen::VectorXd::Zero(body.unknowns());
+    Eigen::VectorXd u = before;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      u[3 * static_cast<Eigen::Index>(i)] = (kStretch - 1) * places[i].x();
+    const StrainRate rate{before, kStep};
+    const Eigen::VectorXd viscous = forces(body, u, {}, &rate) - forces(body, u, {});
+    double pull = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (places[i].x() == 2) pull += viscous[3 * static_cast<Eigen::Index>(i)];
+    EXPECT_NEAR(pull, kArea * kStretch * kViscosity * (kStretch * kStretch - 1) / 2 / kStep, 1e-11);
+    const StrainRate still{u, kStep};
+    EXPECT_EQ(forces(body, u, {}, &still), forces(body, u, {}));
   }
 }
 
@@ -84,19 +113,18 @@ TEST(MechanicsBody, PressureOnAClosedSurfaceIsTheGradientOfItsVolume) {
     const Body body = body_of(mesh, formulation);
     const Nodes& nodes = body.nodes();
     const Surface surface(nodes, mesh.faces);
-    const Eigen::VectorXd u = random_displacement(body.unknowns(), 0.1, 9);
-    EXPECT_NEAR(surface.volume_mm3(nodes, Eigen::VectorXd::Zero(u.size())), 3, 1e-12);
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(u.size());
-    surface.add_area_vectors(nodes, u, 1, gradient);
-    for (Eigen::Index i = 0; i < u.size(); ++i) {
-      const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(u.size(), i);
-      const double slope =
-          (surface.volume_mm3(nodes, u + h) - surface.volume_mm3(nodes, u - h)) / (2 * kStep);
+    EXPECT_NEAR(surface.volume_mm3(nodes.places_after({})), 3, 1e-12);
+    const Eigen::VectorXd x = nodes.places_after(random_state(body, 0.1, 9));
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(x.size());
+    surface.add_area_vectors(x, 1, gradient);
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(x.size(), i);
+      const double slope = (surface.volume_mm3(x + h) - surface.volume_mm3(x - h)) / (2 * kStep);
       EXPECT_NEAR(slope, gradient[i], 1e-6 * gradient.norm());
     }
-    Eigen::VectorXd moved = u;
-    for (Eigen::Index i = 0; i < u.size(); ++i) moved[i] += i % 3 + 1;
-    EXPECT_NEAR(surface.volume_mm3(nodes, moved), surface.volume_mm3(nodes, u), 1e-11);
+    Eigen::VectorXd moved = x;
+    for (Eigen::Index i = 0; i < x.size(); ++i) moved[i] += i % 3 + 1;
+    EXPECT_NEAR(surface.volume_mm3(moved), surface.volume_mm3(x), 1e-11);
   }
 }
 
@@ -107,20 +135,20 @@ TEST(MechanicsBody, TangentOfAPressureIsTheDerivativeOfItsForce) {
   for (const Formulation formulation : {Formulation::kLinear, Formulation::kQuadratic}) {
     const Body body = body_of(mesh, formulation);
     const Nodes& nodes = body.nodes();
-    const Eigen::VectorXd u = random_displacement(body.unknowns(), 0.1, 10);
+    const Eigen::VectorXd x = nodes.places_after(random_state(body, 0.1, 10));
     for (const auto& faces : {mesh.faces, side}) {
       const Surface surface(nodes, faces);
       fem::SparseMatrix tangent = body.empty_tangent();
-      surface.add_area_tangent(nodes, u, 2.5, tangent);
+      surface.add_area_tangent(x, 2.5, tangent);
       const Eigen::MatrixXd dense = tangent;
       const auto force = [&](const Eigen::VectorXd& at) {
-        Eigen::VectorXd out = Eigen::VectorXd::Zero(u.size());
-        surface.add_area_vectors(nodes, at, 2.5, out);
+        Eigen::VectorXd out = Eigen::VectorXd::Zero(x.size());
+        surface.add_area_vectors(at, 2.5, out);
         return out;
       };
-      for (Eigen::Index i = 0; i < u.size(); ++i) {
-        const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(u.size(), i);
-        EXPECT_LT(((force(u + h) - force(u - h)) / (2 * kStep) - dense.col(i)).norm(), 1e-8 * dense.norm());
+      for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(x.size(), i);
+        EXPECT_LT(((force(x + h) - force(x - h)) / (2 * kStep) - dense.col(i)).norm(), 1e-8 * dense.norm());
       }
       const bool closed = faces.size() == mesh.faces.size();
       EXPECT_EQ((dense - dense.transpose()).norm() < 1e-12 * dense.norm(), closed);
@@ -136,20 +164,25 @@ TEST(MechanicsBody, EveryElementReproducesAnAffineDeformation) {
   for (const Formulation formulation : kFormulations) {
     const Body body = body_of(mesh, formulation, TransverselyIsotropic{});
     const auto& places = body.nodes().places();
-    const std::vector<bool> held = test::held_where(body.nodes(), [](const Eigen::Vector3d& p) {
+    std::vector<bool> held = test::held_where(body.nodes(), [](const Eigen::Vector3d& p) {
       return p.x() == 0 || p.x() == 2 || p.y() == 0 || p.y() == 1.5 || p.z() == 0 || p.z() == 1;
     });
-    Eigen::VectorXd affine(body.unknowns());
+    held.resize(static_cast<std::size_t>(body.unknowns()));
+    Eigen::VectorXd affine = Eigen::VectorXd::Zero(body.unknowns());
     for (std::size_t i = 0; i < places.size(); ++i)
       affine.segment<3>(3 * static_cast<Eigen::Index>(i)) = slope * places[i];
     Eigen::VectorXd start = affine;
-    for (Eigen::Index i = 0; i < start.size(); ++i)
+    for (Eigen::Index i = 0; i < body.displacements(); ++i)
       if (!held[static_cast<std::size_t>(i)]) start[i] += 0.02;
     EXPECT_GT((start - affine).norm(), 0.03);
     auto solve = LoadSteps::start(body, {}, held, {.steps = 1, .tolerance = 1e-11}, start).value();
     const auto done = solve.advance();
     ASSERT_TRUE(done) << done.error().message;
-    EXPECT_LT((solve.displacement() - affine).norm(), 1e-9);
+    const Eigen::Index count = body.displacements();
+    EXPECT_LT((solve.displacement().head(count) - affine.head(count)).norm(), 1e-9);
+    const double j = (Eigen::Matrix3d::Identity() + slope).determinant();
+    for (const double pressure : body.node_pressures_kpa(solve.displacement()))
+      EXPECT_NEAR(pressure, volumetric(30, j).pressure_kpa, 1e-9);
   }
 }
 
@@ -250,6 +283,9 @@ TEST(MechanicsBody, WrongListsAndMaterialsAreRefused) {
   const TetMesh mesh = box();
   Muscle muscle;
   muscle.bulk_kpa = 0;
+  EXPECT_EQ(Body::make(mesh, Formulation::kLinear, muscle).error().code, ErrorCode::kUsage);
+  muscle = {};
+  muscle.viscosity_kpa_s = -1;
   EXPECT_EQ(Body::make(mesh, Formulation::kLinear, muscle).error().code, ErrorCode::kUsage);
   muscle = {};
   muscle.material = {0};

@@ -27,6 +27,15 @@ TEST(MechanicsLand, SofterVolumesUnlockLinearElements) {
   EXPECT_NEAR(beam(2, Formulation::kLinear, 10), 1.77, 0.01);
 }
 
+TEST(MechanicsLand, StabilisedPressuresUnlockLinearElements) {
+  // Where P1 gives 0.18 mm and -21.4 mm.
+  EXPECT_GT(beam(2, Formulation::kStabilised), 1.9);
+  const auto heart = test::land_ventricle(false, 1, 8, Formulation::kStabilised, 1000, 10);
+  ASSERT_TRUE(heart) << heart.error().message;
+  EXPECT_NEAR(heart->endo_mm, -26.53, 0.03 * 26.53);
+  EXPECT_NEAR(heart->epi_mm, -28.18, 0.03 * 28.18);
+}
+
 TEST(MechanicsLand, TheInflatedVentricleIsAsLongAsAllCodesAgree) {
   const auto heart = test::land_ventricle(false, 1, 6, Formulation::kQuadratic, 1000, 10);
   ASSERT_TRUE(heart) << heart.error().message;

@@ -105,6 +105,29 @@ TEST(MechanicsMaterial, RestHasNoStressAndNoEnergy) {
   EXPECT_EQ(volumetric(kBulk, 1).modulus_kpa, kBulk);
 }
 
+TEST(MechanicsMaterial, DilationIsTheInverseOfThePressure) {
+  constexpr double kStep = 1e-6;
+  for (const double j : {0.2, 0.9, 1.0, 1.3, 4.0}) {
+    const Volumetric now = volumetric(kBulk, j);
+    const Dilation same = dilation(kBulk, now.pressure_kpa);
+    EXPECT_NEAR(same.j, j, 1e-14);
+    EXPECT_NEAR(same.per_kpa, 1 / now.modulus_kpa, 1e-14);
+    EXPECT_NEAR(same.energy_kpa, now.pressure_kpa * (j - 1) - now.energy_kpa, 1e-12);
+    const double slope = (dilation(kBulk, now.pressure_kpa + kStep).energy_kpa -
+                          dilation(kBulk, now.pressure_kpa - kStep).energy_kpa) /
+                         (2 * kStep);
+    EXPECT_NEAR(slope, j - 1, 1e-7);
+  }
+}
+
+TEST(MechanicsMaterial, MeanShearModulusIsTheShearModulusOfAnIsotropicMaterial) {
+  EXPECT_NEAR(mean_shear_modulus_kpa(MooneyRivlin{1.5, 0.4}), 2 * (1.5 + 0.4), 1e-13);
+  // c b / 2 where all three exponents are b.
+  EXPECT_NEAR(mean_shear_modulus_kpa(Guccione{10, 1, 1, 1}), 5, 1e-13);
+  EXPECT_GT(mean_shear_modulus_kpa(Guccione{2, 8, 2, 4}), 2);
+  EXPECT_LT(mean_shear_modulus_kpa(Guccione{2, 8, 2, 4}), 8);
+}
+
 TEST(MechanicsMaterial, MuscleTurnedWithItsFibresAnswersTurned) {
   Numbers numbers;
   for (const Material& material : kMaterials)

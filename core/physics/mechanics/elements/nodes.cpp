@@ -28,7 +28,11 @@ std::array<double, 4> shares_of_corners(bool quadratic, std::size_t sample) {
 
 Nodes::Nodes(const TetMesh& mesh, Formulation formulation) : places_(mesh.points) {
   tets_.reserve(mesh.tets.size());
-  for (const Tet& tet : mesh.tets) tets_.push_back({tet[0], tet[1], tet[2], tet[3]});
+  elements_.reserve(mesh.tets.size());
+  for (const Tet& tet : mesh.tets) {
+    tets_.push_back({tet[0], tet[1], tet[2], tet[3]});
+    elements_.push_back(fem::element_of(mesh.points, tet));
+  }
   if (formulation != Formulation::kQuadratic) return;
   for (const Tet& tet : mesh.tets)
     for (const auto& [a, b] : kEdgesOfTet)
@@ -40,6 +44,14 @@ Nodes::Nodes(const TetMesh& mesh, Formulation formulation) : places_(mesh.points
     for (std::size_t e = 0; e < 6; ++e)
       tet[4 + e] = middle(tet[static_cast<std::size_t>(kEdgesOfTet[e].first)],
                           tet[static_cast<std::size_t>(kEdgesOfTet[e].second)]);
+}
+
+Eigen::VectorXd Nodes::places_after(const Eigen::VectorXd& u) const {
+  Eigen::VectorXd x(3 * static_cast<Eigen::Index>(places_.size()));
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    x.segment<3>(3 * static_cast<Eigen::Index>(i)) = places_[i];
+  if (u.size() > 0) x += u.head(x.size());
+  return x;
 }
 
 std::uint32_t Nodes::middle(std::uint32_t end, std::uint32_t other) const {
@@ -56,7 +68,7 @@ Eigen::Vector3d Nodes::sample_place(std::size_t t, std::size_t sample) const {
 }
 
 void Nodes::shapes_at(std::size_t t, std::size_t sample, Shape* shapes) const {
-  const auto gradient = fem::element_of(places_, corners(t)).gradient;
+  const auto& gradient = elements_[t].gradient;
   const auto share = shares_of_corners(quadratic(), sample);
   if (!quadratic()) {
     for (std::size_t i = 0; i < 4; ++i) shapes[i] = {share[i], gradient[i]};
@@ -69,6 +81,13 @@ void Nodes::shapes_at(std::size_t t, std::size_t sample, Shape* shapes) const {
     const auto b = static_cast<std::size_t>(kEdgesOfTet[e].second);
     shapes[4 + e] = {4 * share[a] * share[b], 4 * (share[a] * gradient[b] + share[b] * gradient[a])};
   }
+}
+
+Eigen::Matrix3d Nodes::deformation(const Eigen::VectorXd& u, std::size_t t, const Shape* shapes) const {
+  Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
+  for (std::size_t a = 0; a < per_tet(); ++a)
+    f += u.segment<3>(3 * static_cast<Eigen::Index>(tets_[t][a])) * shapes[a].gradient.transpose();
+  return f;
 }
 
 }  // namespace voxtet::mechanics

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "physics/fem/element.h"
@@ -19,6 +20,10 @@ enum class Formulation {
   /// 14 (1998)
   kAverageNodalPressure,
   kQuadratic,  ///< P2 with straight edges
+  /// P1 with a linear pressure as an unknown, P1-P1, stabilised by its projection to constants: Dohrmann and
+  /// Bochev, International Journal for Numerical Methods in Fluids 46 (2004); for large strains Karabelas,
+  /// Haase, Plank and Augustin, Computational Mechanics 65 (2020)
+  kStabilised,
 };
 
 /// A node's function at one place: its value there, and its gradient by undeformed places, 1/mm.
@@ -32,10 +37,14 @@ struct Shape {
 class Nodes {
  public:
   Nodes() = default;
+  /// Points without tetrahedra.
+  explicit Nodes(std::vector<Eigen::Vector3d> points) : places_(std::move(points)) {}
   /// Every tetrahedron has a positive volume.
   Nodes(const TetMesh& mesh, Formulation formulation);
 
   const std::vector<Eigen::Vector3d>& places() const { return places_; }  ///< undeformed, mm
+  /// The same as three numbers a node, moved by the first ones of `u`; empty: not moved.
+  Eigen::VectorXd places_after(const Eigen::VectorXd& u) const;
   std::size_t tets() const { return tets_.size(); }
   bool quadratic() const { return !edges_.empty(); }
   /// 4, or 10: the corners, then the edges in the order of kEdgesOfTet.
@@ -44,18 +53,19 @@ class Nodes {
   /// The node in the middle of an edge of the mesh of quadratic elements.
   std::uint32_t middle(std::uint32_t end, std::uint32_t other) const;
 
-  double volume_mm3(std::size_t t) const { return fem::element_of(places_, corners(t)).volume; }
+  double volume_mm3(std::size_t t) const { return elements_[t].volume; }
   /// Where elements are integrated: one place of linear ones, four of the same weight of quadratic ones.
   std::size_t samples_per_tet() const { return quadratic() ? 4 : 1; }
   Eigen::Vector3d sample_place(std::size_t t, std::size_t sample) const;
   /// Of the nodes of a tetrahedron there, per_tet() of them.
   void shapes_at(std::size_t t, std::size_t sample, Shape* shapes) const;
+  /// The deformation gradient where a tetrahedron has these functions.
+  Eigen::Matrix3d deformation(const Eigen::VectorXd& u, std::size_t t, const Shape* shapes) const;
 
  private:
-  Tet corners(std::size_t t) const { return {tets_[t][0], tets_[t][1], tets_[t][2], tets_[t][3]}; }
-
   std::vector<Eigen::Vector3d> places_;
   std::vector<std::array<std::uint32_t, 10>> tets_;
+  std::vector<fem::Element> elements_;
   std::vector<std::array<std::uint32_t, 2>> edges_;  ///< ascending; edge i has the node points + i
 };
 

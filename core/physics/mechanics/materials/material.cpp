@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
 #include "base/portable_exp.h"
@@ -201,13 +202,50 @@ Response response_of(const Material& material, const Eigen::Matrix3d& c, const E
   return std::visit([&](const auto& m) { return respond(m, c, frame); }, material);
 }
 
+Material scaled(const Material& material, double factor) {
+  return std::visit(
+      [factor](auto out) -> Material {
+        using T = decltype(out);
+        if constexpr (std::is_same_v<T, MooneyRivlin>) {
+          out.c1_kpa *= factor, out.c2_kpa *= factor;
+        } else if constexpr (std::is_same_v<T, TransverselyIsotropic>) {
+          out.c1_kpa *= factor, out.c2_kpa *= factor, out.a_f_kpa *= factor;
+        } else if constexpr (std::is_same_v<T, HolzapfelOgden>) {
+          out.a_kpa *= factor, out.a_f_kpa *= factor, out.a_s_kpa *= factor, out.a_fs_kpa *= factor;
+        } else {
+          out.c_kpa *= factor;
+        }
+        return out;
+      },
+      material);
+}
+
+double mean_shear_modulus_kpa(const Material& material) {
+  const Tensor66 d = response_of(material, Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Identity()).tangent;
+  return (d.diagonal().head<3>().sum() + 2 * d.diagonal().tail<3>().sum() -
+          d.topLeftCorner<3, 3>().sum() / 3) /
+         10;
+}
+
 void add_active_stress(double tension_kpa, const Eigen::Vector3d& fibre, Response& response) {
   response.stress += tension_kpa * along(fibre, fibre);
+}
+
+void add_viscous_stress(double kpa, const Eigen::Matrix3d& change_of_strain, Response& response) {
+  response.stress += kpa * tensor6(change_of_strain);
+  response.tangent += kpa * symmetric_square(Eigen::Matrix3d::Identity());
 }
 
 Volumetric volumetric(double bulk_kpa, double j) {
   return {bulk_kpa / 4 * (j * j - 1 - 2 * portable_log(j)), bulk_kpa / 2 * (j - 1 / j),
           bulk_kpa / 2 * (1 + 1 / (j * j))};
+}
+
+Dilation dilation(double bulk_kpa, double pressure_kpa) {
+  // J - 1 / J = 2 q; the root that is above 0, without a difference of large numbers.
+  const double q = pressure_kpa / bulk_kpa, root = std::sqrt(1 + q * q);
+  const double j = q > 0 ? root + q : 1 / (root - q);
+  return {pressure_kpa * (j - 1) - volumetric(bulk_kpa, j).energy_kpa, j, j / (bulk_kpa * root)};
 }
 
 void add_pressure(double pressure_kpa, double modulus_kpa, const Eigen::Matrix3d& c, double j,

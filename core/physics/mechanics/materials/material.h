@@ -57,6 +57,9 @@ using Material = std::variant<TransverselyIsotropic, HolzapfelOgden, Guccione, M
 /// not negative, exponents and k are more than 0.
 std::optional<std::string> fault_of(const Material& material);
 
+/// The same material with all stresses times a factor.
+Material scaled(const Material& material, double factor);
+
 /// The six numbers of a symmetric tensor: 00, 11, 22, 01, 12, 02.
 using Tensor6 = Eigen::Matrix<double, 6, 1>;
 /// Of pairs of such tensors. Times (e00, e11, e22, 2 e01, 2 e12, 2 e02) it is the product with a tensor e.
@@ -76,9 +79,17 @@ struct Response {
 /// determinant. The columns of `frame` are orthonormal: the undeformed fibre, sheet and sheet normal.
 Response response_of(const Material& material, const Eigen::Matrix3d& c, const Eigen::Matrix3d& frame);
 
+/// At rest, the mean over all directions: a tenth of the trace of dS/dE among tensors without trace. Of an
+/// isotropic material its shear modulus.
+double mean_shear_modulus_kpa(const Material& material);
+
 /// Adds the stress `tension_kpa` along the undeformed fibre, S = tension f f^T: its energy is tension
 /// (I4f - 1) / 2 for a tension that does not change with stretch.
 void add_active_stress(double tension_kpa, const Eigen::Vector3d& fibre, Response& response);
+
+/// Adds the stress of a change of strain in a step: S = kpa (E - E before), where `kpa` is viscosity over
+/// step.
+void add_viscous_stress(double kpa, const Eigen::Matrix3d& change_of_strain, Response& response);
 
 /// The pressure-like stress p = U'(J), kPa, and its derivative.
 struct Volumetric {
@@ -87,6 +98,13 @@ struct Volumetric {
 
 /// U(J) = bulk / 4 (J^2 - 1 - 2 ln J), which no finite energy brings to J = 0; bulk modulus at J = 1.
 Volumetric volumetric(double bulk_kpa, double j);
+
+/// The same law by the pressure: J, at which U'(J) is `pressure_kpa`, dJ/dp, and U* = p (J - 1) - U(J), whose
+/// derivative is J - 1.
+struct Dilation {
+  double energy_kpa, j, per_kpa;
+};
+Dilation dilation(double bulk_kpa, double pressure_kpa);
 
 /// Adds S = p J C^-1 and its derivative, where dp/dJ = modulus_kpa (0: p does not follow this J).
 void add_pressure(double pressure_kpa, double modulus_kpa, const Eigen::Matrix3d& c, double j,

@@ -55,9 +55,9 @@ class LoadSteps {
   /// before.
   Result<bool> advance();
 
-  double load() const { return load_; }  ///< 0 to 1
-  const Eigen::VectorXd& displacement() const { return u_; }
-  int iterations() const { return iterations_; }  ///< of Newton's method, so far
+  double load() const { return load_; }                       ///< 0 to 1
+  const Eigen::VectorXd& displacement() const { return u_; }  ///< all unknowns of Body
+  int iterations() const { return iterations_; }              ///< of Newton's method, so far
   int factorisations() const { return solver_.factorisations(); }
 
  private:
@@ -72,7 +72,10 @@ class LoadSteps {
   void foretell(Eigen::VectorXd& u, double load);
   /// Moves u to where the load is balanced, and returns how many iterations it took.
   Result<int> balance(Eigen::VectorXd& u, double load);
-  Status search_line(Eigen::VectorXd& u, const Eigen::VectorXd& change, double load, double work);
+  /// What a force does along a change. Pressures count the other way, for their energy is greatest in
+  /// balance: of Newton's change it is then always negative if displacements are stable.
+  double work(const Eigen::VectorXd& force, const Eigen::VectorXd& change) const;
+  Status search_line(Eigen::VectorXd& u, const Eigen::VectorXd& change, double load, double at_first);
 
   const Body* body_ = nullptr;
   Loads loads_;
