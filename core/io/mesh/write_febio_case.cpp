@@ -71,6 +71,8 @@ std::string febio_readme(const MechanicsCase& wanted, const WriteMeshOptions& op
   const std::string name = options.name;
   std::string surfaces;
   for (const std::string& surface : wanted.loaded) surfaces += (surfaces.empty() ? "" : ", ") + surface;
+  std::string notes;
+  for (const std::string& note : wanted.notes) notes += "- " + note + "\n";
   return "Passive inflation, for FEBio 4\n\n"
          "Run: febio4 -i " +
          name + ".feb. Displacements (mm) come into " + name +
@@ -100,7 +102,7 @@ std::string febio_readme(const MechanicsCase& wanted, const WriteMeshOptions& op
          (options.midside ? "- midside nodes lie on the smoothed label surface; voxtet's own mechanics has "
                             "straight edges\n"
                           : "") +
-         "- Parts without fibres are isotropic, without them.\n";
+         "- Parts without fibres are isotropic, without them.\n" + notes;
 }
 
 }  // namespace
@@ -113,8 +115,8 @@ std::vector<OutputFile> write_febio_case(TetMesh mesh, const MechanicsCase& want
   analysis.fibre = find_field(options.cell_data, kFibreField);
   analysis.sheet = find_field(options.cell_data, kSheetField);
   analysis.control = control_text(wanted);
-  analysis.muscle = muscle_text(wanted);
   analysis.passive = passive_text(wanted);
+  analysis.muscle = wanted.a_kpa > 0 ? muscle_text(wanted) : analysis.passive;
   analysis.domain =
       std::string("type=\"elastic-solid\" elem_type=\"") + (options.midside ? "TET10G4" : "TET4G1") + "\"";
   analysis.end = end_text(wanted, options.name);

@@ -21,6 +21,7 @@ struct MechanicsCase {
   int steps = 0;
   std::vector<std::string> loaded;  ///< names of surfaces of WriteMeshOptions, pressed against their normals
   std::string held;                 ///< the name of another one, which does not move
+  std::vector<std::string> notes;   ///< what else is not the same as in voxtet, a line each
 };
 
 /// kg/mm^3, of muscle.

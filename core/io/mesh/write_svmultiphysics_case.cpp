@@ -185,6 +185,8 @@ std::string solver_text(const MechanicsCase& wanted, const WriteMeshOptions& opt
 std::string svmultiphysics_readme(const MechanicsCase& wanted, const WriteMeshOptions& options) {
   std::string surfaces;
   for (const std::string& surface : wanted.loaded) surfaces += (surfaces.empty() ? "" : ", ") + surface;
+  std::string notes;
+  for (const std::string& note : wanted.notes) notes += "- " + note + "\n";
   return "Passive inflation, for svMultiPhysics\n\n"
          "Run: svmultiphysics " +
          options.name +
@@ -210,8 +212,8 @@ std::string svmultiphysics_readme(const MechanicsCase& wanted, const WriteMeshOp
          "k "
          "= " +
          xml_number(kSwitch) +
-         "\n- time: svMultiPhysics has inertia; with a thousandth of muscle's density it hardly counts\n\n"
-         "Of a small heart, the largest displacement was 1.3 % off for the first two.\n";
+         "\n- time: svMultiPhysics has inertia; with a thousandth of muscle's density it hardly counts\n" +
+         notes + "\nOf a small heart, the largest displacement was 1.3 % off for the first two.\n";
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 namespace voxtet {
 namespace {
 
-const MechanicsCase kWanted{1, 0.3, 1.5, 8, 1000, 2, 4, {"inside"}, "base"};
+const MechanicsCase kWanted{1, 0.3, 1.5, 8, 1000, 2, 4, {"inside"}, "base", {}};
 
 Field directions(std::string_view name, std::vector<float> values) {
   return {std::string(name), "Direction", "1", On::kTets, Scale::kSequential, 3, std::move(values)};

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "pipeline/exports/exported_fields.h"
-#include "pipeline/exports/mechanics_case.h"
 #include "pipeline/session.h"
 
 namespace voxtet {
@@ -339,54 +338,6 @@ TEST(HeartStages, WithoutAnatomyAndFibresGiveTissueThatIsTheSameInAllDirections)
   EXPECT_FALSE(session.result<AnatomyResult>(Stage::kAnatomy)->surfaces);
   EXPECT_TRUE(session.result<TissueResult>(Stage::kTissue)->tissue.fibre.empty());
   EXPECT_FALSE(find_field(exported_fields(session, MeshFormat::kVtu, false).options.cell_data, "fibre"));
-}
-
-TEST(HeartMechanics, IsHeldAtTheBaseAndLoadedInBothCavities) {
-  const auto files = mechanics_case_files(finished(), MechanicsProgram::kFebio, {.name = "heart"});
-  ASSERT_TRUE(files.ok()) << files.error().message;
-  const std::string text((*files)[0].bytes.begin(), (*files)[0].bytes.end());
-  for (const char* part :
-       {"node_set=\"@surface:base\"", "type=\"pressure\" surface=\"lv_endocardium\"",
-        "type=\"pressure\" surface=\"rv_endocardium\"", "type=\"pressure\" surface=\"rv_septum\"",
-        "<pressure lc=\"1\">1</pressure>", "<time_steps>10</time_steps>", "<k>1000</k>", "<ksi>1.5</ksi>"})
-    EXPECT_NE(text.find(part), std::string::npos) << part;
-  EXPECT_EQ(text.find("surface=\"epicardium\""), std::string::npos);
-}
-
-TEST(HeartMechanics, NeedsNamedSurfacesAndFibres) {
-  Recipe recipe = heart();
-  recipe.physics->fibres.reset();
-  recipe.physics->monodomain.reset();
-  Session session;
-  ASSERT_TRUE(session.set_recipe(recipe).ok());
-  RunContext ctx;
-  ASSERT_TRUE(session.run(Stage::kFibres, ctx).ok());
-  const auto files = mechanics_case_files(session, MechanicsProgram::kFebio, {});
-  ASSERT_FALSE(files.ok());
-  EXPECT_EQ(files.error().code, ErrorCode::kUsage);
-  EXPECT_EQ(files.error().message,
-            "a case of mechanics: found no physics.anatomy with physics.fibres, expected both");
-}
-
-TEST(HeartMechanics, NeedsEmptyCavities) {
-  Recipe recipe = heart();
-  recipe.source.phantom->blood_pools = true;
-  recipe.labels = {1, 2, 3};
-  recipe.physics->anatomy->wall = {1, 2};
-  recipe.physics->anatomy->lv_pool = {3};
-  recipe.physics->anatomy->rv_pool = {4};
-  recipe.physics->monodomain.reset();
-  Session session;
-  ASSERT_TRUE(session.set_recipe(recipe).ok());
-  RunContext ctx;
-  const Status done = session.run(Stage::kFibres, ctx);
-  ASSERT_TRUE(done.ok()) << done.error().message;
-  const auto files = mechanics_case_files(session, MechanicsProgram::kFebio, {});
-  ASSERT_FALSE(files.ok());
-  EXPECT_EQ(
-      files.error().message,
-      "lv_endocardium: found the meshed labels 3 and 1 on its sides, expected an empty cavity: mesh the "
-      "wall alone");
 }
 
 }  // namespace
