@@ -6,6 +6,8 @@
 namespace voxtet {
 namespace {
 
+constexpr double kDensity = 1.06e-6;  ///< of muscle, kg/mm^3
+
 /// Newton's method on all of the tangent, in steps that FEBio may halve.
 std::string control_text(const MechanicsCase& wanted) {
   const double step = 1.0 / wanted.steps;
@@ -25,13 +27,13 @@ XmlText& set_volume(XmlText& xml, const MechanicsCase& wanted) {
 
 std::string passive_text(const MechanicsCase& wanted) {
   XmlText xml;
-  xml.set("density", kMuscleDensity).set("c1", wanted.c1_kpa).set("c2", wanted.c2_kpa);
+  xml.set("density", kDensity).set("c1", wanted.c1_kpa).set("c2", wanted.c2_kpa);
   return "type=\"Mooney-Rivlin\">\n" + set_volume(xml, wanted).text();
 }
 
 std::string muscle_text(const MechanicsCase& wanted) {
   XmlText xml;
-  set_volume(xml.set("density", kMuscleDensity), wanted);
+  set_volume(xml.set("density", kDensity), wanted);
   xml.open("solid", "type=\"Mooney-Rivlin\"")
       .set("c1", wanted.c1_kpa)
       .set("c2", wanted.c2_kpa)

@@ -24,9 +24,6 @@ struct MechanicsCase {
   std::vector<std::string> notes;   ///< what else is not the same as in voxtet, a line each
 };
 
-/// kg/mm^3, of muscle.
-inline constexpr double kMuscleDensity = 1.06e-6;
-
 /// Programs that a case is written for.
 enum class MechanicsProgram { kFebio, kSvMultiPhysics };
 /// By the ending of a path: .feb FEBio, .xml svMultiPhysics. Errors: kUsage for others.

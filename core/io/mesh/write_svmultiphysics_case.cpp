@@ -12,8 +12,9 @@
 namespace voxtet {
 namespace {
 
-/// In which the load grows. The density is a part of muscle's, so that inertia hardly counts.
-constexpr double kSeconds = 1, kPartOfDensity = 1e-3;
+constexpr double kSeconds = 1;  ///< in which the load grows
+/// A thousandth of muscle's (kg/mm^3), so that inertia hardly counts.
+constexpr double kLightDensity = 1.06e-9;
 constexpr int kStepsPerLoadStep = 10;
 /// How steep the model's switch is, between fibres that are shortened and those that are stretched.
 constexpr double kSwitch = 100;
@@ -136,8 +137,7 @@ void set_mesh(XmlText& xml, const WriteMeshOptions& options, const std::string& 
 /// Young's modulus and Poisson's ratio as they are near rest; stabilization alone uses them.
 void set_elasticity(XmlText& xml, const MechanicsCase& wanted) {
   const double shear = 2 * (wanted.c1_kpa + wanted.c2_kpa), bulk = wanted.bulk_kpa;
-  xml.set("Density", kPartOfDensity * kMuscleDensity)
-      .set("Elasticity_modulus", 9 * bulk * shear / (3 * bulk + shear));
+  xml.set("Density", kLightDensity).set("Elasticity_modulus", 9 * bulk * shear / (3 * bulk + shear));
   xml.set("Poisson_ratio", (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear));
 }
 
@@ -154,7 +154,7 @@ void set_solver(XmlText& xml) {
   xml.open("Output", "type=\"Spatial\"").set("Displacement", "true").set("Jacobian", "true");
   xml.set("Cauchy_stress", "true").close("Output");
   xml.open("LS", "type=\"GMRES\"").open("Linear_algebra", "type=\"fsils\"").set("Preconditioner", "fsils");
-  xml.close("Linear_algebra").set("Tolerance", 1e-9).set("Max_iterations", 1000);
+  xml.close("Linear_algebra").set("Tolerance", "1e-9").set("Max_iterations", 1000);
   xml.set("Krylov_space_dimension", 250).close("LS");
 }
 
@@ -174,7 +174,7 @@ std::string solver_text(const MechanicsCase& wanted, const WriteMeshOptions& opt
   set_times(xml, wanted, name);
   set_mesh(xml, options, name);
   xml.open("Add_equation", "type=\"struct\"").set("Coupled", "true");
-  xml.set("Min_iterations", 1).set("Max_iterations", 20).set("Tolerance", 1e-6);
+  xml.set("Min_iterations", 1).set("Max_iterations", 20).set("Tolerance", "1e-6");
   set_material(xml, wanted);
   set_solver(xml);
   set_boundary(xml, wanted, name);
