@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/portable_exp.h"
+#include "physics/mechanics/materials/corotational.h"
 
 namespace voxtet::mechanics {
 namespace {
@@ -142,6 +143,10 @@ Response respond(const Guccione& m, const Eigen::Matrix3d& c, const Eigen::Matri
   return {w - m.c_kpa / 2, w * dq, w * (ddq + dq * dq.transpose())};
 }
 
+Response respond(const Corotational& m, const Eigen::Matrix3d& c, const Eigen::Matrix3d& frame) {
+  return respond_corotational(m, c, frame);
+}
+
 struct Parameter {
   const char* name;
   double value;
@@ -177,6 +182,13 @@ std::optional<std::string> fault_in(const HolzapfelOgden& m) {
 
 std::optional<std::string> fault_in(const Guccione& m) {
   return fault_among({{"c_kpa", m.c_kpa}}, {{"b_f", m.b_f}, {"b_t", m.b_t}, {"b_fs", m.b_fs}});
+}
+
+std::optional<std::string> fault_in(const Corotational& m) {
+  return fault_among({{"shear_across_kpa", m.shear_across_kpa},
+                      {"shear_along_kpa", m.shear_along_kpa},
+                      {"fibre_kpa", m.fibre_kpa}},
+                     {});
 }
 
 }  // namespace
