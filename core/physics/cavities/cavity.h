@@ -1,4 +1,4 @@
-// The volume of a cavity of the heart from the surface around it, and how it changes as the surface moves.
+// A cavity of the heart, from the surface around it.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,21 +33,5 @@ Result<Cavity> close_cavity(std::span<const Eigen::Vector3d> points, std::span<c
 /// That of a ventricle: around the right one are its endocardium and the septum. Errors as above, and
 /// kInternal for names that are not those of the mesh's faces.
 Result<Cavity> ventricle_cavity(const TetMesh& mesh, const HeartSurfaces& surfaces, Ventricle ventricle);
-
-/// mm^3 (1 ml is 1000 of them): the sum of x_a . (x_b x x_c) / 6 over all triangles and fans. Points are in
-/// mm, those of the cavity's mesh, which may have moved.
-double volume_mm3(const Cavity& cavity, std::span<const Eigen::Vector3d> points);
-
-/// Its derivatives with respect to the points, mm^2, added to `gradient` times `factor`; an entry for each
-/// point. Times a pressure they are the forces on the points, in the direction in which they widen the
-/// cavity.
-void add_volume_gradient(const Cavity& cavity, std::span<const Eigen::Vector3d> points, double factor,
-                         std::span<Eigen::Vector3d> gradient);
-
-/// How that gradient changes as points move by `moves`, mm: the second derivatives, which are symmetric,
-/// times the moves. Added to `change` times `factor`.
-void add_volume_gradient_change(const Cavity& cavity, std::span<const Eigen::Vector3d> points,
-                                std::span<const Eigen::Vector3d> moves, double factor,
-                                std::span<Eigen::Vector3d> change);
 
 }  // namespace voxtet

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "physics/cavities/cavity.h"
+#include "physics/cavities/enclosure.h"
 
 namespace voxtet {
 namespace {

@@ -9,6 +9,7 @@
 #include "meshed_image.h"
 #include "phantom/make_phantom.h"
 #include "physics/cavities/cavity.h"
+#include "physics/cavities/enclosure.h"
 #include "support/data.h"
 
 namespace voxtet {

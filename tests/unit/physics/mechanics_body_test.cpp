@@ -113,19 +113,18 @@ TEST(MechanicsBody, PressureOnAClosedSurfaceIsTheGradientOfItsVolume) {
     const Body body = body_of(mesh, formulation);
     const Nodes& nodes = body.nodes();
     const Surface surface(nodes, mesh.faces);
-    const Eigen::VectorXd u = random_state(body, 0.1, 9);
-    EXPECT_NEAR(surface.volume_mm3(nodes, Eigen::VectorXd::Zero(u.size())), 3, 1e-12);
-    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(u.size());
-    surface.add_area_vectors(nodes, u, 1, gradient);
-    for (Eigen::Index i = 0; i < u.size(); ++i) {
-      const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(u.size(), i);
-      const double slope =
-          (surface.volume_mm3(nodes, u + h) - surface.volume_mm3(nodes, u - h)) / (2 * kStep);
+    EXPECT_NEAR(surface.volume_mm3(nodes.places_after({})), 3, 1e-12);
+    const Eigen::VectorXd x = nodes.places_after(random_state(body, 0.1, 9));
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(x.size());
+    surface.add_area_vectors(x, 1, gradient);
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(x.size(), i);
+      const double slope = (surface.volume_mm3(x + h) - surface.volume_mm3(x - h)) / (2 * kStep);
       EXPECT_NEAR(slope, gradient[i], 1e-6 * gradient.norm());
     }
-    Eigen::VectorXd moved = u;
-    for (Eigen::Index i = 0; i < u.size(); ++i) moved[i] += i % 3 + 1;
-    EXPECT_NEAR(surface.volume_mm3(nodes, moved), surface.volume_mm3(nodes, u), 1e-11);
+    Eigen::VectorXd moved = x;
+    for (Eigen::Index i = 0; i < x.size(); ++i) moved[i] += i % 3 + 1;
+    EXPECT_NEAR(surface.volume_mm3(moved), surface.volume_mm3(x), 1e-11);
   }
 }
 
@@ -136,20 +135,20 @@ TEST(MechanicsBody, TangentOfAPressureIsTheDerivativeOfItsForce) {
   for (const Formulation formulation : {Formulation::kLinear, Formulation::kQuadratic}) {
     const Body body = body_of(mesh, formulation);
     const Nodes& nodes = body.nodes();
-    const Eigen::VectorXd u = random_state(body, 0.1, 10);
+    const Eigen::VectorXd x = nodes.places_after(random_state(body, 0.1, 10));
     for (const auto& faces : {mesh.faces, side}) {
       const Surface surface(nodes, faces);
       fem::SparseMatrix tangent = body.empty_tangent();
-      surface.add_area_tangent(nodes, u, 2.5, tangent);
+      surface.add_area_tangent(x, 2.5, tangent);
       const Eigen::MatrixXd dense = tangent;
       const auto force = [&](const Eigen::VectorXd& at) {
-        Eigen::VectorXd out = Eigen::VectorXd::Zero(u.size());
-        surface.add_area_vectors(nodes, at, 2.5, out);
+        Eigen::VectorXd out = Eigen::VectorXd::Zero(x.size());
+        surface.add_area_vectors(at, 2.5, out);
         return out;
       };
-      for (Eigen::Index i = 0; i < u.size(); ++i) {
-        const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(u.size(), i);
-        EXPECT_LT(((force(u + h) - force(u - h)) / (2 * kStep) - dense.col(i)).norm(), 1e-8 * dense.norm());
+      for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const Eigen::VectorXd h = kStep * Eigen::VectorXd::Unit(x.size(), i);
+        EXPECT_LT(((force(x + h) - force(x - h)) / (2 * kStep) - dense.col(i)).norm(), 1e-8 * dense.norm());
       }
       const bool closed = faces.size() == mesh.faces.size();
       EXPECT_EQ((dense - dense.transpose()).norm() < 1e-12 * dense.norm(), closed);

@@ -18,13 +18,6 @@ Error wrong_count(const std::string& list, std::size_t found, std::size_t expect
           {}};
 }
 
-Eigen::VectorXd pressures_of(const std::vector<Volumetric>& at_nodes) {
-  Eigen::VectorXd kpa(static_cast<Eigen::Index>(at_nodes.size()));
-  for (std::size_t i = 0; i < at_nodes.size(); ++i)
-    kpa[static_cast<Eigen::Index>(i)] = at_nodes[i].pressure_kpa;
-  return kpa;
-}
-
 }  // namespace
 
 struct Body::Sample {
@@ -72,11 +65,6 @@ Result<Body> Body::make(const TetMesh& mesh, Formulation formulation, Muscle mus
   std::vector<NodeGroup> groups;
   for (std::size_t t = 0; t < tets; ++t) groups.emplace_back(body.nodes_.of_tet(t), body.nodes_.per_tet());
   body.graph_ = NodeGraph(body.nodes_.places().size(), groups);
-  if (body.nodal()) {
-    body.nodal_volumes_ = NodalVolumes(body.nodes_, std::move(body.graph_));
-    body.graph_ = body.nodal_volumes_.coupled();
-    body.nodal_volumes_.find_blocks(body.graph_);
-  }
   for (const NodeGroup& group : groups) body.graph_.append_places(group, body.places_);
   return body;
 }
@@ -111,16 +99,12 @@ Response Body::response_at(const Sample& sample) const {
                      muscle_.frames[sample.index]);
 }
 
-Eigen::VectorXd Body::node_pressures_kpa(const Eigen::VectorXd& u) const {
-  if (stabilised()) return u.tail(unknowns() - displacements());
-  if (!nodal()) return {};
-  return pressures_of(nodal_volumes_.at_nodes(nodes_, u, muscle_.bulk_kpa));
-}
-
-LinearPressure Body::pressure_of(std::size_t t, const Eigen::VectorXd& node_pressures) const {
-  std::array<double, 4> kpa{};
-  for (std::size_t a = 0; a < 4; ++a) kpa[a] = node_pressures[nodes_.of_tet(t)[a]];
-  return {nodes_.volume_mm3(t), muscle_.bulk_kpa, shear_kpa_[material_of(t)], kpa};
+LinearPressure Body::pressure_of(std::size_t t, const Eigen::VectorXd& u) const {
+  LinearPressure::Corners kpa{};
+  for (std::size_t a = 0; a < 4; ++a) kpa[a] = u[displacements() + nodes_.of_tet(t)[a]];
+  const double volume = nodes_.volume_mm3(t);
+  return stabilised() ? LinearPressure::stabilised(volume, muscle_.bulk_kpa, shear_kpa_[material_of(t)], kpa)
+                      : LinearPressure::averaged(volume, muscle_.bulk_kpa, kpa);
 }
 
 void Body::add_pressures(const Sample& sample, const LinearPressure& pressure, Eigen::VectorXd& force,
@@ -146,10 +130,7 @@ Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tensio
   if (rate && rate->before.size() != unknowns())
     return wrong_count("before", static_cast<std::size_t>(rate->before.size()),
                        static_cast<std::size_t>(unknowns()));
-  std::vector<Volumetric> at_nodes;
-  if (nodal()) at_nodes = nodal_volumes_.at_nodes(nodes_, u, muscle_.bulk_kpa);
-  const Eigen::VectorXd pressures = nodal() ? pressures_of(at_nodes) : node_pressures_kpa(u);
-  Status done = for_tets(u, [&](std::span<const Sample> samples) {
+  return for_tets(u, [&](std::span<const Sample> samples) {
     const std::size_t t = samples.front().tet, count = nodes_.per_tet();
     const std::uint32_t* const node = nodes_.of_tet(t);
     ElementForces element(count, tangent != nullptr);
@@ -163,10 +144,10 @@ Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tensio
         add_viscous_stress(muscle_.viscosity_kpa_s / rate->step_s, (c - before.transpose() * before) / 2,
                            response);
       }
-      if (nodal() || stabilised()) {
-        const LinearPressure pressure = pressure_of(t, pressures);
+      if (has_pressures()) {
+        const LinearPressure pressure = pressure_of(t, u);
         add_pressure(pressure.mean_kpa(), 0, c, sample.j, response);
-        if (stabilised()) add_pressures(sample, pressure, force, tangent);
+        add_pressures(sample, pressure, force, tangent);
       } else {
         const Volumetric now = volumetric(muscle_.bulk_kpa, sample.j);
         add_pressure(now.pressure_kpa, now.modulus_kpa, c, sample.j, response);
@@ -183,22 +164,18 @@ Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tensio
         if (b > a) add_block_at(node[b], place[count * b + a], element.tangent(a, b).transpose(), *tangent);
       }
   });
-  if (done && nodal() && tangent) nodal_volumes_.add_tangent(nodes_, u, at_nodes, *tangent);
-  return done;
 }
 
 Result<double> Body::energy(const Eigen::VectorXd& u) const {
-  const Eigen::VectorXd pressures = node_pressures_kpa(u);
   double sum = 0;
   const Status done = for_tets(u, [&](std::span<const Sample> samples) {
     for (const Sample& sample : samples) {
       sum += sample.weight * response_at(sample).energy_kpa;
-      if (stabilised()) sum += pressure_of(sample.tet, pressures).energy(sample.j);
-      if (!stabilised() && !nodal()) sum += sample.weight * volumetric(muscle_.bulk_kpa, sample.j).energy_kpa;
+      sum += has_pressures() ? pressure_of(sample.tet, u).energy(sample.j)
+                             : sample.weight * volumetric(muscle_.bulk_kpa, sample.j).energy_kpa;
     }
   });
   if (!done) return done.error();
-  if (nodal()) sum += nodal_volumes_.energy(nodal_volumes_.at_nodes(nodes_, u, muscle_.bulk_kpa));
   return sum;
 }
 

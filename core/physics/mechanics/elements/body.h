@@ -9,7 +9,6 @@
 
 #include "physics/fem/fixed_order.h"
 #include "physics/mechanics/elements/linear_pressure.h"
-#include "physics/mechanics/elements/nodal_volumes.h"
 #include "physics/mechanics/elements/node_matrix.h"
 #include "physics/mechanics/elements/nodes.h"
 #include "physics/mechanics/materials/material.h"
@@ -37,12 +36,11 @@ struct StrainRate {
   double step_s;
 };
 
-/// Displacements u and forces are vectors of three numbers a node, 3 i + d (mm; kPa mm^2 = mN). With
-/// kStabilised there follow the pressures of all nodes, p (kPa), and as their forces volumes (mm^3): the
-/// energy is then W + p (J - 1) - U*(p), less what stabilises p: half of the integral of (p - its mean in the
-/// tetrahedron)^2 over the shear modulus. In balance it is least among displacements, and most among
-/// pressures. The samples of Nodes are summed in their order, so that results are the same bytes on every
-/// platform.
+/// Displacements u and forces are vectors of three numbers a node, 3 i + d (mm; kPa mm^2 = mN). With average
+/// nodal pressure and with kStabilised there follow the pressures of all nodes, p (kPa), and as their forces
+/// volumes (mm^3): the energy is then W and that of LinearPressure. In balance it is least among
+/// displacements, and most among pressures. The samples of Nodes are summed in their order, so that results
+/// are the same bytes on every platform.
 class Body {
  public:
   /// Returns kUsage for a bulk modulus, viscosity or material out of range (with kStabilised also for one
@@ -53,11 +51,10 @@ class Body {
   const Nodes& nodes() const { return nodes_; }
   Eigen::Index displacements() const { return 3 * static_cast<Eigen::Index>(nodes_.places().size()); }
   /// Displacements, and pressures where they are unknown.
-  Eigen::Index unknowns() const { return displacements() + (stabilised() ? displacements() / 3 : 0); }
+  Eigen::Index unknowns() const { return displacements() + (has_pressures() ? displacements() / 3 : 0); }
 
-  /// Zeros where a tangent may have entries. With average nodal pressure, nodes are coupled with the
-  /// neighbours of their neighbours.
-  fem::SparseMatrix empty_tangent() const { return empty_node_matrix(graph_, stabilised()); }
+  /// Zeros where a tangent may have entries.
+  fem::SparseMatrix empty_tangent() const { return empty_node_matrix(graph_, has_pressures()); }
 
   /// The gradient of the energy by u: what holds the body in balance with loads. `tension_kpa`: the active
   /// stress along the fibre, one number for each tetrahedron, or none. `tangent`, when given, is one of
@@ -71,14 +68,15 @@ class Body {
   /// The energy itself, kPa mm^3 = uJ. Without that of tension and viscosity. Returns kMeshing likewise.
   Result<double> energy(const Eigen::VectorXd& u) const;
 
-  /// U'(J) of each node, kPa, where pressures belong to nodes: of the stabilised element, and of average
-  /// nodal pressure. Else none.
-  Eigen::VectorXd node_pressures_kpa(const Eigen::VectorXd& u) const;
+  /// The pressures among the unknowns, kPa; none where there are none.
+  Eigen::VectorXd node_pressures_kpa(const Eigen::VectorXd& u) const {
+    return u.tail(unknowns() - displacements());
+  }
 
  private:
   Body() = default;
-  bool nodal() const { return formulation_ == Formulation::kAverageNodalPressure; }
   bool stabilised() const { return formulation_ == Formulation::kStabilised; }
+  bool has_pressures() const { return stabilised() || formulation_ == Formulation::kAverageNodalPressure; }
 
   struct Sample;  ///< one place of integration, deformed
 
@@ -88,7 +86,7 @@ class Body {
   std::size_t material_of(std::size_t t) const { return muscle_.material.empty() ? 0 : muscle_.material[t]; }
   /// Of the material without its resistance to a change of volume.
   Response response_at(const Sample& sample) const;
-  LinearPressure pressure_of(std::size_t t, const Eigen::VectorXd& node_pressures) const;
+  LinearPressure pressure_of(std::size_t t, const Eigen::VectorXd& u) const;
   /// Adds the rows and columns of the pressures of a tetrahedron.
   void add_pressures(const Sample& sample, const LinearPressure& pressure, Eigen::VectorXd& force,
                      fem::SparseMatrix* tangent) const;
@@ -97,7 +95,6 @@ class Body {
   Muscle muscle_;
   std::vector<double> shear_kpa_;  ///< of each material, what stabilises pressures
   Formulation formulation_ = Formulation::kLinear;
-  NodalVolumes nodal_volumes_;
   NodeGraph graph_;                    ///< of the tangent
   std::vector<std::uint32_t> places_;  ///< in graph_, of the pairs of each tetrahedron's nodes
 };

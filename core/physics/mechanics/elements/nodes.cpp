@@ -46,6 +46,14 @@ Nodes::Nodes(const TetMesh& mesh, Formulation formulation) : places_(mesh.points
                           tet[static_cast<std::size_t>(kEdgesOfTet[e].second)]);
 }
 
+Eigen::VectorXd Nodes::places_after(const Eigen::VectorXd& u) const {
+  Eigen::VectorXd x(3 * static_cast<Eigen::Index>(places_.size()));
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    x.segment<3>(3 * static_cast<Eigen::Index>(i)) = places_[i];
+  if (u.size() > 0) x += u.head(x.size());
+  return x;
+}
+
 std::uint32_t Nodes::middle(std::uint32_t end, std::uint32_t other) const {
   const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge_between(end, other));
   return static_cast<std::uint32_t>(places_.size() - edges_.size()) +

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "physics/fem/element.h"
@@ -36,10 +37,14 @@ struct Shape {
 class Nodes {
  public:
   Nodes() = default;
+  /// Points without tetrahedra.
+  explicit Nodes(std::vector<Eigen::Vector3d> points) : places_(std::move(points)) {}
   /// Every tetrahedron has a positive volume.
   Nodes(const TetMesh& mesh, Formulation formulation);
 
   const std::vector<Eigen::Vector3d>& places() const { return places_; }  ///< undeformed, mm
+  /// The same as three numbers a node, moved by the first ones of `u`; empty: not moved.
+  Eigen::VectorXd places_after(const Eigen::VectorXd& u) const;
   std::size_t tets() const { return tets_.size(); }
   bool quadratic() const { return !edges_.empty(); }
   /// 4, or 10: the corners, then the edges in the order of kEdgesOfTet.

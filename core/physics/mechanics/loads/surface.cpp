@@ -48,14 +48,14 @@ struct Place {
   Eigen::Vector3d x, side_1, side_2;
 };
 
-Place place_of(const Nodes& nodes, const Eigen::VectorXd& u, const std::uint32_t* face, std::size_t count,
+Place place_of(const Eigen::VectorXd& x, const std::uint32_t* face, std::size_t count,
                const FacePoint& point) {
   Place place{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   for (std::size_t i = 0; i < count; ++i) {
-    const Eigen::Vector3d x = nodes.places()[face[i]] + u.segment<3>(3 * static_cast<Eigen::Index>(face[i]));
-    place.x += point.shape[i].value * x;
-    place.side_1 += point.shape[i].along_1 * x;
-    place.side_2 += point.shape[i].along_2 * x;
+    const auto node = x.segment<3>(3 * static_cast<Eigen::Index>(face[i]));
+    place.x += point.shape[i].value * node;
+    place.side_1 += point.shape[i].along_1 * node;
+    place.side_2 += point.shape[i].along_2 * node;
   }
   return place;
 }
@@ -77,35 +77,33 @@ Surface::Surface(const Nodes& nodes, std::span<const Triangle> faces) : per_face
   }
 }
 
-double Surface::volume_mm3(const Nodes& nodes, const Eigen::VectorXd& u) const {
+double Surface::volume_mm3(const Eigen::VectorXd& x) const {
   const auto points = face_points(per_face_);
   double volume = 0;
   for (const auto& face : faces_)
     for (const FacePoint& point : points) {
-      const Place at = place_of(nodes, u, face.data(), per_face_, point);
+      const Place at = place_of(x, face.data(), per_face_, point);
       volume += point.weight * at.x.dot(at.side_1.cross(at.side_2)) / 3;
     }
   return volume;
 }
 
-void Surface::add_area_vectors(const Nodes& nodes, const Eigen::VectorXd& u, double factor,
-                               Eigen::VectorXd& force) const {
+void Surface::add_area_vectors(const Eigen::VectorXd& x, double factor, Eigen::VectorXd& force) const {
   const auto points = face_points(per_face_);
   for (const auto& face : faces_)
     for (const FacePoint& point : points) {
-      const Place at = place_of(nodes, u, face.data(), per_face_, point);
+      const Place at = place_of(x, face.data(), per_face_, point);
       const Eigen::Vector3d area = factor * point.weight * at.side_1.cross(at.side_2);
       for (std::size_t i = 0; i < per_face_; ++i)
         force.segment<3>(3 * static_cast<Eigen::Index>(face[i])) += point.shape[i].value * area;
     }
 }
 
-void Surface::add_area_tangent(const Nodes& nodes, const Eigen::VectorXd& u, double factor,
-                               fem::SparseMatrix& tangent) const {
+void Surface::add_area_tangent(const Eigen::VectorXd& x, double factor, fem::SparseMatrix& tangent) const {
   const auto points = face_points(per_face_);
   for (const auto& face : faces_)
     for (const FacePoint& point : points) {
-      const Place at = place_of(nodes, u, face.data(), per_face_, point);
+      const Place at = place_of(x, face.data(), per_face_, point);
       const Eigen::Matrix3d cross_1 = cross_matrix(at.side_1), cross_2 = cross_matrix(at.side_2);
       for (std::size_t j = 0; j < per_face_; ++j) {
         const Eigen::Matrix3d turned =
@@ -119,10 +117,10 @@ void Surface::add_area_tangent(const Nodes& nodes, const Eigen::VectorXd& u, dou
 void Surface::add_springs(const Nodes& nodes, double normal_kpa_per_mm, double tangential_kpa_per_mm,
                           fem::SparseMatrix& matrix) const {
   const auto points = face_points(per_face_);
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(nodes.places().size()));
+  const Eigen::VectorXd rest = nodes.places_after(Eigen::VectorXd());
   for (const auto& face : faces_)
     for (const FacePoint& point : points) {
-      const Place at = place_of(nodes, rest, face.data(), per_face_, point);
+      const Place at = place_of(rest, face.data(), per_face_, point);
       const Eigen::Vector3d area = at.side_1.cross(at.side_2);
       const Eigen::Matrix3d normal = area.normalized() * area.normalized().transpose();
       const Eigen::Matrix3d stiff =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
 #include "base/portable_exp.h"
@@ -211,6 +212,24 @@ std::optional<std::string> fault_of(const Material& material) {
 
 Response response_of(const Material& material, const Eigen::Matrix3d& c, const Eigen::Matrix3d& frame) {
   return std::visit([&](const auto& m) { return respond(m, c, frame); }, material);
+}
+
+Material scaled(const Material& material, double factor) {
+  return std::visit(
+      [factor](auto out) -> Material {
+        using T = decltype(out);
+        if constexpr (std::is_same_v<T, MooneyRivlin>) {
+          out.c1_kpa *= factor, out.c2_kpa *= factor;
+        } else if constexpr (std::is_same_v<T, TransverselyIsotropic>) {
+          out.c1_kpa *= factor, out.c2_kpa *= factor, out.a_f_kpa *= factor;
+        } else if constexpr (std::is_same_v<T, HolzapfelOgden>) {
+          out.a_kpa *= factor, out.a_f_kpa *= factor, out.a_s_kpa *= factor, out.a_fs_kpa *= factor;
+        } else {
+          out.c_kpa *= factor;
+        }
+        return out;
+      },
+      material);
 }
 
 double mean_shear_modulus_kpa(const Material& material) {

@@ -69,6 +69,9 @@ using Material = std::variant<TransverselyIsotropic, HolzapfelOgden, Guccione, M
 /// not negative, exponents and k are more than 0.
 std::optional<std::string> fault_of(const Material& material);
 
+/// The same material with all stresses times a factor.
+Material scaled(const Material& material, double factor);
+
 /// The six numbers of a symmetric tensor: 00, 11, 22, 01, 12, 02.
 using Tensor6 = Eigen::Matrix<double, 6, 1>;
 /// Of pairs of such tensors. Times (e00, e11, e22, 2 e01, 2 e12, 2 e02) it is the product with a tensor e.

@@ -14,6 +14,8 @@ namespace {
 constexpr int kLineHalvings = 10;
 /// A step that took no more iterations is followed by one of twice the length.
 constexpr int kFewIterations = 5;
+/// Of the linear equations in Newton's method.
+constexpr double kLinearTolerance = 1e-8;
 
 Error list_of_wrong_length(const char* list, std::size_t found, Eigen::Index expected) {
   return {ErrorCode::kInternal,
@@ -71,9 +73,10 @@ Result<LoadSteps::Imbalance> LoadSteps::imbalance(const Eigen::VectorXd& u, doub
       for (Eigen::Index i = 0; i < tangent_.nonZeros(); ++i) tangent_.valuePtr()[i] += springs_.valuePtr()[i];
   }
   out.scale = out.force.norm();
+  const Eigen::VectorXd x = body_->nodes().places_after(u);
   for (const Pressure& pressure : loads_.pressures) {
-    pressure.surface.add_area_vectors(body_->nodes(), u, load * pressure.kpa, out.force);
-    if (tangent) pressure.surface.add_area_tangent(body_->nodes(), u, load * pressure.kpa, tangent_);
+    pressure.surface.add_area_vectors(x, load * pressure.kpa, out.force);
+    if (tangent) pressure.surface.add_area_tangent(x, load * pressure.kpa, tangent_);
   }
   out.scale = std::max(out.scale, out.force.norm());
   for (std::size_t i = 0; i < held_.size(); ++i)
@@ -120,7 +123,7 @@ Result<int> LoadSteps::balance(Eigen::VectorXd& u, double load) {
     left = scale_ > 0 ? now->force.norm() / scale_ : 0;
     if (left <= params_.tolerance) return iteration;
     ++iterations_;
-    const Result<Eigen::VectorXd> change = solver_.solve(tangent_, -now->force);
+    const Result<Eigen::VectorXd> change = solver_.solve(tangent_, -now->force, kLinearTolerance);
     if (!change) return change.error();
     if (Status found = search_line(u, *change, load, work(now->force, *change)); !found) return found.error();
   }

@@ -1,29 +1,88 @@
 #include "physics/mechanics/solve/tangent_solver.h"
 
+#include <Eigen/LU>
 #include <cmath>
 #include <new>
 #include <string>
+#include <utility>
 
 #include "physics/mechanics/elements/body.h"
 
 namespace voxtet::mechanics {
 namespace {
 
-constexpr double kTolerance = 1e-8;
-/// Each takes two products with the factors. Past these a factorisation is taken to be cheaper.
-constexpr int kMostIterations = 12;
+/// Past these with old factors new ones are taken to be cheaper; each costs two products with the factors.
+constexpr int kMostWithOldFactors = 12;
+constexpr int kMostWithNewFactors = 60;
 
-double norm(const Eigen::VectorXd& x) {
-  return std::sqrt(fem::dot(x, x));
+double dot(const BorderedVector& a, const BorderedVector& b) {
+  return fem::dot(a.x, b.x) + fem::dot(a.y, b.y);
 }
+
+double norm(const BorderedVector& a) {
+  return std::sqrt(dot(a, a));
+}
+
+void add(double factor, const BorderedVector& what, BorderedVector& to) {
+  to.x += factor * what.x;
+  to.y += factor * what.y;
+}
+
+BorderedVector product(const BorderedSystem& system, const BorderedVector& v) {
+  BorderedVector out;
+  fem::multiply(system.matrix, v.x, out.x);
+  if (system.add_more) system.add_more(v.x, out.x);
+  out.y = system.corner * v.y;
+  for (std::size_t i = 0; i < system.border.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    out.x += v.y[row] * system.border[i];
+    out.y[row] += fem::dot(system.border[i], v.x);
+  }
+  return out;
+}
+
+/// The inverse of the system with the factors of a matrix near A, and without E.
+template <class Factors>
+class Preconditioner {
+ public:
+  Preconditioner(const Factors& factors, const BorderedSystem& system) : factors_(factors), system_(system) {
+    Eigen::MatrixXd rest = system.corner;
+    for (const Eigen::VectorXd& column : system.border) inverse_border_.emplace_back(factors.solve(column));
+    for (std::size_t i = 0; i < inverse_border_.size(); ++i)
+      for (std::size_t j = 0; j < inverse_border_.size(); ++j)
+        rest(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) -=
+            fem::dot(system.border[i], inverse_border_[j]);
+    inverse_rest_ = inverse_border_.empty() ? rest : Eigen::MatrixXd(rest.inverse());
+  }
+
+  BorderedVector operator()(const BorderedVector& v) const {
+    BorderedVector out{factors_.solve(v.x), v.y};
+    for (std::size_t i = 0; i < inverse_border_.size(); ++i)
+      out.y[static_cast<Eigen::Index>(i)] -= fem::dot(system_.border[i], out.x);
+    out.y = inverse_rest_ * out.y;
+    for (std::size_t i = 0; i < inverse_border_.size(); ++i)
+      out.x -= out.y[static_cast<Eigen::Index>(i)] * inverse_border_[i];
+    return out;
+  }
+
+ private:
+  const Factors& factors_;
+  const BorderedSystem& system_;
+  std::vector<Eigen::VectorXd> inverse_border_;
+  Eigen::MatrixXd inverse_rest_;
+};
 
 }  // namespace
 
 Status TangentSolver::factorise(const fem::SparseMatrix& a) {
   ++factorisations_;
-  if (!factors_) factors_ = std::make_unique<Factors>();
   try {
-    factors_->compute(Eigen::SparseMatrix<double>(a));
+    const Eigen::SparseMatrix<double> by_column(a);
+    if (!factors_) {
+      factors_ = std::make_unique<Factors>();
+      factors_->analyzePattern(by_column);
+    }
+    factors_->factorize(by_column);
   } catch (const std::bad_alloc&) {
     factors_.reset();
     return Error{ErrorCode::kOutOfMemory,
@@ -40,46 +99,76 @@ Status TangentSolver::factorise(const fem::SparseMatrix& a) {
                {}};
 }
 
-bool TangentSolver::iterate(const fem::SparseMatrix& a, const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-  const double enough = kTolerance * norm(b);
-  x = factors_->solve(b);
-  Eigen::VectorXd product, step, image, half, half_step, half_image;
-  fem::multiply(a, x, product);
-  Eigen::VectorXd residual = b - product;
-  const Eigen::VectorXd shadow = residual;
-  Eigen::VectorXd direction = Eigen::VectorXd::Zero(b.size());
-  double rho = 1, alpha = 1, omega = 1;
-  for (int i = 0; i <= kMostIterations; ++i) {
-    if (norm(residual) <= enough) return true;
-    const double next = fem::dot(shadow, residual);
-    if (next == 0 || omega == 0) return false;
-    if (i == 0) {
-      direction = residual;
-    } else {
-      const double beta = next / rho * (alpha / omega);
-      direction = residual + beta * (direction - omega * image);
+bool TangentSolver::iterate(const BorderedSystem& system, const BorderedVector& right, double tolerance,
+                            int most, BorderedVector& found) {
+  found = {Eigen::VectorXd::Zero(right.x.size()), Eigen::VectorXd::Zero(right.y.size())};
+  const double size = norm(right);
+  if (size == 0) return true;
+  const Preconditioner<Factors> precondition(*factors_, system);
+  std::vector<BorderedVector> basis{right};
+  basis[0].x /= size;
+  basis[0].y /= size;
+  // The least-squares problem of GMRES, kept triangular by rotations.
+  Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(most + 1, most);
+  Eigen::VectorXd left = Eigen::VectorXd::Zero(most + 1), cosine(most), sine(most);
+  left[0] = size;
+  int n = 0;
+  while (n < most && std::abs(left[n]) > tolerance * size) {
+    BorderedVector next = product(system, precondition(basis.back()));
+    for (int i = 0; i <= n; ++i) {
+      triangle(i, n) = dot(basis[static_cast<std::size_t>(i)], next);
+      add(-triangle(i, n), basis[static_cast<std::size_t>(i)], next);
     }
-    rho = next;
-    step = factors_->solve(direction);
-    fem::multiply(a, step, image);
-    alpha = rho / fem::dot(shadow, image);
-    half = residual - alpha * image;
-    half_step = factors_->solve(half);
-    fem::multiply(a, half_step, half_image);
-    const double length = fem::dot(half_image, half_image);
-    omega = length > 0 ? fem::dot(half_image, half) / length : 0;
-    x += alpha * step + omega * half_step;
-    residual = half - omega * half_image;
-    if (!std::isfinite(norm(residual))) return false;
+    const double rest = norm(next);
+    if (!std::isfinite(rest)) return false;
+    for (int i = 0; i < n; ++i) {
+      const double upper = triangle(i, n), lower = triangle(i + 1, n);
+      triangle(i, n) = cosine[i] * upper + sine[i] * lower;
+      triangle(i + 1, n) = cosine[i] * lower - sine[i] * upper;
+    }
+    const double length = std::sqrt(triangle(n, n) * triangle(n, n) + rest * rest);
+    if (length == 0) return false;
+    cosine[n] = triangle(n, n) / length;
+    sine[n] = rest / length;
+    triangle(n, n) = length;
+    left[n + 1] = -sine[n] * left[n];
+    left[n] *= cosine[n];
+    ++n;
+    ++iterations_;
+    if (rest == 0) break;
+    next.x /= rest;
+    next.y /= rest;
+    basis.push_back(std::move(next));
   }
-  return false;
+  if (std::abs(left[n]) > tolerance * size) return false;
+  BorderedVector sum = found;
+  for (int i = n - 1; i >= 0; --i) {
+    for (int j = i + 1; j < n; ++j) left[i] -= triangle(i, j) * left[j];
+    left[i] /= triangle(i, i);
+  }
+  for (int i = 0; i < n; ++i) add(left[i], basis[static_cast<std::size_t>(i)], sum);
+  found = precondition(sum);
+  return true;
 }
 
-Result<Eigen::VectorXd> TangentSolver::solve(const fem::SparseMatrix& a, const Eigen::VectorXd& b) {
-  Eigen::VectorXd x;
-  if (factors_ && iterate(a, b, x)) return x;
-  if (Status done = factorise(a); !done) return done.error();
-  return Eigen::VectorXd(factors_->solve(b));
+Result<BorderedVector> TangentSolver::solve(const BorderedSystem& system, const BorderedVector& right,
+                                            double tolerance) {
+  BorderedVector found;
+  if (factors_ && iterate(system, right, tolerance, kMostWithOldFactors, found)) return found;
+  if (Status done = factorise(system.matrix); !done) return done.error();
+  if (iterate(system, right, tolerance, kMostWithNewFactors, found)) return found;
+  return Error{
+      ErrorCode::kMeshing,
+      kMechanicsStage,
+      "the linear equations were not solved in " + std::to_string(kMostWithNewFactors) + " iterations",
+      {}};
+}
+
+Result<Eigen::VectorXd> TangentSolver::solve(const fem::SparseMatrix& matrix, const Eigen::VectorXd& right,
+                                             double tolerance) {
+  Result<BorderedVector> found = solve(BorderedSystem{matrix}, BorderedVector{right, {}}, tolerance);
+  if (!found) return found.error();
+  return std::move(found->x);
 }
 
 }  // namespace voxtet::mechanics
