@@ -143,6 +143,16 @@ TEST(MechanicsMaterial, MuscleTurnedWithItsFibresAnswersTurned) {
     }
 }
 
+TEST(MechanicsMaterial, AStifferOneHasTheSameResponseTimesItsFactor) {
+  Numbers numbers;
+  for (const Material& material : kMaterials) {
+    const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() + numbers.matrix(0.2);
+    const Eigen::Matrix3d c = f.transpose() * f, frame = numbers.rotation();
+    const Tensor6 once = response_of(material, c, frame).stress;
+    EXPECT_LT((response_of(scaled(material, 3), c, frame).stress - 3 * once).norm(), 1e-12 * once.norm());
+  }
+}
+
 TEST(MechanicsMaterial, NeoHookeanInSimpleShearHasItsShearModulus) {
   // F = I + g e_x e_y^T keeps the volume; the Cauchy stress xy is 2 c1 g.
   Eigen::Matrix3d f = Eigen::Matrix3d::Identity();

@@ -224,6 +224,8 @@ Material scaled(const Material& material, double factor) {
           out.c1_kpa *= factor, out.c2_kpa *= factor, out.a_f_kpa *= factor;
         } else if constexpr (std::is_same_v<T, HolzapfelOgden>) {
           out.a_kpa *= factor, out.a_f_kpa *= factor, out.a_s_kpa *= factor, out.a_fs_kpa *= factor;
+        } else if constexpr (std::is_same_v<T, Corotational>) {
+          out.shear_across_kpa *= factor, out.shear_along_kpa *= factor, out.fibre_kpa *= factor;
         } else {
           out.c_kpa *= factor;
         }
