@@ -45,16 +45,19 @@ struct Field {
   std::vector<float> values;
 };
 
-/// One frame of a result that changes with time.
-struct Snapshot {
-  double time_ms = 0;
-  std::vector<Field> fields;
-};
-
 /// One value at each of some times, such as the voltage at an electrode.
 struct Trace {
   std::string name, title, unit;
   std::vector<float> values;
+};
+
+/// One frame of a result that changes with time.
+struct Snapshot {
+  double time_ms = 0;
+  std::vector<Field> fields;
+  /// What was recorded since the frame before: times, and values of each trace at them.
+  std::vector<double> trace_times_ms = {};
+  std::vector<Trace> traces = {};
 };
 
 /// The field with this name; null if there is none.

@@ -70,6 +70,12 @@ class MechanicsTask : public StageTask {
   void emit(RunContext& ctx) {
     result_.last = {1000 * steps_.now().time_s, beat::heart_fields(inputs_.anatomy(), made_, steps_.now())};
     result_.times_ms.push_back(result_.last.time_ms);
+    const auto since = static_cast<std::ptrdiff_t>(traced_);
+    result_.last.trace_times_ms.assign(record_.times_ms().begin() + since, record_.times_ms().end());
+    for (const Trace& trace : record_.traces())
+      result_.last.traces.push_back(
+          {trace.name, trace.title, trace.unit, {trace.values.begin() + since, trace.values.end()}});
+    traced_ = record_.times_ms().size();
     for (const Field& field : result_.last.fields)
       digest_.update_values(field.values.data(), field.values.size());
     next_frame_ms_ = params_.frame_ms * std::floor(result_.last.time_ms / params_.frame_ms + 1 + kRounding);
@@ -82,6 +88,7 @@ class MechanicsTask : public StageTask {
   BeatParams params_;
   beat::BeatRecord record_;
   double next_frame_ms_ = 0;
+  std::size_t traced_ = 0;  ///< of the record's times those that frames have had
   MechanicsResult result_;
   Sha256 digest_;
 };
