@@ -26,6 +26,13 @@ void print_land(bool all);
 /// Active stress, pressure curves and the closed loop, as checks.
 void print_circulation(bool all);
 
+/// Ejection fractions by layers, elements and fibres.
+void print_layers(bool all);
+/// The benchmark of elastodynamics.
+void print_elastodynamics(bool all);
+/// Energy and the wall's volume over a beat, as checks.
+void print_beat(bool all);
+
 /// Short checks, a line of JSON each: {check, case, measured, unit, expected, source, agrees}.
 void print_checks();
 /// A line of them: what was measured, what is expected, and whether it lies in [low, high].
