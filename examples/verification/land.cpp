@@ -156,6 +156,8 @@ void print_ventricle(bool contracts, bool all) {
   Refinement inside, outside;
   for (const Row& row : kRows) {
     if (!row.fast && !all) continue;
+    // Steps of the load become ever shorter below half of it.
+    if (contracts && row.formulation == Formulation::kStabilised && row.across == 3) continue;
     const auto heart =
         test::land_ventricle(contracts, static_cast<std::uint32_t>(row.across),
                              static_cast<std::uint32_t>(row.along), row.formulation, kBulk, row.steps);
