@@ -126,6 +126,22 @@ describe('the player', () => {
     expect(time.value).toBe(50);
   });
 
+  it('goes round with a heart, but waits at its end once it has been computed', () => {
+    simulation.value = 'running';
+    beginFrames('mechanics', 0);
+    for (const timeMs of [0, 10, 20, 30]) keepFrame(frame(timeMs));
+    play();
+    simulation.value = 'done';
+    draw(1000);
+    expect(playing.value).toBe(false);
+    play();
+    draw(2000, 8000);
+    expect(time.value).toBe(0);
+    expect(playing.value).toBe(true);
+    draw(11000);
+    expect(time.value).toBeCloseTo(15, 6);
+  });
+
   it('goes on by itself where the simulation that it follows is held or cut off', () => {
     simulation.value = 'running';
     play();
