@@ -154,8 +154,10 @@ export function forgetFrames(): void {
 /** Before the first frame of a run: one that goes on from an earlier time of the same simulation keeps what was before. */
 export function beginFrames(name: SimulationName, timeMs: number): void {
   complete.delete(name);
-  if (framesOf.peek() === name) ring.dropFrom(timeMs);
-  if (framesOf.peek() !== name || ring.times.length === 0) clearFrames();
+  const goesOn = framesOf.peek() === name && ring.times.some((known) => known < timeMs);
+  // Whoever keeps the frames of a run before has them still.
+  if (goesOn) ring.dropFrom(timeMs);
+  else clearFrames();
   framesOf.value = name;
   frameTimes.value = ring.times;
 }

@@ -7,6 +7,7 @@ import {
   frameShown,
   frameTimes,
   keepFrame,
+  keptSimulation,
   playedFields,
   simulation,
 } from './frames';
@@ -64,6 +65,14 @@ describe('frames', () => {
     expect(frameTimes.value).toEqual([0, 10, 20, 30]);
     beginFrames('diffusion', 40);
     expect(frameTimes.value).toEqual([]);
+  });
+
+  it('of a run that begins anew leave those of the one before to whoever keeps them', () => {
+    beginFrames('monodomain', 0);
+    for (const timeMs of [0, 10]) keepFrame(frame(timeMs));
+    const { frames } = keptSimulation();
+    beginFrames('monodomain', 0);
+    expect(frames.at(30)?.timeMs).toBe(10);
   });
 
   it('are gone with the mesh that they are of', () => {
