@@ -22,9 +22,12 @@ export function beatNumbers<T extends object>(
   value: T,
   of: (beat: BeatParams) => T | undefined,
 ) {
-  return numbersOf(group ? `${path}.${group}` : path, owner, value, (label, change) =>
+  const field = numbersOf(group ? `${path}.${group}` : path, owner, value, (label, change) =>
     editBeat(`${owner}: ${label}`, (beat) => void Object.assign(of(beat) ?? {}, change)),
   );
+  // There is no room for a long unit behind the number.
+  return (...[label, key, unit, step]: Parameters<typeof field>) =>
+    unit.length > 4 ? field(`${label}, ${unit}`, key, '', step) : field(label, key, unit, step);
 }
 
 type MaterialName = keyof MuscleMaterial;
