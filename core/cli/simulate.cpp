@@ -179,12 +179,12 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
     if (output.as_json) print_json(report);
     return fail(run_error(done.error(), output));
   }
-  if (!wanted.traces.empty())
-    if (Status written = write_text_file(
-            wanted.traces,
-            traces_csv(*stage == Stage::kMechanics ? *session.mechanics() : *session.monodomain()));
-        !written)
+  if (!wanted.traces.empty()) {
+    const Trajectory* recorded = session.monodomain();
+    if (*stage == Stage::kMechanics) recorded = session.mechanics();
+    if (Status written = write_text_file(wanted.traces, traces_csv(*recorded)); !written)
       return fail(written.error(), output);
+  }
   if (frames && frames->empty())
     print_warning("--frames: found no frame at a multiple of physics.monodomain.frame_ms, wrote no file");
   else if (frames)

@@ -42,6 +42,13 @@ void visit_fields(V& v, mechanics::MooneyRivlin& p) {
 }
 
 template <class V>
+void visit_fields(V& v, mechanics::Corotational& p) {
+  v.field({"shear_across_kpa", "kPa", 0, 1e6, "Shear modulus across fibres."}, p.shear_across_kpa);
+  v.field({"shear_along_kpa", "kPa", 0, 1e6, "Shear modulus along them."}, p.shear_along_kpa);
+  v.field({"fibre_kpa", "kPa", 0, 1e6, "What fibres add to the stiffness along them."}, p.fibre_kpa);
+}
+
+template <class V>
 void visit_fields(V& v, MuscleMaterial& p) {
   v.optional_group({"transversely_isotropic", "", 0, 0, "Isotropic, with fibres that resist stretch."},
                    p.transversely_isotropic);
@@ -49,6 +56,8 @@ void visit_fields(V& v, MuscleMaterial& p) {
   v.optional_group({"guccione", "", 0, 0, "Guccione 1991."}, p.guccione);
   v.optional_group({"mooney_rivlin", "", 0, 0, "Mooney-Rivlin, the same in all directions."},
                    p.mooney_rivlin);
+  v.optional_group({"corotational", "", 0, 0, "Linear elasticity in a frame that turns with the body."},
+                   p.corotational);
 }
 
 template <class V>
@@ -163,6 +172,9 @@ void visit_fields(V& v, BeatParams& p) {
                                       {"p1_stabilised", mechanics::Formulation::kStabilised},
                                       {"p1", mechanics::Formulation::kLinear},
                                       {"p2", mechanics::Formulation::kQuadratic}});
+  v.field({"fine_fibres", "", 0, 0,
+           "Fibres at four places of each tetrahedron, not at its centroid alone; needs physics.fibres."},
+          p.fine_fibres);
   v.group({"material", "", 0, 0, "The passive muscle; none given: transversely isotropic."}, p.material);
   v.list({"labels", "", 0, 0, "Where muscle is stiffer or contracts less than elsewhere."}, p.labels);
   v.field({"bulk_kpa", "kPa", 1, 1e7, "Resistance to a change of volume."}, p.bulk_kpa);

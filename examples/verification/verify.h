@@ -25,6 +25,16 @@ void print_speed(bool all);
 void print_land(bool all);
 /// Active stress, pressure curves and the closed loop, as checks.
 void print_circulation(bool all);
+/// A ventricle under pressure by element and material, a line of JSON each: its mesh, fibres and
+/// displacements.
+void print_inflation(bool all);
+
+/// Ejection fractions by layers, elements and fibres.
+void print_layers(bool all);
+/// The benchmark of elastodynamics.
+void print_elastodynamics(bool all);
+/// Energy and the wall's volume over a beat, as checks.
+void print_beat(bool all);
 
 /// Short checks, a line of JSON each: {check, case, measured, unit, expected, source, agrees}.
 void print_checks();

@@ -21,11 +21,14 @@ namespace voxtet::test {
 /// linear in the depth t, 0 on the inner surface and 1 on the outer one; t may go on beyond 1.
 struct Ellipsoid {
   double short_in = 7, short_out = 10, long_in = 17, long_out = 20, base_z = 5;  ///< mm
+  double base_slope = 0;  ///< how much higher than base_z the base is outside, linear in t
 
   double half_short(double t) const { return short_in + t * (short_out - short_in); }
   double half_long(double t) const { return long_in + t * (long_out - long_in); }
   /// The angle u from the apex, 0, along the ellipse; `part` of the way to the base, 0 to 1.
-  double along(double t, double part) const { return part * (std::acos(-base_z / half_long(t))); }
+  double along(double t, double part) const {
+    return part * (std::acos(-(base_z + t * base_slope) / half_long(t)));
+  }
   Eigen::Vector3d at(double t, double u, double v) const {
     const double ring = half_short(t) * std::sin(u);
     return {ring * std::cos(v), ring * std::sin(v), -half_long(t) * std::cos(u)};

@@ -33,6 +33,7 @@ mechanics::Material MuscleMaterial::chosen() const {
   if (holzapfel_ogden) return *holzapfel_ogden;
   if (guccione) return *guccione;
   if (mooney_rivlin) return *mooney_rivlin;
+  if (corotational) return *corotational;
   return transversely_isotropic.value_or(mechanics::TransverselyIsotropic{});
 }
 
@@ -43,7 +44,7 @@ LoopParams::LoopParams() : ClosedLoopParams(regazzoni_heart().loop) {
 Status check_beat_params(const BeatParams& p) {
   const int materials = p.material.transversely_isotropic.has_value() +
                         p.material.holzapfel_ogden.has_value() + p.material.guccione.has_value() +
-                        p.material.mooney_rivlin.has_value();
+                        p.material.mooney_rivlin.has_value() + p.material.corotational.has_value();
   if (materials > 1)
     return fault("material", "found " + std::to_string(materials) + " materials, expected at most one");
   if (const auto wrong = fault_of(p.material.chosen())) return fault("material", *wrong);

@@ -20,6 +20,7 @@ struct MuscleMaterial {
   std::optional<mechanics::HolzapfelOgden> holzapfel_ogden;
   std::optional<mechanics::Guccione> guccione;
   std::optional<mechanics::MooneyRivlin> mooney_rivlin;
+  std::optional<mechanics::Corotational> corotational;
 
   mechanics::Material chosen() const;
 };
@@ -71,6 +72,8 @@ struct LoopParams : ClosedLoopParams {
 /// Lengths in mm, pressures in kPa. Fields of the recipe's physics.mechanics.
 struct BeatParams {
   mechanics::Formulation element = mechanics::Formulation::kAverageNodalPressure;
+  bool fine_fibres =
+      false;  ///< linear elements have fibres at four places, not at one; quadratic ones do too
   MuscleMaterial material;
   std::vector<MuscleLabels> labels;
   double bulk_kpa = 1000;

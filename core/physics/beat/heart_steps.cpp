@@ -221,6 +221,33 @@ void HeartSteps::accept() {
   if (tried_ <= kEasy && length_ < longest && tick_ % (2 * length_) == 0) length_ *= 2;
 }
 
+HeartSteps::State HeartSteps::take_state() {
+  trial_.reset();
+  solver_.forget();
+  return {now_, tick_, length_, force_scale_, steps_, iterations_};
+}
+
+Status HeartSteps::restore(State state) {
+  const HeartMotion& motion = state.motion;
+  for (const auto& [found, expected] :
+       {std::pair{&motion.u, &now_.u}, std::pair{&motion.velocity, &now_.u},
+        std::pair{&motion.acceleration, &now_.u}, std::pair{&motion.cavity_kpa, &now_.cavity_kpa},
+        std::pair{&motion.cavity_ml, &now_.cavity_ml}, std::pair{&motion.circulation, &now_.circulation}})
+    if (found->size() != expected->size() || state.length < 1)
+      return usage_error(kMechanicsStage, "state: found that of another heart, of " +
+                                              std::to_string(found->size()) + " numbers, expected " +
+                                              std::to_string(expected->size()));
+  trial_.reset();
+  solver_.forget();
+  now_ = std::move(state.motion);
+  tick_ = state.tick;
+  length_ = state.length;
+  force_scale_ = state.force_scale;
+  steps_ = state.steps;
+  iterations_ = state.iterations;
+  return std::monostate{};
+}
+
 Result<bool> HeartSteps::advance() {
   if (!trial_) begin_step();
   const Result<bool> solved = iterate();

@@ -68,6 +68,18 @@ class HeartSteps {
   /// where the shortest step has no solution; the state stays that of the step before.
   Result<bool> advance();
 
+  /// All that the steps that follow depend on. Solvers start afresh when it is taken, so that a run that is
+  /// given it goes on with the same bytes as the one that it is of.
+  struct State {
+    HeartMotion motion;
+    std::int64_t tick = 0, length = 0;  ///< in the shortest steps
+    double force_scale = 0;
+    std::int32_t steps = 0, iterations = 0;
+  };
+  State take_state();
+  /// Returns kUsage for the state of another body.
+  Status restore(State state);
+
   const HeartMotion& now() const { return now_; }  ///< after the last complete step
   double step_s() const { return step_s(length_); }
   int steps() const { return steps_; }

@@ -63,17 +63,21 @@ mechanics::Surface surface_of(const Wall& wall, const mechanics::Nodes& nodes, H
 }
 
 /// The columns fibre, sheet, sheet normal of each sample of a tetrahedron of the wall.
-std::vector<Eigen::Matrix3d> frames_of(const Wall& wall, const Fibres& fibres,
+std::vector<Eigen::Matrix3d> frames_of(const Wall& wall, const Anatomy& anatomy,
                                        const mechanics::Nodes& nodes) {
+  const std::size_t samples = nodes.samples_per_tet();
   std::vector<Eigen::Matrix3d> frames;
-  frames.reserve(wall.tets.size() * nodes.samples_per_tet());
-  for (const std::uint32_t t : wall.tets) {
-    Eigen::Matrix3d frame;
-    frame.col(0) = fibres.fibre[t];
-    frame.col(1) = fibres.sheet[t];
-    frame.col(2) = frame.col(0).cross(frame.col(1));
-    frames.insert(frames.end(), nodes.samples_per_tet(), frame);
-  }
+  frames.reserve(wall.tets.size() * samples);
+  for (const std::uint32_t t : wall.tets)
+    for (std::size_t s = 0; s < samples; ++s) {
+      const Fibres& fibres = anatomy.fine_fibres ? *anatomy.fine_fibres : anatomy.fibres;
+      const std::size_t at = anatomy.fine_fibres ? t * samples + s : t;
+      Eigen::Matrix3d frame;
+      frame.col(0) = fibres.fibre[at];
+      frame.col(1) = fibres.sheet[at];
+      frame.col(2) = frame.col(0).cross(frame.col(1));
+      frames.push_back(frame);
+    }
   return frames;
 }
 
@@ -181,8 +185,8 @@ Result<MadeHeart> make_heart(const Anatomy& anatomy, const BeatParams& params) {
         muscle.material[t] = static_cast<std::uint16_t>(muscle.materials.size());
     muscle.materials.push_back(scaled(params.material.chosen(), kind.stiffness));
   }
-  const mechanics::Nodes nodes(wall.mesh, params.element);
-  muscle.frames = frames_of(wall, anatomy.fibres, nodes);
+  const mechanics::Nodes nodes(wall.mesh, params.element, anatomy.fine_fibres != nullptr);
+  muscle.frames = frames_of(wall, anatomy, nodes);
   Result<mechanics::Body> body = mechanics::Body::make(wall.mesh, params.element, std::move(muscle));
   if (!body) return body.error();
 

@@ -20,9 +20,11 @@ namespace voxtet::beat {
 struct Anatomy {
   const TetMesh& mesh;
   const HeartSurfaces& surfaces;
-  const Fibres& fibres;                        ///< of the tetrahedra
+  const Fibres& fibres;                        ///< at the centroid of each tetrahedron
   const std::vector<Eigen::Vector3d>& across;  ///< of the tetrahedra: unit vectors through the wall
   const std::vector<bool>& right;  ///< by tetrahedron: whether it is of the right ventricle's free wall
+  /// The same at the four samples of each (mechanics::Nodes); null: as at the centroid.
+  const Fibres* fine_fibres = nullptr;
   /// By point, since time 0 of a beat, NaN: never. May be empty where all contracts at once.
   std::span<const float> activation_ms = {};
   /// By point, from activation to recovery, NaN: as BeatParams has it. Empty: everywhere so.

@@ -41,7 +41,7 @@ FibreAngles mixed(const FibreAngles& a, const FibreAngles& b, double t) {
           mix(a.beta_epi, b.beta_epi)};
 }
 
-/// The rules, at the centroids of tetrahedra.
+/// The rules, at places in tetrahedra that are given by the shares of their corners.
 class Rules {
  public:
   Rules(const TetMesh& mesh, const HeartSurfaces& surfaces, const VentricularPotentials& potentials,
@@ -55,51 +55,60 @@ class Rules {
         base_(gradients_at_points(mesh, surfaces.wall, potentials.base)) {}
 
   /// Columns fibre, sheet normal, sheet.
-  Eigen::Matrix3d at(std::size_t tet) const {
-    return params_.rule == FibreRule::kBayer ? bayer(tet) : linear(tet);
+  Eigen::Matrix3d at(std::size_t tet, const CornerShares& shares) const {
+    return params_.rule == FibreRule::kBayer ? bayer(tet, shares) : linear(tet, shares);
   }
 
  private:
-  Eigen::Vector3d mean(const Gradients& gradients, std::size_t tet) const {
+  Eigen::Vector3d mean(const Gradients& gradients, std::size_t tet, const CornerShares& shares) const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const std::uint32_t point : mesh_.tets[tet]) sum += gradients[point];
-    return sum / 4;
+    for (std::size_t i = 0; i < 4; ++i) sum += shares[i] * gradients[mesh_.tets[tet][i]];
+    return sum;
+  }
+
+  double mean(const Eigen::VectorXd& values, std::size_t tet, const CornerShares& shares) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) sum += shares[i] * values[mesh_.tets[tet][i]];
+    return sum;
   }
 
   /// How much a place in the wall of one ventricle is of the septum: 0 to 1.
-  double septal_share(std::size_t tet, bool right) const {
-    const double far = std::max(0.0, mean_on(mesh_, right ? potentials_.lv : potentials_.rv, tet));
-    const double epi = std::max(0.0, mean_on(mesh_, potentials_.epi, tet));
+  double septal_share(std::size_t tet, const CornerShares& shares, bool right) const {
+    const double far = std::max(0.0, mean(right ? potentials_.lv : potentials_.rv, tet, shares));
+    const double epi = std::max(0.0, mean(potentials_.epi, tet, shares));
     return far > 0 ? far / (far + epi) : 0;
   }
 
-  Eigen::Matrix3d linear(std::size_t tet) const {
-    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-    for (const std::uint32_t point : mesh_.tets[tet]) centroid += mesh_.points[point] / 4;
+  Eigen::Matrix3d linear(std::size_t tet, const CornerShares& shares) const {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < 4; ++i) place += shares[i] * mesh_.points[mesh_.tets[tet][i]];
     const bool right = is_right(mesh_, potentials_, tet);
-    const double u = depth_.at(centroid, right);
+    const double u = depth_.at(place, right);
     const FibreAngles a = params_.septum && !right
-                              ? mixed(params_.wall, *params_.septum, septal_share(tet, right))
+                              ? mixed(params_.wall, *params_.septum, septal_share(tet, shares, right))
                               : params_.wall;
-    const Eigen::Matrix3d frame = frame_outwards(-mean(right ? rv_ : lv_, tet), mean(base_, tet));
+    const Eigen::Matrix3d frame =
+        frame_outwards(-mean(right ? rv_ : lv_, tet, shares), mean(base_, tet, shares));
     return turned(frame, (1 - u) * a.alpha_endo + u * a.alpha_epi, (1 - u) * a.beta_endo + u * a.beta_epi);
   }
 
-  Eigen::Matrix3d bayer(std::size_t tet) const {
-    const double lv = mean_on(mesh_, potentials_.lv, tet), rv = mean_on(mesh_, potentials_.rv, tet);
-    const double epi = std::clamp(mean_on(mesh_, potentials_.epi, tet), 0.0, 1.0);
+  Eigen::Matrix3d bayer(std::size_t tet, const CornerShares& shares) const {
+    const double lv = mean(potentials_.lv, tet, shares), rv = mean(potentials_.rv, tet, shares);
+    const double epi = std::clamp(mean(potentials_.epi, tet, shares), 0.0, 1.0);
     const double d = lv + rv > 0 ? std::clamp(rv / (lv + rv), 0.0, 1.0) : 0.5;
     const FibreAngles& wall = params_.wall;
     const FibreAngles both_sides{wall.alpha_endo, -wall.alpha_endo, wall.beta_endo, -wall.beta_endo};
-    const FibreAngles endo = params_.septum ? mixed(both_sides, *params_.septum,
-                                                    septal_share(tet, is_right(mesh_, potentials_, tet)))
-                                            : both_sides;
+    const FibreAngles endo =
+        params_.septum
+            ? mixed(both_sides, *params_.septum, septal_share(tet, shares, is_right(mesh_, potentials_, tet)))
+            : both_sides;
     const double alpha_endo = (1 - d) * endo.alpha_endo + d * endo.alpha_epi;
     const double beta_endo = (1 - d) * endo.beta_endo + d * endo.beta_epi;
     const double alpha_wall = (1 - epi) * wall.alpha_endo + epi * wall.alpha_epi;
     const double beta_wall = (1 - epi) * wall.beta_endo + epi * wall.beta_epi;
 
-    const Eigen::Vector3d to_base = mean(base_, tet), to_lv = mean(lv_, tet), to_rv = mean(rv_, tet);
+    const Eigen::Vector3d to_base = mean(base_, tet, shares), to_lv = mean(lv_, tet, shares),
+                          to_rv = mean(rv_, tet, shares);
     const auto frame = [&](const Eigen::Vector3d& outwards, double alpha, double beta) {
       return turned(frame_to_base(outwards, to_base), alpha, beta);
     };
@@ -125,17 +134,19 @@ Eigen::Vector3d principal_direction(const Eigen::Matrix3d& tensor) {
 
 Result<Fibres> tet_fibres(const TetMesh& mesh, const HeartSurfaces& surfaces,
                           const VentricularPotentials& potentials, const FibreParams& params,
-                          const RunContext& ctx) {
+                          const RunContext& ctx, std::span<const CornerShares> places) {
   if (Status checked = check_fibre_params(params); !checked) return checked.error();
   const Rules rules(mesh, surfaces, potentials, params);
-  const std::vector<Eigen::Vector3d> nothing(mesh.tets.size(), Eigen::Vector3d::Zero());
+  const std::vector<Eigen::Vector3d> nothing(mesh.tets.size() * places.size(), Eigen::Vector3d::Zero());
   Fibres fibres{nothing, nothing};
   parallel_for(ctx.threads, mesh.tets.size(), [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last && !ctx.cancelled(); ++t) {
       if (!surfaces.wall[t]) continue;
-      const Eigen::Matrix3d frame = rules.at(t);
-      fibres.fibre[t] = frame.col(0);
-      fibres.sheet[t] = frame.col(2);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const Eigen::Matrix3d frame = rules.at(t, places[i]);
+        fibres.fibre[t * places.size() + i] = frame.col(0);
+        fibres.sheet[t * places.size() + i] = frame.col(2);
+      }
     }
   });
   if (ctx.cancelled()) return cancelled_error(kFibresStage);

@@ -1,6 +1,9 @@
 // Muscle fibres and sheets of the ventricles by rule.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "physics/ventricles/fibre_params.h"
 #include "physics/ventricles/ventricular_potentials.h"
 #include "types/heart_surfaces.h"
@@ -11,9 +14,13 @@
 
 namespace voxtet {
 
-/// Fibres and sheets at the centroids of the tetrahedra, zero outside of the wall. On orthonormal frames: e_t
-/// across the wall, outwards; e_l along it, from apex to base; e_c = e_l x e_t, counterclockwise seen from
-/// the base. With the angles of FibreParams
+/// A place in a tetrahedron: how much of each corner it is.
+using CornerShares = std::array<double, 4>;
+inline constexpr std::array<CornerShares, 1> kCentroid{{{0.25, 0.25, 0.25, 0.25}}};
+
+/// Fibres and sheets at places in the tetrahedra, those of one next to each other, zero outside of the wall.
+/// On orthonormal frames: e_t across the wall, outwards; e_l along it, from apex to base; e_c = e_l x e_t,
+/// counterclockwise seen from the base. With the angles of FibreParams
 ///
 ///     fibre = cos(alpha) e_c + sin(alpha) e_l
 ///     sheet = sin(beta) (cos(alpha) e_l - sin(alpha) e_c) + cos(beta) e_t
@@ -35,7 +42,7 @@ namespace voxtet {
 /// check_fibre_params(), and kCancelled.
 Result<Fibres> tet_fibres(const TetMesh& mesh, const HeartSurfaces& surfaces,
                           const VentricularPotentials& potentials, const FibreParams& params,
-                          const RunContext& ctx);
+                          const RunContext& ctx, std::span<const CornerShares> places = kCentroid);
 
 /// Fibres and sheets at the points of the mesh, zero outside of the wall: of the mean of f f^T over the
 /// tetrahedra around a point, by volume, the direction of the largest eigenvalue; the same for sheets, at

@@ -242,8 +242,9 @@ TEST(MechanicsBody, SpringsGiveWayByPressureOverStiffness) {
         test::solve_all(body, {{{pushed, kPressure}}, {{springy, kStiffness, 100}}, {}}, held, {.steps = 2});
     ASSERT_TRUE(solved) << solved.error().message;
     for (std::size_t i = 0; i < places.size(); ++i)
-      if (places[i].x() == 0)
+      if (places[i].x() == 0) {
         EXPECT_NEAR(solved->u[3 * static_cast<Eigen::Index>(i)], -kPressure / kStiffness, 1e-6);
+      }
   }
 }
 
@@ -296,6 +297,10 @@ TEST(MechanicsBody, WrongListsAndMaterialsAreRefused) {
   EXPECT_TRUE(Body::make(mesh, Formulation::kLinear, muscle));
   EXPECT_EQ(Body::make(mesh, Formulation::kQuadratic, muscle).error().message,
             "frames: found 48 entries, expected 192");
+  muscle = {};
+  muscle.materials = {MooneyRivlin{0, 0}};
+  EXPECT_TRUE(Body::make(mesh, Formulation::kLinear, muscle));
+  EXPECT_EQ(Body::make(mesh, Formulation::kStabilised, muscle).error().code, ErrorCode::kUsage);
   const Body body = body_of(mesh, Formulation::kLinear);
   EXPECT_FALSE(LoadSteps::start(body, {}, {true}, {}));
 }

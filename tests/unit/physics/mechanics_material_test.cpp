@@ -12,8 +12,8 @@
 namespace voxtet::mechanics {
 namespace {
 
-const Material kMaterials[] = {TransverselyIsotropic{}, HolzapfelOgden{}, Guccione{}, MooneyRivlin{2, 0.7},
-                               MooneyRivlin{2, 0}};
+const Material kMaterials[] = {TransverselyIsotropic{}, HolzapfelOgden{},   Guccione{},
+                               MooneyRivlin{2, 0.7},    MooneyRivlin{2, 0}, Corotational{1.5, 2.5, 7}};
 constexpr double kBulk = 50;
 constexpr double kTension = 7;
 
@@ -124,6 +124,7 @@ TEST(MechanicsMaterial, MeanShearModulusIsTheShearModulusOfAnIsotropicMaterial) 
   EXPECT_NEAR(mean_shear_modulus_kpa(MooneyRivlin{1.5, 0.4}), 2 * (1.5 + 0.4), 1e-13);
   // c b / 2 where all three exponents are b.
   EXPECT_NEAR(mean_shear_modulus_kpa(Guccione{10, 1, 1, 1}), 5, 1e-13);
+  EXPECT_NEAR(mean_shear_modulus_kpa(Corotational{2, 2, 0}), 2, 1e-13);
   EXPECT_GT(mean_shear_modulus_kpa(Guccione{2, 8, 2, 4}), 2);
   EXPECT_LT(mean_shear_modulus_kpa(Guccione{2, 8, 2, 4}), 8);
 }
@@ -142,12 +143,62 @@ TEST(MechanicsMaterial, MuscleTurnedWithItsFibresAnswersTurned) {
     }
 }
 
+TEST(MechanicsMaterial, AStifferOneHasTheSameResponseTimesItsFactor) {
+  Numbers numbers;
+  for (const Material& material : kMaterials) {
+    const Eigen::Matrix3d f = Eigen::Matrix3d::Identity() + numbers.matrix(0.2);
+    const Eigen::Matrix3d c = f.transpose() * f, frame = numbers.rotation();
+    const Tensor6 once = response_of(material, c, frame).stress;
+    EXPECT_LT((response_of(scaled(material, 3), c, frame).stress - 3 * once).norm(), 1e-12 * once.norm());
+  }
+}
+
 TEST(MechanicsMaterial, NeoHookeanInSimpleShearHasItsShearModulus) {
   // F = I + g e_x e_y^T keeps the volume; the Cauchy stress xy is 2 c1 g.
   Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
   f(0, 1) = 0.3;
   const Response at = response_of(MooneyRivlin{1.5, 0}, f.transpose() * f, Eigen::Matrix3d::Identity());
   EXPECT_NEAR((f * matrix_of(at.stress) * f.transpose())(0, 1), 2 * 1.5 * 0.3, 1e-12);
+}
+
+TEST(MechanicsMaterial, CorotationalStressIsLinearInTheStretchAndTurnsWithTheBody) {
+  // With P = F S, the symmetric part of R^T P is the derivative of the energy by U.
+  Numbers numbers;
+  const Corotational material{1.5, 2.5, 7};
+  const Eigen::Matrix3d frame = numbers.rotation();
+  for (int trial = 0; trial < 10; ++trial) {
+    const Eigen::Matrix3d turn = numbers.rotation(), part = numbers.matrix(0.1);
+    const Eigen::Matrix3d e = part + part.transpose();
+    const auto first_piola = [&](double size) {
+      const Eigen::Matrix3d f = turn * (Eigen::Matrix3d::Identity() + size * e);
+      return Eigen::Matrix3d(f * matrix_of(response_of(material, f.transpose() * f, frame).stress));
+    };
+    const auto biot = [&](double size) {
+      const Eigen::Matrix3d p = turn.transpose() * first_piola(size);
+      return Eigen::Matrix3d((p + p.transpose()) / 2);
+    };
+    const Eigen::Matrix3d local =
+        frame.transpose() * (e - e.trace() / 3 * Eigen::Matrix3d::Identity()) * frame;
+    const Eigen::Matrix3d found = frame.transpose() * biot(1) * frame;
+    EXPECT_NEAR(found(0, 1), 2 * 2.5 * local(0, 1), 1e-12);
+    EXPECT_NEAR(found(1, 2), 2 * 1.5 * local(1, 2), 1e-12);
+    EXPECT_NEAR(found(0, 0), (2 * 1.5 + 7 * 2.0 / 3) * local(0, 0), 1e-12);
+    EXPECT_LT((biot(1) - 2 * biot(0.5)).norm(), 1e-12);
+  }
+}
+
+TEST(MechanicsMaterial, CorotationalIsTransverselyIsotropicAtSmallStretch) {
+  constexpr double kSmall = 1e-6;
+  Eigen::Matrix3d f = Eigen::Matrix3d::Identity();
+  f(0, 0) += kSmall;
+  f(1, 1) -= kSmall / 2;
+  f(2, 2) -= kSmall / 2;
+  f(0, 1) += 0.3 * kSmall;
+  const Eigen::Matrix3d c = f.transpose() * f, frame = Eigen::Matrix3d::Identity();
+  const Tensor6 linear = response_of(Corotational{}, c, frame).stress;
+  const Tensor6 other = response_of(TransverselyIsotropic{}, c, frame).stress;
+  const double mean = (linear - other).head<3>().sum() / 3;  // of pressure, which is not the material's
+  EXPECT_LT((linear - other - mean * tensor6(frame)).norm(), 1e-5 * linear.norm());
 }
 
 TEST(MechanicsMaterial, ParametersOutOfRangeAreNamed) {

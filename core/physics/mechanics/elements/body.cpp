@@ -49,7 +49,7 @@ Result<Body> Body::make(const TetMesh& mesh, Formulation formulation, Muscle mus
                    "tetrahedron " + std::to_string(t) + ": found no positive volume",
                    {{mesh.points[mesh.tets[t][0]]}, {}}};
   Body body;
-  body.nodes_ = Nodes(mesh, formulation);
+  body.nodes_ = Nodes(mesh, formulation, muscle.frames.size() == 4 * tets);
   const std::size_t samples = tets * body.nodes_.samples_per_tet();
   if (!muscle.frames.empty() && muscle.frames.size() != samples)
     return wrong_count("frames", muscle.frames.size(), samples);
@@ -113,7 +113,7 @@ void Body::add_pressures(const Sample& sample, const LinearPressure& pressure, E
   const std::uint32_t* const place = places_.data() + 16 * sample.tet;
   for (std::size_t a = 0; a < 4; ++a) force[displacements() + node[a]] += pressure.force(a, sample.j);
   if (!tangent) return;
-  const Eigen::Matrix3d area = sample.weight / 4 * cofactor(sample.f);
+  const Eigen::Matrix3d area = nodes_.volume_mm3(sample.tet) / 4 * cofactor(sample.f);
   for (std::size_t a = 0; a < 4; ++a) {
     const Eigen::Vector3d gradient = area * sample.shapes[a].gradient;
     for (std::size_t b = 0; b < 4; ++b) {
@@ -147,7 +147,7 @@ Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tensio
       if (has_pressures()) {
         const LinearPressure pressure = pressure_of(t, u);
         add_pressure(pressure.mean_kpa(), 0, c, sample.j, response);
-        add_pressures(sample, pressure, force, tangent);
+        if (&sample == &samples.front()) add_pressures(sample, pressure, force, tangent);
       } else {
         const Volumetric now = volumetric(muscle_.bulk_kpa, sample.j);
         add_pressure(now.pressure_kpa, now.modulus_kpa, c, sample.j, response);
@@ -171,9 +171,9 @@ Result<double> Body::energy(const Eigen::VectorXd& u) const {
   const Status done = for_tets(u, [&](std::span<const Sample> samples) {
     for (const Sample& sample : samples) {
       sum += sample.weight * response_at(sample).energy_kpa;
-      sum += has_pressures() ? pressure_of(sample.tet, u).energy(sample.j)
-                             : sample.weight * volumetric(muscle_.bulk_kpa, sample.j).energy_kpa;
+      if (!has_pressures()) sum += sample.weight * volumetric(muscle_.bulk_kpa, sample.j).energy_kpa;
     }
+    if (has_pressures()) sum += pressure_of(samples[0].tet, u).energy(samples[0].j);
   });
   if (!done) return done.error();
   return sum;

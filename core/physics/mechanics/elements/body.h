@@ -23,8 +23,8 @@ struct Muscle {
   std::vector<std::uint16_t> material;  ///< of each tetrahedron; empty: the first
   double bulk_kpa = 1000;               ///< resistance to a change of volume
   double viscosity_kpa_s = 0;           ///< resistance to the rate of strain
-  /// Columns fibre, sheet, sheet normal, at each sample of Nodes, tetrahedron by tetrahedron. Empty: the
-  /// axes.
+  /// Columns fibre, sheet, sheet normal, at each sample of Nodes, tetrahedron by tetrahedron: four of each of
+  /// them, or of linear elements one. Empty: the axes.
   std::vector<Eigen::Matrix3d> frames;
 };
 

@@ -17,16 +17,17 @@ Edge edge_between(std::uint32_t a, std::uint32_t b) {
 /// the three others. Hammer, Marlowe and Stroud, Mathematical Tables and Other Aids to Computation 10 (1956).
 constexpr double kNear = 0.58541019662496845446, kFar = 0.13819660112501051518;
 
-std::array<double, 4> shares_of_corners(bool quadratic, std::size_t sample) {
-  if (!quadratic) return {0.25, 0.25, 0.25, 0.25};
+}  // namespace
+
+std::array<double, 4> Nodes::shares_of(std::size_t samples_per_tet, std::size_t sample) {
+  if (samples_per_tet == 1) return {0.25, 0.25, 0.25, 0.25};
   std::array<double, 4> shares{kFar, kFar, kFar, kFar};
   shares[sample] = kNear;
   return shares;
 }
 
-}  // namespace
-
-Nodes::Nodes(const TetMesh& mesh, Formulation formulation) : places_(mesh.points) {
+Nodes::Nodes(const TetMesh& mesh, Formulation formulation, bool finely)
+    : samples_(finely || formulation == Formulation::kQuadratic ? 4 : 1), places_(mesh.points) {
   tets_.reserve(mesh.tets.size());
   elements_.reserve(mesh.tets.size());
   for (const Tet& tet : mesh.tets) {
@@ -61,7 +62,7 @@ std::uint32_t Nodes::middle(std::uint32_t end, std::uint32_t other) const {
 }
 
 Eigen::Vector3d Nodes::sample_place(std::size_t t, std::size_t sample) const {
-  const auto shares = shares_of_corners(quadratic(), sample);
+  const auto shares = shares_of(samples_, sample);
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < 4; ++i) place += shares[i] * places_[tets_[t][i]];
   return place;
@@ -69,7 +70,7 @@ Eigen::Vector3d Nodes::sample_place(std::size_t t, std::size_t sample) const {
 
 void Nodes::shapes_at(std::size_t t, std::size_t sample, Shape* shapes) const {
   const auto& gradient = elements_[t].gradient;
-  const auto share = shares_of_corners(quadratic(), sample);
+  const auto share = shares_of(samples_, sample);
   if (!quadratic()) {
     for (std::size_t i = 0; i < 4; ++i) shapes[i] = {share[i], gradient[i]};
     return;

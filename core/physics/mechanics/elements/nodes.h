@@ -39,8 +39,9 @@ class Nodes {
   Nodes() = default;
   /// Points without tetrahedra.
   explicit Nodes(std::vector<Eigen::Vector3d> points) : places_(std::move(points)) {}
-  /// Every tetrahedron has a positive volume.
-  Nodes(const TetMesh& mesh, Formulation formulation);
+  /// Every tetrahedron has a positive volume. `finely`: linear elements are integrated at four places too,
+  /// for what changes within them, as the direction of fibres.
+  Nodes(const TetMesh& mesh, Formulation formulation, bool finely = false);
 
   const std::vector<Eigen::Vector3d>& places() const { return places_; }  ///< undeformed, mm
   /// The same as three numbers a node, moved by the first ones of `u`; empty: not moved.
@@ -54,8 +55,10 @@ class Nodes {
   std::uint32_t middle(std::uint32_t end, std::uint32_t other) const;
 
   double volume_mm3(std::size_t t) const { return elements_[t].volume; }
-  /// Where elements are integrated: one place of linear ones, four of the same weight of quadratic ones.
-  std::size_t samples_per_tet() const { return quadratic() ? 4 : 1; }
+  /// Where elements are integrated: one place, or four of the same weight.
+  std::size_t samples_per_tet() const { return samples_; }
+  /// The corners' shares of such a place.
+  static std::array<double, 4> shares_of(std::size_t samples_per_tet, std::size_t sample);
   Eigen::Vector3d sample_place(std::size_t t, std::size_t sample) const;
   /// Of the nodes of a tetrahedron there, per_tet() of them.
   void shapes_at(std::size_t t, std::size_t sample, Shape* shapes) const;
@@ -63,6 +66,7 @@ class Nodes {
   Eigen::Matrix3d deformation(const Eigen::VectorXd& u, std::size_t t, const Shape* shapes) const;
 
  private:
+  std::size_t samples_ = 1;
   std::vector<Eigen::Vector3d> places_;
   std::vector<std::array<std::uint32_t, 10>> tets_;
   std::vector<fem::Element> elements_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/portable_exp.h"
+#include "physics/mechanics/materials/corotational.h"
 
 namespace voxtet::mechanics {
 namespace {
@@ -143,6 +144,10 @@ Response respond(const Guccione& m, const Eigen::Matrix3d& c, const Eigen::Matri
   return {w - m.c_kpa / 2, w * dq, w * (ddq + dq * dq.transpose())};
 }
 
+Response respond(const Corotational& m, const Eigen::Matrix3d& c, const Eigen::Matrix3d& frame) {
+  return respond_corotational(m, c, frame);
+}
+
 struct Parameter {
   const char* name;
   double value;
@@ -180,6 +185,13 @@ std::optional<std::string> fault_in(const Guccione& m) {
   return fault_among({{"c_kpa", m.c_kpa}}, {{"b_f", m.b_f}, {"b_t", m.b_t}, {"b_fs", m.b_fs}});
 }
 
+std::optional<std::string> fault_in(const Corotational& m) {
+  return fault_among({{"shear_across_kpa", m.shear_across_kpa},
+                      {"shear_along_kpa", m.shear_along_kpa},
+                      {"fibre_kpa", m.fibre_kpa}},
+                     {});
+}
+
 }  // namespace
 
 Tensor6 tensor6(const Eigen::Matrix3d& a) {
@@ -212,6 +224,8 @@ Material scaled(const Material& material, double factor) {
           out.c1_kpa *= factor, out.c2_kpa *= factor, out.a_f_kpa *= factor;
         } else if constexpr (std::is_same_v<T, HolzapfelOgden>) {
           out.a_kpa *= factor, out.a_f_kpa *= factor, out.a_s_kpa *= factor, out.a_fs_kpa *= factor;
+        } else if constexpr (std::is_same_v<T, Corotational>) {
+          out.shear_across_kpa *= factor, out.shear_along_kpa *= factor, out.fibre_kpa *= factor;
         } else {
           out.c_kpa *= factor;
         }

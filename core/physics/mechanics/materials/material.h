@@ -51,7 +51,19 @@ struct Guccione {
   double b_f = 8, b_t = 2, b_fs = 4;
 };
 
-using Material = std::variant<TransverselyIsotropic, HolzapfelOgden, Guccione, MooneyRivlin>;
+/// Linear elasticity in a frame that turns with the body, transversely isotropic: with F = R U, R a rotation,
+/// and e what R^T F - I = U - I is without a third of its trace,
+///
+///     shear_across (e : e) + 2 (shear_along - shear_across) (efs^2 + efn^2) + fibre / 2 eff^2
+///
+/// It does not stiffen, and so is for small stretches. Its own values are those of TransverselyIsotropic
+/// where fibres are hardly stretched.
+struct Corotational {
+  double shear_across_kpa = 2.6, shear_along_kpa = 2.6;
+  double fibre_kpa = 6;  ///< what fibres add to stiffness along them
+};
+
+using Material = std::variant<TransverselyIsotropic, HolzapfelOgden, Guccione, MooneyRivlin, Corotational>;
 
 /// What is wrong with a parameter: its name, what was found and what was expected. Stiffnesses are finite and
 /// not negative, exponents and k are more than 0.

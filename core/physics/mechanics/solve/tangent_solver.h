@@ -45,6 +45,9 @@ class TangentSolver {
   Result<Eigen::VectorXd> solve(const fem::SparseMatrix& matrix, const Eigen::VectorXd& right,
                                 double tolerance);
 
+  /// The next matrix is factorised, as the first one was.
+  void forget() { factors_.reset(); }
+
   int factorisations() const { return factorisations_; }
   int iterations() const { return iterations_; }  ///< of GMRES, all together
 
