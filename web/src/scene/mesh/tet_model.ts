@@ -60,6 +60,8 @@ export class TetModel {
   private readonly cap: TetDrawing;
   private readonly ghost: TetDrawing;
   private readonly veil: TetDrawing;
+  /** Where the body was before it moved. */
+  private readonly outline: TetDrawing;
   private plane: Plane | null = null;
   private choice: Choice = 'all';
   private seeThrough = false;
@@ -74,6 +76,7 @@ export class TetModel {
     const { faces, centres, extents, tets, neighbours } = mesh;
     this.shared = {
       points: { value: pointTexture(mesh.points) },
+      rest: { value: pointTexture(mesh.points) },
       centres: { value: arrayTexture(centres, 4) },
       tets: { value: arrayTexture(tets, 4) },
       neighbours: { value: arrayTexture(neighbours, 4) },
@@ -102,7 +105,12 @@ export class TetModel {
     this.ghost.geometry.setDrawRange(0, 3 * extents[0]);
     this.veil.geometry.setDrawRange(0, 3 * faces.length);
     this.ghost.renderOrder = this.veil.renderOrder = 1;
-    this.group.add(this.solid, this.cap, this.ghost, this.veil);
+    this.outline = this.drawing(facesVertex, { need: shownBit, ghost: true });
+    this.outline.material.uniforms.points = this.shared.rest;
+    this.outline.geometry.setDrawRange(0, 3 * extents[0]);
+    this.outline.renderOrder = 1;
+    this.outline.visible = false;
+    this.group.add(this.solid, this.cap, this.ghost, this.veil, this.outline);
     this.update();
   }
 
@@ -164,6 +172,24 @@ export class TetModel {
     refill(this.shared.values.value, values);
   }
 
+  /** Moves each point by three numbers, or puts all back. */
+  setMoves(moves: Float32Array | null, outlined: boolean): void {
+    const { points, extents } = this.mesh;
+    this.outline.visible = outlined;
+    const texture = this.shared.points.value;
+    const moved = texture.image.data as unknown as Float32Array;
+    let most = 0;
+    for (let i = 0, j = 0; i < points.length; i += 3, j += 4) {
+      const [x, y, z] = moves ? [moves[i], moves[i + 1], moves[i + 2]] : [0, 0, 0];
+      moved[j] = points[i] + x;
+      moved[j + 1] = points[i + 1] + y;
+      moved[j + 2] = points[i + 2] + z;
+      most = Math.max(most, x * x + y * y + z * z);
+    }
+    texture.needsUpdate = true;
+    this.shared.reach.value = extents[2] + Math.sqrt(most);
+  }
+
   setPlane(plane: Plane | null): void {
     this.plane = plane;
     this.update();
@@ -183,7 +209,7 @@ export class TetModel {
 
   setLook(edgeStrength: number, ghostOpacity: number): void {
     for (const one of [this.solid, this.cap]) one.material.uniforms.edgeStrength.value = edgeStrength;
-    this.ghost.material.uniforms.opacity.value = ghostOpacity;
+    for (const one of [this.ghost, this.outline]) one.material.uniforms.opacity.value = ghostOpacity;
     this.veil.material.uniforms.opacity.value = 2.2 * ghostOpacity;
     this.veil.material.uniforms.edgeStrength.value = edgeStrength;
   }
@@ -191,7 +217,7 @@ export class TetModel {
   dispose(): void {
     this.disposed = true;
     for (const { value } of Object.values(this.shared)) (value as Partial<Texture>).dispose?.();
-    for (const one of [this.solid, this.cap, this.ghost, this.veil]) {
+    for (const one of [this.solid, this.cap, this.ghost, this.veil, this.outline]) {
       one.geometry.dispose();
       one.material.dispose();
     }

@@ -1,7 +1,7 @@
 import type { Frame } from '../../engine/contract';
 
-const bytesOf = (frame: Frame): number =>
-  Object.values(frame.values).reduce((sum, { byteLength }) => sum + byteLength, 0);
+const bytesOf = ({ values, moves }: Frame): number =>
+  Object.values(values).reduce((sum, { byteLength }) => sum + byteLength, moves?.byteLength ?? 0);
 
 /**
  * Frames of one simulation in the order of time, bounded in bytes. When they are too many every second one is
@@ -27,10 +27,13 @@ export class FrameRing {
     return this.kept.map(({ frame }) => frame.timeMs);
   }
 
-  /** Forgets the frames from a time on. */
-  dropFrom(timeMs: number): void {
-    this.kept = this.kept.filter(({ frame }) => frame.timeMs < timeMs);
-    this.sum = this.kept.reduce((sum, { frame }) => sum + bytesOf(frame), 0);
+  /** The frames before a time, to which others may be added: whoever keeps this ring has all of its own still. */
+  before(timeMs: number): FrameRing {
+    const next = new FrameRing(this.maxBytes);
+    next.kept = this.kept.filter(({ frame }) => frame.timeMs < timeMs);
+    next.sum = next.kept.reduce((sum, { frame }) => sum + bytesOf(frame), 0);
+    [next.stride, next.count] = [this.stride, this.count];
+    return next;
   }
 
   push(frame: Frame): void {

@@ -10,6 +10,7 @@ import {
   type Report,
   type Simulated,
   type SimulationName,
+  type Traces,
 } from '../../engine/contract';
 import { time } from '../view';
 import { FrameRing } from './frame_ring';
@@ -21,9 +22,30 @@ export type SimulationState = 'none' | 'running' | 'paused' | 'done' | 'cancelle
 /** How the simulation stands that the frames are of, and the time that it is to reach, ms. */
 export const simulation = signal<SimulationState>('none');
 export const simulationEndMs = signal(0);
+/** The part of it that is done. */
+export const simulationPart = signal(0);
+/** It runs, and has not given a frame yet: those at hand are of an earlier run. */
+export const awaitsFrames = signal(false);
 export const simulationOf = signal<SimulationName | null>(null);
 
 let ring = new FrameRing(maxBytes);
+
+/** What the frames had recorded so far, of all of them: none of it is dropped. */
+export const tracesSoFar = signal<Traces | null>(null);
+
+/** A run that goes on from an earlier time tells what comes after it anew. */
+function addTraces({ times_ms, lines }: Traces): void {
+  const known = tracesSoFar.peek();
+  const stays = known?.times_ms.filter((time) => time < times_ms[0]).length ?? 0;
+  const grown = (before: number[] | undefined, more: number[]) => [
+    ...(before?.slice(0, stays) ?? []),
+    ...more,
+  ];
+  tracesSoFar.value = {
+    times_ms: grown(known?.times_ms, times_ms),
+    lines: lines.map((line, i) => ({ ...line, values: grown(known?.lines[i].values, line.values) })),
+  };
+}
 
 /** Times of the frames at hand, ms, ascending. */
 export const frameTimes = signal<readonly number[]>([]);
@@ -32,6 +54,8 @@ export const frameTimes = signal<readonly number[]>([]);
 export interface PlayedField {
   info: FieldInfo;
   range: [number, number];
+  /** Where a few elements are far beyond the others: the range of the others. */
+  most?: [number, number];
 }
 
 /** A wave is being computed, or is held, and has begun: it can be given another stimulus. */
@@ -116,26 +140,55 @@ export function keptSimulation(): KeptSimulation {
 /** Whether a point has a value. */
 export const hasValue = (value: number): boolean => value > noValue / 2;
 
-let framesAreOf: SimulationName | null = null;
+/** What the frames at hand are of. */
+export const framesOf = signal<SimulationName | null>(null);
 
 function clearFrames(): void {
   ring = new FrameRing(maxBytes);
-  framesAreOf = null;
+  framesOf.value = null;
   frameTimes.value = [];
   playedFields.value = [];
+  tracesSoFar.value = null;
   time.value = 0;
 }
 
 export function forgetFrames(): void {
   clearFrames();
+  complete.clear();
   simulation.value = 'none';
 }
 
 /** Before the first frame of a run: one that goes on from an earlier time of the same simulation keeps what was before. */
 export function beginFrames(name: SimulationName, timeMs: number): void {
-  if (timeMs === 0 || framesAreOf !== name) clearFrames();
-  else ring.dropFrom(timeMs);
-  framesAreOf = name;
+  complete.delete(name);
+  const goesOn = framesOf.peek() === name && ring.times.some((known) => known < timeMs);
+  if (goesOn) ring = ring.before(timeMs);
+  else clearFrames();
+  framesOf.value = name;
+  frameTimes.value = ring.times;
+}
+
+/** Frames of simulations that are done, with the key of the result: the engine gives none of what it has at hand. */
+const complete = new Map<
+  SimulationName,
+  { key: string; ring: FrameRing; fields: readonly PlayedField[]; traces: Traces | null }
+>();
+
+/** There will be no more frames of this simulation. */
+export function endFrames(name: SimulationName, key: string): void {
+  complete.set(name, { key, ring, fields: playedFields.peek(), traces: tracesSoFar.peek() });
+}
+
+/** Shows the frames of a result that was at hand. Where they are gone there are none: others would say something else. */
+export function showFrames(name: SimulationName, key: string): void {
+  const known = complete.get(name);
+  if (known?.key !== key) return forgetFrames();
+  if (framesOf.peek() === name) return;
+  clearFrames();
+  ({ ring } = known);
+  framesOf.value = name;
+  playedFields.value = known.fields;
+  tracesSoFar.value = known.traces;
   frameTimes.value = ring.times;
 }
 
@@ -144,9 +197,12 @@ export function keepFrame(frame: Frame): void {
   const known = playedFields.peek();
   const grown = frame.fields.map((info) => {
     const before = known.find((one) => one.info.name === info.name);
-    return before && within(info.range, before.range) ? before : grownBy(before, info);
+    const most = info.unit === '%' ? mostOf(frame.values[info.name]) : null;
+    const isKnown = before && within(info.range, before.range) && within(most, before.most ?? before.range);
+    return isKnown ? before : grownBy(before, info, most);
   });
   if (grown.some((field, i) => field !== known[i])) playedFields.value = grown;
+  if (frame.traces) addTraces(frame.traces);
   frameTimes.value = ring.times;
 }
 
@@ -155,10 +211,23 @@ type Range = [number, number];
 const within = (inner: Range | null, [lo, hi]: Range): boolean =>
   !inner || (inner[0] >= lo && inner[1] <= hi);
 
-function grownBy(before: PlayedField | undefined, info: FieldInfo): PlayedField {
-  const [lo, hi] = info.range ?? [0, 1];
-  if (!before) return { info, range: [lo, hi] };
-  return { info, range: [Math.min(lo, before.range[0]), Math.max(hi, before.range[1])] };
+const around = (one: Range, other: Range | undefined): Range =>
+  other ? [Math.min(one[0], other[0]), Math.max(one[1], other[1])] : one;
+
+function grownBy(before: PlayedField | undefined, info: FieldInfo, most: Range | null): PlayedField {
+  const range = around(info.range ?? [0, 1], before?.range);
+  return { info, range, ...(most && { most: around(most, before?.most) }) };
+}
+
+/** Of so many elements, spread over all, the ends are taken. */
+const sampled = 5000;
+
+/** The range of all but a hundredth at either end. */
+function mostOf(values: Float32Array): Range | null {
+  const step = Math.ceil(values.length / sampled);
+  const some = values.filter((value, i) => i % step === 0 && hasValue(value)).sort();
+  const end = Math.floor(some.length / 100);
+  return some.length > 0 ? [some[end], some[some.length - 1 - end]] : null;
 }
 
 /** The last frame that is not after a time, or the first. Reading subscribes to which frames there are. */
