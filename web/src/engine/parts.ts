@@ -33,8 +33,9 @@ function nextMessage(): Promise<void> {
 export interface Snapshot {
   time_ms: number;
   fields: FieldInfo[];
-  trace_times_ms: number[];
-  traces: Traces['lines'];
+  /** Absent where an earlier engine is driven. */
+  trace_times_ms?: number[];
+  traces?: Traces['lines'];
 }
 
 /** The length of each vector of three numbers, and the least and the most of them. */
@@ -65,7 +66,7 @@ export function frameOf(session: Session, told: Snapshot): Frame {
       frame.values[field.name] = withRoom(withNone(view, noValue));
     }
   }
-  if (told.traces.length > 0) frame.traces = { times_ms: told.trace_times_ms, lines: told.traces };
+  if (told.traces?.length) frame.traces = { times_ms: told.trace_times_ms ?? [], lines: told.traces };
   return frame;
 }
 
