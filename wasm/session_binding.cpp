@@ -18,6 +18,7 @@
 #include "pipeline/exports/carp_case.h"
 #include "pipeline/exports/exported_fields.h"
 #include "pipeline/exports/field_volume.h"
+#include "pipeline/exports/mechanics_case.h"
 #include "pipeline/exports/second_order.h"
 #include "pipeline/forecast.h"
 #include "pipeline/report.h"
@@ -251,10 +252,9 @@ class SessionBinding {
     exported_.clear();
     if (!session_.mesh())
       return reply(Error{ErrorCode::kUsage, "export", "no mesh yet: run the stage optimise", {}});
-    Result<MeshFormat> which = format_of(format);
-    if (!which) return reply(which.error());
-    Result<std::vector<OutputFile>> files =
-        written_mesh(*which, space == "lps" ? PatientSpace::kLps : PatientSpace::kRas, name, measures, order);
+    WriteMeshOptions options{.space = space == "lps" ? PatientSpace::kLps : PatientSpace::kRas, .name = name};
+    if (order == 2) options.midside = second_order_nodes(session_, context().threads).nodes;
+    Result<std::vector<OutputFile>> files = written_files(format, options, measures);
     if (!files) return reply(files.error());
     exported_ = std::move(files).value();
     json list = json::array();
@@ -275,15 +275,22 @@ class SessionBinding {
     return ctx;
   }
 
-  /// For openCARP a case, where a wave has been simulated.
-  Result<std::vector<OutputFile>> written_mesh(MeshFormat format, PatientSpace space, const std::string& name,
-                                               bool measures, int order) const {
-    if (format == MeshFormat::kCarp && has_wave(session_)) return carp_case_files(session_, space, name);
-    WriteMeshOptions options = exported_fields(session_, format, measures).options;
-    options.space = space;
-    options.name = name;
-    if (order == 2) options.midside = second_order_nodes(session_, context().threads).nodes;
-    return write_tet_mesh(*session_.mesh(), format, options);
+  /// For openCARP a case, where a wave has been simulated. `feb_case` and `svmultiphysics`: cases of
+  /// mechanics.
+  Result<std::vector<OutputFile>> written_files(const std::string& format, WriteMeshOptions options,
+                                                bool measures) const {
+    if (format == "feb_case") return mechanics_case_files(session_, MechanicsProgram::kFebio, options);
+    if (format == "svmultiphysics")
+      return mechanics_case_files(session_, MechanicsProgram::kSvMultiPhysics, options);
+    const Result<MeshFormat> which = format_of(format);
+    if (!which) return which.error();
+    if (*which == MeshFormat::kCarp && has_wave(session_))
+      return carp_case_files(session_, options.space, options.name);
+    WriteMeshOptions with_fields = exported_fields(session_, *which, measures).options;
+    with_fields.space = options.space;
+    with_fields.name = options.name;
+    with_fields.midside = std::move(options.midside);
+    return write_tet_mesh(*session_.mesh(), *which, with_fields);
   }
 
   std::string load_mask(const VolumeFile& file) {

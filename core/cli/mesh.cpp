@@ -11,6 +11,8 @@
 #include "cli/print.h"
 #include "cli/words/option_texts.h"
 #include "io/bytes/files.h"
+#include "pipeline/exports/mechanics_case.h"
+#include "pipeline/exports/second_order.h"
 #include "pipeline/report.h"
 
 namespace voxtet {
@@ -32,7 +34,12 @@ Status check_mesh_outputs(const CaseOptions& options, const MeshOptions& wanted,
       return usage_error("cli", "-o: there is no mesh to write when a run ends with the stage " +
                                     wanted.until + ", expected --until transfer or quality, or --dump");
   }
-  std::vector<NamedPath> outputs{{"-o", wanted.out == kDash ? "" : wanted.out}, {"--report", wanted.report}};
+  if (!wanted.mechanics.empty())
+    if (const Result<MechanicsProgram> program = mechanics_program_of(wanted.mechanics); !program)
+      return program.error();
+  std::vector<NamedPath> outputs{{"-o", wanted.out == kDash ? "" : wanted.out},
+                                 {"--mechanics", wanted.mechanics},
+                                 {"--report", wanted.report}};
   if (!wanted.dump.empty()) {
     std::error_code failed;
     std::filesystem::create_directories(wanted.dump, failed);  // what cannot be made is found below
@@ -51,8 +58,27 @@ Status write_report(const Session& session, const MeshOptions& wanted, const jso
 
 /// Said before the stages run, which may take long.
 void note_no_output(const MeshOptions& wanted, const Output& output) {
-  const bool asked = output.as_json || !(wanted.out + wanted.report + wanted.dump).empty();
+  const bool asked = output.as_json || !(wanted.out + wanted.mechanics + wanted.report + wanted.dump).empty();
   if (!asked) print_note("no -o: the report will be printed, and no mesh written");
+}
+
+/// A case of mechanics, its files beside `path`.
+Status export_mechanics(const Session& session, const std::string& path, const Output& output) {
+  const Result<MechanicsProgram> program = mechanics_program_of(path);
+  if (!program) return program.error();
+  WriteMeshOptions options{.space = output.space(), .name = mesh_name_of(path)};
+  if (output.order == 2) {
+    CurvedNodes curved = second_order_nodes(session, context_of(output).threads);
+    print_note(path + ": " + note_of(curved));
+    options.midside = std::move(curved.nodes);
+  }
+  const Result<std::vector<OutputFile>> files = mechanics_case_files(session, *program, std::move(options));
+  if (!files) return files.error();
+  const std::string ending(mesh_ending_of(path)), base = path.substr(0, path.size() - ending.size());
+  std::vector<TargetFile> targets;
+  for (const OutputFile& file : *files)
+    targets.push_back({&file == &files->front() ? path : base + file.suffix, file.bytes});
+  return place_files(targets);
 }
 
 /// The mesh is there, without what was asked of it.
@@ -88,6 +114,11 @@ void add_mesh_command(CLI::App& command, CaseOptions& options, MeshOptions& want
       ->check(kNotEmpty);
   command.add_option("--output-format", output.mesh_format,
                      "of the mesh on standard output: vtu, vtk, msh, mesh, inp, bdf, feb, stl or ply");
+  command
+      .add_option("--mechanics", wanted.mechanics,
+                  "write a case of passive inflation: .feb for FEBio, or .xml with its meshes for "
+                  "svMultiPhysics")
+      ->check(kNotEmpty);
   command.add_option("--report", wanted.report, "write the report as JSON to this file")->check(kNotEmpty);
   command.add_option("--until", wanted.until, "end with this stage: volume, surface, smooth, ...");
   command.add_option("--dump", wanted.dump, "write what each stage gave into this folder")->check(kNotEmpty);
@@ -109,6 +140,7 @@ int run_mesh(const CaseOptions& options, const MeshOptions& wanted, const Output
   Status done = std::monostate{};
   // A mesh file also holds the labels that were transferred.
   if (!wanted.out.empty() && !needs(*until, Stage::kTransfer)) done = session.run(Stage::kTransfer, ctx);
+  if (done && !wanted.mechanics.empty()) done = session.run(Stage::kFibres, ctx);
   if (done) done = session.run(*until, ctx);
   const std::optional<Error> failed = error_of(done, session, output);
   json report = report_json(session);
@@ -116,6 +148,9 @@ int run_mesh(const CaseOptions& options, const MeshOptions& wanted, const Output
   if (done && !wanted.out.empty())
     if (const int code = export_session(session, wanted.measures, wanted.out, output); code != kExitOk)
       return code;
+  if (done && !wanted.mechanics.empty())
+    if (Status placed = export_mechanics(session, wanted.mechanics, output); !placed)
+      return fail(placed.error(), output);
   const Status written = write_report(session, wanted, report);
   if (!written && !failed) return fail(written.error(), output);
   if (!written) fail(written.error());

@@ -10,6 +10,7 @@ namespace voxtet {
 /// What `mesh` writes, and how far it goes.
 struct MeshOptions {
   std::string out, report, dump;  ///< "-" as `out`: standard output
+  std::string mechanics;          ///< a case for FEBio or svMultiPhysics
   std::string until = name_of(Stage::kQuality);
   bool measures = false;  ///< in the mesh file
 };

@@ -21,6 +21,7 @@ constexpr Part kParts[] = {{"plane_wave", voxtet::verify::print_plane_wave},
                            {"speed", voxtet::verify::print_speed},
                            {"land", voxtet::verify::print_land},
                            {"circulation", voxtet::verify::print_circulation},
+                           {"inflation", voxtet::verify::print_inflation},
                            {"layers", voxtet::verify::print_layers},
                            {"elastodynamics", voxtet::verify::print_elastodynamics},
                            {"beat", voxtet::verify::print_beat},
@@ -42,7 +43,7 @@ int main(int argc, char** argv) {
     } else {
       std::fprintf(stderr,
                    "verify_physics: found '%s', expected --all, plane_wave, slab, eikonal, isthmus, speed, "
-                   "land, circulation, layers, elastodynamics, beat or checks\n",
+                   "land, circulation, inflation, layers, elastodynamics, beat or checks\n",
                    argument.c_str());
       return 2;
     }

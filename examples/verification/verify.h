@@ -25,6 +25,9 @@ void print_speed(bool all);
 void print_land(bool all);
 /// Active stress, pressure curves and the closed loop, as checks.
 void print_circulation(bool all);
+/// A ventricle under pressure by element and material, a line of JSON each: its mesh, fibres and
+/// displacements.
+void print_inflation(bool all);
 
 /// Ejection fractions by layers, elements and fibres.
 void print_layers(bool all);

@@ -87,6 +87,24 @@ inline TetMesh two_tets() {
   return mesh;
 }
 
+/// Of two_tets(), with nodes that are off the middles of their edges.
+inline MidsideNodes nodes_of_two_tets() {
+  MidsideNodes nodes;
+  nodes.edges = {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 2}, {1, 3}, {1, 4}, {2, 3}, {2, 4}};
+  const TetMesh mesh = two_tets();
+  for (const auto& [a, b] : nodes.edges)
+    nodes.points.emplace_back((mesh.points[a] + mesh.points[b]) / 2 + Eigen::Vector3d(0, 0, 0.125));
+  const auto edge = [&](std::uint32_t a, std::uint32_t b) {
+    const std::array<std::uint32_t, 2> ends{std::min(a, b), std::max(a, b)};
+    return static_cast<std::uint32_t>(std::find(nodes.edges.begin(), nodes.edges.end(), ends) -
+                                      nodes.edges.begin());
+  };
+  for (const auto& [a, b, c, d] : mesh.tets)
+    nodes.tets.push_back({edge(a, b), edge(b, c), edge(c, a), edge(a, d), edge(b, d), edge(c, d)});
+  for (const auto& [a, b, c] : mesh.faces) nodes.faces.push_back({edge(a, b), edge(b, c), edge(c, a)});
+  return nodes;
+}
+
 /// Names with what formats stumble on: quotes, bars, letters beyond ASCII. Label 7 has none.
 inline std::vector<LabelInfo> cube_infos() {
   return {{1, "LV myocardium", {0.8F, 0.1F, 0.1F}},

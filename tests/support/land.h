@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -32,11 +33,31 @@ std::vector<bool> held_where(const mechanics::Nodes& nodes, IsHeld&& is_held) {
   return held;
 }
 
+/// How far the pressures of nodes jump from one to the next: the root of the mean square of what a pressure
+/// and the mean of its neighbours' differ by, over that of the pressures. 0 where nodes have none.
+inline double pressure_oscillation(const mechanics::Body& body, const Eigen::VectorXd& u) {
+  const mechanics::Nodes& nodes = body.nodes();
+  const Eigen::VectorXd pressure = body.node_pressures_kpa(u);
+  std::vector<mechanics::NodeGroup> tets;
+  for (std::size_t t = 0; t < nodes.tets(); ++t) tets.emplace_back(nodes.of_tet(t), 4);
+  const mechanics::NodeGraph graph(nodes.places().size(), tets);
+  double jumps = 0;
+  for (Eigen::Index i = 0; i < pressure.size(); ++i) {
+    const auto around = graph.of(static_cast<std::size_t>(i));
+    double others = -pressure[i];
+    for (const std::uint32_t other : around) others += pressure[other];
+    const double jump = pressure[i] - others / static_cast<double>(around.size() - 1);
+    jumps += jump * jump;
+  }
+  return jumps > 0 ? std::sqrt(jumps / pressure.squaredNorm()) : 0;
+}
+
 /// What a solve of a problem gave.
 struct LandResult {
   Eigen::VectorXd u;
   std::size_t unknowns = 0;
   int iterations = 0, factorisations = 0;
+  double oscillation = 0;  ///< pressure_oscillation()
 };
 
 inline Result<LandResult> solve_all(const mechanics::Body& body, mechanics::Loads loads,
@@ -50,7 +71,7 @@ inline Result<LandResult> solve_all(const mechanics::Body& body, mechanics::Load
     if (*done) break;
   }
   return LandResult{steps->displacement(), static_cast<std::size_t>(body.unknowns()), steps->iterations(),
-                    steps->factorisations()};
+                    steps->factorisations(), pressure_oscillation(body, steps->displacement())};
 }
 
 /// Problem 1: a beam of 10 x 1 x 1 mm with fibres along it, clamped at x = 0, bent by 0.004 kPa on its
@@ -60,10 +81,11 @@ struct LandBeam {
   LandResult result;
 };
 inline Result<LandBeam> land_beam(const std::array<int, 3>& bricks_along, mechanics::Formulation formulation,
-                                  double bulk_kpa, int steps) {
+                                  double bulk_kpa, int steps,
+                                  const mechanics::Guccione& material = {2, 8, 2, 4}) {
   const TetMesh mesh = bricks({10, 1, 1}, bricks_along);
   mechanics::Muscle muscle;
-  muscle.materials = {mechanics::Guccione{2, 8, 2, 4}};
+  muscle.materials = {material};
   muscle.bulk_kpa = bulk_kpa;
   const auto body = mechanics::Body::make(mesh, formulation, std::move(muscle));
   if (!body) return body.error();

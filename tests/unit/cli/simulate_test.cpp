@@ -324,6 +324,33 @@ TEST_F(CliTest, WritesFibresWhereTheFormatHasAPlaceForThem) {
   EXPECT_TRUE(errors.say("a.inp: left out fibre, for which this format has no place"));
 }
 
+TEST_F(CliTest, WritesCasesOfMechanics) {
+  write("heart.json", heart().dump());
+  ASSERT_EQ(run({"mesh", at("heart.json"), "--mechanics", at("a.feb"), "--order", "2"}), kExitOk);
+  EXPECT_NE(text_at(at("a.feb")).find("<Elements type=\"tet10\""), std::string::npos);
+  EXPECT_NE(text_at(at("a.README.txt")).find("for FEBio 4"), std::string::npos);
+  ASSERT_EQ(run({"mesh", at("heart.json"), "--mechanics", at("b.xml"), "--space", "lps"}), kExitOk);
+  for (const char* name : {"b.xml", "b.mesh.vtu", "b.fibersLong.vtu", "b.fibersSheet.vtu", "b.pressure.dat",
+                           "b.README.txt", "b.base.vtp", "b.epicardium.vtp", "b.lv_endocardium.vtp"})
+    EXPECT_TRUE(fs::exists(at(name))) << name;
+  EXPECT_NE(text_at(at("b.mesh.vtu")).find("space LPS"), std::string::npos);
+
+  write("ball.json", ball().dump());
+  const std::size_t before = files();
+  for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"mesh", at("heart.json"), "--mechanics", at("a.vtu")},
+            "found the ending \".vtu\", expected .feb for FEBio or .xml for svMultiPhysics"},
+           {{"mesh", at("heart.json"), "--mechanics", at("c.xml"), "--order", "2"},
+            "a case for svMultiPhysics has none"},
+           {{"mesh", at("ball.json"), "--mechanics", at("c.feb")},
+            "found no physics.anatomy with physics.fibres, expected both"}}) {
+    test::CaughtErrors errors;
+    EXPECT_EQ(run(words), kExitUsage) << said;
+    EXPECT_TRUE(errors.say(said)) << said;
+  }
+  EXPECT_EQ(files(), before);
+}
+
 TEST_F(CliTest, RefusesFibresOfAnotherMeshWhereNoneAreMade) {
   write("heart.json", heart().dump());
   write("ball.json", ball().dump());

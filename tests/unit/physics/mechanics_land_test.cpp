@@ -36,6 +36,14 @@ TEST(MechanicsLand, StabilisedPressuresUnlockLinearElements) {
   EXPECT_NEAR(heart->epi_mm, -28.18, 0.03 * 28.18);
 }
 
+TEST(MechanicsLand, StabilisedPressuresOscillateLessThanAveragedOnes) {
+  const auto averaged = test::land_beam({20, 2, 2}, Formulation::kAverageNodalPressure, 1000, 10);
+  const auto stabilised = test::land_beam({20, 2, 2}, Formulation::kStabilised, 1000, 10);
+  ASSERT_TRUE(averaged && stabilised);
+  EXPECT_GT(averaged->result.oscillation, 0);
+  EXPECT_LT(stabilised->result.oscillation, 0.7 * averaged->result.oscillation);
+}
+
 TEST(MechanicsLand, TheInflatedVentricleIsAsLongAsAllCodesAgree) {
   const auto heart = test::land_ventricle(false, 1, 6, Formulation::kQuadratic, 1000, 10);
   ASSERT_TRUE(heart) << heart.error().message;

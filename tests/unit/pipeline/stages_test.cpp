@@ -11,7 +11,7 @@
 #include "pipeline/report.h"
 #include "pipeline/result_store.h"
 #include "pipeline/session.h"
-#include "pipeline/stages/diffusion_stage.h"
+#include "pipeline/simulations/diffusion_stage.h"
 #include "support/labelled_mesh.h"
 
 namespace voxtet {

@@ -148,16 +148,27 @@ export interface FittingSizes {
   forecast: Forecast;
 }
 
-export const exportFormats = [
+export const meshFormats = [
   ...(['vtu', 'vtk', 'xdmf', 'msh', 'msh22', 'medit', 'carp', 'inp', 'bdf', 'feb', 'tetgen'] as const),
   ...(['stl', 'label_stl', 'ply'] as const),
 ] as const;
+/** Cases of mechanics, of a mesh with anatomy and fibres. */
+export const caseFormats = ['feb_case', 'svmultiphysics'] as const;
+export const exportFormats = [...meshFormats, ...caseFormats] as const;
 export type ExportFormat = (typeof exportFormats)[number];
 
 /** Of tetrahedra: 1 has four nodes; 2 has ten, those on the boundary on the smoothed label surface. */
 export type ElementOrder = 1 | 2;
 /** Formats that have elements of second order. */
-export const secondOrderFormats: readonly ExportFormat[] = ['vtu', 'msh', 'msh22', 'inp', 'feb', 'xdmf'];
+export const secondOrderFormats: readonly ExportFormat[] = [
+  'vtu',
+  'msh',
+  'msh22',
+  'inp',
+  'feb',
+  'xdmf',
+  'feb_case',
+];
 export type Space = 'ras' | 'lps';
 
 export interface ExportedFile {

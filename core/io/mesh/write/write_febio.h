@@ -1,6 +1,8 @@
 // FEBio input file .feb of version 4.0 (S. Maas et al., "FEBio User's Manual", "Free Format Input").
 #pragma once
 
+#include <string>
+
 #include "io/mesh/shared/mesh_format.h"
 #include "types/surface_mesh.h"
 #include "types/tet_mesh.h"
@@ -15,5 +17,19 @@ namespace voxtet {
 /// values, as a comment says. Cell data: an ElementData section per part, which a parameter of type "map" can
 /// refer to.
 Bytes write_febio(const TetMesh& mesh, const WriteMeshOptions& options);
+
+/// What makes an analysis of a mesh, as FEBio's XML.
+struct FebioAnalysis {
+  const Field *fibre = nullptr, *sheet = nullptr;  ///< of the tetrahedra; zeros where there are none
+  std::string control;                             ///< the section Control
+  /// A material with its attribute type, as `type="x">...`, of parts with fibres and of those without.
+  std::string muscle, passive;
+  std::string domain;  ///< attributes of a SolidDomain
+  std::string end;     ///< the sections Boundary, Loads, LoadData and Output
+};
+
+/// The mesh with an analysis. Instead of cell data, a part with fibres has its axes: ElementData of the type
+/// mat_axis, `a` the fibre and `d` the sheet. A part has fibres if its first tetrahedron has one.
+Bytes write_febio(const TetMesh& mesh, const WriteMeshOptions& options, const FebioAnalysis& analysis);
 
 }  // namespace voxtet

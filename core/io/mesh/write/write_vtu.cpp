@@ -8,52 +8,25 @@
 #include "io/bytes/byte_writer.h"
 #include "io/mesh/shared/element_nodes.h"
 #include "io/mesh/shared/mesh_groups.h"
+#include "io/mesh/write/vtk_xml.h"
 
 namespace voxtet {
 namespace {
 
 constexpr std::uint8_t kVtkTriangle = 5, kVtkQuadraticTriangle = 22;
 
-/// The XML part; declares the appended arrays in the order in which their bytes must follow.
-class VtuHeader {
- public:
-  /// `names`: of the labels, as arrays of field data.
-  VtuHeader(PatientSpace space, std::size_t points, std::size_t cells, const std::string& names,
-            const std::string& note = "") {
-    xml_ = "<?xml version=\"1.0\"?>\n<!-- " + coordinates_note(space) + note +
-           " -->\n"
-           "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-           "header_type=\"UInt64\">\n"
-           "<UnstructuredGrid>\n";
-    std::string field_data = names;
-    if (space == PatientSpace::kLps)
-      field_data +=
-          "<DataArray type=\"Int8\" Name=\"space\" NumberOfTuples=\"3\" format=\"ascii\">"
-          "76 80 83</DataArray>\n";
-    if (!field_data.empty()) xml_ += "<FieldData>\n" + field_data + "</FieldData>\n";
-    xml_ += "<Piece NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" +
-            std::to_string(cells) + "\">\n";
-  }
-  void open(const std::string& tag) { xml_ += "<" + tag + ">\n"; }
-  /// `shape` is left away for scalars: meshio would make a column of them.
-  void array(const std::string& type, const std::string& name, std::size_t bytes,
-             const std::string& shape = "") {
-    xml_ += "<DataArray type=\"" + type + "\" Name=\"" + name + "\"" + shape +
-            " format=\"appended\" offset=\"" + std::to_string(offset_) + "\"/>\n";
-    offset_ += sizeof(std::uint64_t) + bytes;
-  }
-  /// A writer that holds the finished XML and expects exactly the declared arrays.
-  ByteWriter finish() {
-    xml_ += "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-    ByteWriter writer(xml_.size() + offset_ + 64);
-    writer.text(xml_);
-    return writer;
-  }
-
- private:
-  std::string xml_;
-  std::size_t offset_ = 0;
-};
+/// `names`: of the labels, as arrays of field data.
+VtkXml header_of(PatientSpace space, std::size_t points, std::size_t cells, const std::string& names,
+                 const std::string& note = "") {
+  std::string field_data = names;
+  if (space == PatientSpace::kLps)
+    field_data +=
+        "<DataArray type=\"Int8\" Name=\"space\" NumberOfTuples=\"3\" format=\"ascii\">"
+        "76 80 83</DataArray>\n";
+  return VtkXml(
+      "UnstructuredGrid", coordinates_note(space) + note, field_data,
+      "NumberOfPoints=\"" + std::to_string(points) + "\" NumberOfCells=\"" + std::to_string(cells) + "\"");
+}
 
 std::string ascii_array(const std::string& type, std::string_view name, const std::vector<int>& values) {
   std::string text;
@@ -85,7 +58,7 @@ std::vector<Label> labels_of(const SurfaceMesh& surface) {
   return labels;
 }
 
-void declare_grid(VtuHeader& header, std::size_t points, std::size_t cells, std::size_t nodes_per_cell) {
+void declare_grid(VtkXml& header, std::size_t points, std::size_t cells, std::size_t nodes_per_cell) {
   header.open("Points");
   header.array("Float64", "Points", 24 * points, " NumberOfComponents=\"3\"");
   header.open("/Points");
@@ -119,7 +92,7 @@ void append_grid(ByteWriter& out, const std::vector<Eigen::Vector3d>& points, Pa
   for (std::size_t i = 0; i < cells.count; ++i) out.raw(cells.type);
 }
 
-void declare_data(VtuHeader& header, const std::vector<Field>& fields) {
+void declare_data(VtkXml& header, const std::vector<Field>& fields) {
   for (const Field& data : fields)
     header.array(
         "Float32", data.name, 4 * data.values.size(),
@@ -133,13 +106,11 @@ void append_data(ByteWriter& out, const std::vector<Field>& fields, PatientSpace
   }
 }
 
-constexpr const char* kFooter = "\n</AppendedData>\n</VTKFile>\n";
-
 }  // namespace
 
 Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
-  VtuHeader header(options.space, mesh.points.size(), mesh.tets.size(),
-                   name_arrays(group_tets(mesh.labels).labels, options.infos));
+  VtkXml header = header_of(options.space, mesh.points.size(), mesh.tets.size(),
+                            name_arrays(group_tets(mesh.labels).labels, options.infos));
   const Cells cells{mesh.tets.size(), nodes_per_tet(options),
                     options.midside ? kVtkQuadraticTetra : kVtkTetra};
   declare_grid(header, mesh.points.size(), cells.count, cells.nodes_per_cell);
@@ -159,15 +130,15 @@ Bytes write_vtu(const TetMesh& mesh, const WriteMeshOptions& options) {
   for (const Label label : mesh.labels) out.raw(std::int32_t{label});
   append_data(out, options.cell_data, options.space);
   append_data(out, options.point_data, options.space);
-  out.text(kFooter);
+  out.text(VtkXml::kFooter);
   return out.take();
 }
 
 Bytes write_vtu(const SurfaceMesh& surface, const WriteMeshOptions& options) {
   const bool named = !options.surfaces.empty();
-  VtuHeader header(options.space, surface.points.size(), surface.triangles.size(),
-                   name_arrays(labels_of(surface), options.infos),
-                   named ? "; surface " + set_legend(options.surfaces) : "");
+  VtkXml header = header_of(options.space, surface.points.size(), surface.triangles.size(),
+                            name_arrays(labels_of(surface), options.infos),
+                            named ? "; surface " + set_legend(options.surfaces) : "");
   const Cells cells{surface.triangles.size(), nodes_per_face(options),
                     options.midside ? kVtkQuadraticTriangle : kVtkTriangle};
   declare_grid(header, surface.points.size(), cells.count, cells.nodes_per_cell);
@@ -188,7 +159,7 @@ Bytes write_vtu(const SurfaceMesh& surface, const WriteMeshOptions& options) {
     out.raw(std::uint64_t{4 * surface.sides.size()});
     for (const std::int32_t number : set_numbers(options.surfaces, surface.sides.size())) out.raw(number);
   }
-  out.text(kFooter);
+  out.text(VtkXml::kFooter);
   return out.take();
 }
 

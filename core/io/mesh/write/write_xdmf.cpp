@@ -8,6 +8,7 @@
 #include "io/mesh/shared/facet_tags.h"
 #include "io/mesh/shared/hdf5_arrays.h"
 #include "io/mesh/shared/mesh_groups.h"
+#include "io/mesh/shared/xml_text.h"
 
 namespace voxtet {
 namespace {
@@ -16,21 +17,6 @@ bool can_be_named(const std::string& name) {
   return !name.empty() && trimmed(name) == name && std::none_of(name.begin(), name.end(), [](char c) {
     return c == ':' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
   });
-}
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else
-      result += c;
-  }
-  return result;
 }
 
 std::string data_item(const Hdf5Array& array, const std::string& file) {
@@ -107,7 +93,7 @@ struct XdmfGrid {
 
 Bytes write_description(const XdmfGrid& grid) {
   const auto& [name, note, h5, cell_type, arrays, first_of_points] = grid;
-  const std::string file = escaped(h5);
+  const std::string file = xml_escaped(h5);
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- voxtet mesh, " + note +
                     " -->\n<Xdmf Version=\"3.0\">\n<Domain>\n<Grid Name=\"" + name +
                     "\" GridType=\"Uniform\">\n<Geometry GeometryType=\"XYZ\">\n" +

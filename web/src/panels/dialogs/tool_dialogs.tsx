@@ -1,10 +1,16 @@
 /** Dialogs that are opened by hand; they are loaded when the first of them is. */
 import { useState } from 'preact/hooks';
-import { exportFormats, secondOrderFormats, type ExportFormat, type Space } from '../../engine/contract';
+import {
+  caseFormats,
+  meshFormats,
+  secondOrderFormats,
+  type ExportFormat,
+  type Space,
+} from '../../engine/contract';
 import { downloadReport, exportMesh, exportZip } from '../../store/case/exchange';
 import { unread } from '../../store/case/open_files';
 import { simulated } from '../../store/run/frames';
-import { upToDate } from '../../store/run/report';
+import { meshedRecipe, upToDate } from '../../store/run/report';
 import { activity } from '../../store/run/stages';
 import { Dialog } from '../controls/dialog';
 import { dialogShown } from '../controls/dialog_shown';
@@ -39,6 +45,8 @@ const formatNotes: Record<ExportFormat, [string, string]> = {
   stl: ['STL', 'Boundary surface, for printing and viewing, mm'],
   label_stl: ['STL by label', 'The closed boundary of each label, in one zip, mm'],
   ply: ['PLY', 'Boundary surface with labels, mm'],
+  feb_case: ['FEBio case', 'Passive inflation: fibres, material, pressure, base held; mm, kPa'],
+  svmultiphysics: ['svMultiPhysics case', 'Passive inflation: solver.xml, VTU, faces, fibres; mm, kPa'],
 };
 
 function ExportDialog({ close }: { close(): void }) {
@@ -46,10 +54,11 @@ function ExportDialog({ close }: { close(): void }) {
   const [space, setSpace] = useState<Space>('ras');
   const [curved, setCurved] = useState(false);
   const order = curved && secondOrderFormats.includes(format) ? 2 : 1;
+  const cases = meshedRecipe.value?.physics?.fibres ? caseFormats : [];
   return (
     <Dialog title="Export the mesh" onClose={close}>
       <div class="formats" role="radiogroup" aria-label="Format">
-        {exportFormats.map((name) => (
+        {[...meshFormats, ...cases].map((name) => (
           <label key={name} class={format === name ? 'format chosen' : 'format'}>
             <input
               type="radio"

@@ -43,10 +43,11 @@ export function exportMesh(format: ExportFormat, space: Space, order: ElementOrd
       order,
     });
     // Browsers ask about each of many files.
-    if (format === 'label_stl') {
+    const archive = { label_stl: 'stl', svmultiphysics: 'svmultiphysics' }[format as string];
+    if (archive) {
       const entries = files.map(({ suffix, bytes }) => [`${name}${suffix}`, bytes] as const);
       const zip = await packZip(Object.fromEntries(entries));
-      download(`${name}.stl.zip`, new Blob([zip], { type: 'application/zip' }));
+      download(`${name}.${archive}.zip`, new Blob([zip], { type: 'application/zip' }));
       return `${files.length} files in one zip written`;
     }
     for (const file of files) download(`${name}${file.suffix}`, new Blob([file.bytes]));

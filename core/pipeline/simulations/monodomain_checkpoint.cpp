@@ -1,9 +1,9 @@
-#include "pipeline/stages/monodomain_checkpoint.h"
+#include "pipeline/simulations/monodomain_checkpoint.h"
 
 #include <string>
 #include <string_view>
 
-#include "pipeline/stages/checkpoint_archive.h"
+#include "pipeline/simulations/checkpoint_archive.h"
 
 namespace voxtet {
 namespace {

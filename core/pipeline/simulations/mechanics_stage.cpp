@@ -1,4 +1,4 @@
-#include "pipeline/stages/mechanics_stage.h"
+#include "pipeline/simulations/mechanics_stage.h"
 
 #include <array>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "physics/beat/wall_directions.h"
 #include "physics/ventricles/ventricular_fibres.h"
 #include "pipeline/results/stage_results.h"
-#include "pipeline/stages/mechanics_checkpoint.h"
+#include "pipeline/simulations/mechanics_checkpoint.h"
 #include "pipeline/version/engine_version.h"
 #include "types/stage_names.h"
 

@@ -3,11 +3,11 @@
 
 #include "pipeline/results/describe_results.h"
 #include "pipeline/results/stage_results.h"
-#include "pipeline/stages/diffusion_stage.h"
+#include "pipeline/simulations/diffusion_stage.h"
+#include "pipeline/simulations/mechanics_stage.h"
+#include "pipeline/simulations/monodomain_stage.h"
 #include "pipeline/stages/heart_stages.h"
-#include "pipeline/stages/mechanics_stage.h"
 #include "pipeline/stages/mesh_stages.h"
-#include "pipeline/stages/monodomain_stage.h"
 #include "pipeline/stages/stage.h"
 #include "types/stage_names.h"
 

@@ -1,4 +1,4 @@
-#include "pipeline/stages/diffusion_stage.h"
+#include "pipeline/simulations/diffusion_stage.h"
 
 #include "base/digest.h"
 #include "physics/diffusion/diffusion.h"

@@ -1,9 +1,9 @@
-#include "pipeline/stages/mechanics_checkpoint.h"
+#include "pipeline/simulations/mechanics_checkpoint.h"
 
 #include <string>
 #include <string_view>
 
-#include "pipeline/stages/checkpoint_archive.h"
+#include "pipeline/simulations/checkpoint_archive.h"
 #include "types/stage_names.h"
 
 namespace voxtet {

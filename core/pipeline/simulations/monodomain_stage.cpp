@@ -1,9 +1,9 @@
-#include "pipeline/stages/monodomain_stage.h"
+#include "pipeline/simulations/monodomain_stage.h"
 
 #include <algorithm>
 
 #include "pipeline/results/stage_results.h"
-#include "pipeline/stages/monodomain_checkpoint.h"
+#include "pipeline/simulations/monodomain_checkpoint.h"
 #include "pipeline/version/engine_version.h"
 #include "types/stage_names.h"
 
