@@ -197,7 +197,7 @@ class SessionBinding {
     return val::undefined();
   }
 
-  /// {time_ms, fields} of the earliest frame that has not been taken, whose values snapshot_array() gives
+  /// What snapshot_json() says of the earliest frame that has not been taken, whose values snapshot_array() gives
   /// until the next is taken; null where there is none.
   std::string take_snapshot() {
     if (snapshots_.empty()) return reply(nullptr);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/tissue/conducting_points.h"
+#include "pipeline/results/stage_arrays.h"
 
 namespace voxtet {
 namespace {
@@ -93,9 +94,7 @@ json mechanics_json(const MechanicsResult& result) {
     beats.push_back(std::move(of_beat));
   }
   json lines = json::array();
-  for (const Trace& trace : result.traces)
-    lines.push_back(
-        {{"name", trace.name}, {"title", trace.title}, {"unit", trace.unit}, {"values", trace.values}});
+  for (const Trace& trace : result.traces) lines.push_back(trace_json(trace));
   json out{{"end_ms", result.times_ms.back()},
            {"frames", result.times_ms.size()},
            {"beats", std::move(beats)},

@@ -79,12 +79,21 @@ json array_json(const StageArray& array) {
   return out;
 }
 
+json trace_json(const Trace& trace) {
+  return {{"name", trace.name}, {"title", trace.title}, {"unit", trace.unit}, {"values", trace.values}};
+}
+
 json snapshot_json(const Snapshot& snapshot) {
   StageArrays arrays;
   add_arrays(snapshot.fields, arrays);
   json fields = json::array();
   for (const StageArray& array : arrays) fields.push_back(array_json(array));
-  return {{"time_ms", snapshot.time_ms}, {"fields", fields}};
+  json traces = json::array();
+  for (const Trace& trace : snapshot.traces) traces.push_back(trace_json(trace));
+  return {{"time_ms", snapshot.time_ms},
+          {"fields", fields},
+          {"trace_times_ms", snapshot.trace_times_ms},
+          {"traces", traces}};
 }
 
 }  // namespace voxtet

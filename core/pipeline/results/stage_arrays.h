@@ -34,7 +34,9 @@ void add_arrays(const std::vector<Field>& fields, StageArrays& out);
 /// {name, type ("float32", "uint32", "uint16"), components, count}; for a field also {title, unit, on, scale,
 /// range}. `range` holds its smallest and largest finite value; null if there is none.
 nlohmann::json array_json(const StageArray& array);
-/// {time_ms, fields: [array_json]}.
+/// {name, title, unit, values}.
+nlohmann::json trace_json(const Trace& trace);
+/// {time_ms, fields: [array_json], trace_times_ms, traces: [trace_json]}.
 nlohmann::json snapshot_json(const Snapshot& snapshot);
 
 }  // namespace voxtet

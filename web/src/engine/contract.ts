@@ -13,10 +13,10 @@ export type StageName = (typeof stageNames)[number];
 export const stagesOfMesh: readonly StageName[] = ['volume', 'optimise', 'quality'];
 
 /** Stages of physics. They run when they are asked for; those that are worked on in short steps give frames. */
-export type SimulationName = 'eikonal' | 'monodomain' | 'diffusion';
+export type SimulationName = 'eikonal' | 'monodomain' | 'mechanics' | 'diffusion';
 
 /** Those whose result a case may promise. */
-export const promisedStages = ['eikonal', 'monodomain'] as const;
+export const promisedStages = ['eikonal', 'monodomain', 'mechanics'] as const;
 
 export type ErrorCode =
   | 'usage'
@@ -233,8 +233,26 @@ export interface FieldInfo {
 /** One frame of a result that lives in time: its fields, and their values by name. */
 export interface Frame {
   timeMs: number;
+  /** Each with one number an element; of a vector its length. */
   fields: FieldInfo[];
   values: Record<string, Float32Array>;
+  /** How far each point of a body that moves is from where it was: three numbers a point, mm. */
+  moves?: Float32Array;
+  /** What was recorded since the frame before, where there is anything. */
+  traces?: Traces;
+}
+
+/** Values at some times, ms, in one line for each thing that is recorded. */
+export interface Traces {
+  times_ms: number[];
+  lines: Trace[];
+}
+
+export interface Trace {
+  name: string;
+  title: string;
+  unit: string;
+  values: number[];
 }
 
 /** Of voxels; in bytes where they fit. */

@@ -400,6 +400,231 @@ export interface RecipeFields {
         at_mm: Vec3;
       }[];
     };
+    mechanics?: {
+      /** Elements: p1_anp, linear with pressures averaged at points; p1_stabilised, linear with stabilised pressures; p1, which locks; p2, quadratic. */
+      element: 'p1_anp' | 'p1_stabilised' | 'p1' | 'p2';
+      material: {
+        transversely_isotropic?: {
+          /** c1 of c1 (I1 - 3) + c2 (I2 - 3), all around; kPa. */
+          c1_kpa: number;
+          /** c2 of the same; kPa. */
+          c2_kpa: number;
+          /** Stiffness of stretched fibres; kPa. */
+          a_f_kpa: number;
+          /** How fast fibres stiffen. */
+          b_f: number;
+        };
+        holzapfel_ogden?: {
+          /** Stiffness all around; kPa. */
+          a_kpa: number;
+          /** How fast it stiffens. */
+          b: number;
+          /** Stiffness along fibres; kPa. */
+          a_f_kpa: number;
+          /** How fast they stiffen. */
+          b_f: number;
+          /** Stiffness along sheets; kPa. */
+          a_s_kpa: number;
+          /** How fast they stiffen. */
+          b_s: number;
+          /** Stiffness against shear of fibres and sheets; kPa. */
+          a_fs_kpa: number;
+          /** How fast that stiffens. */
+          b_fs: number;
+          /** How sharply fibres and sheets slacken when they are pressed. */
+          k: number;
+        };
+        guccione?: {
+          /** Stiffness; kPa. */
+          c_kpa: number;
+          /** Exponent along fibres. */
+          b_f: number;
+          /** Exponent across fibres. */
+          b_t: number;
+          /** Exponent of shears of fibres. */
+          b_fs: number;
+        };
+        mooney_rivlin?: {
+          /** c1 of c1 (I1 - 3) + c2 (I2 - 3); kPa. */
+          c1_kpa: number;
+          /** c2 of the same; 0: neo-Hookean; kPa. */
+          c2_kpa: number;
+        };
+      };
+      /** Where muscle is stiffer or contracts less than elsewhere. */
+      labels: {
+        /** Labels of the wall that are another muscle. */
+        labels: number[];
+        /** Factor of the material's stresses. */
+        stiffness: number;
+        /** Factor of the active stress; 0: none, as in a scar. */
+        contractility: number;
+      }[];
+      /** Resistance to a change of volume; kPa. */
+      bulk_kpa: number;
+      /** Resistance to the rate of strain; kPa s. */
+      viscosity_kpa_s: number;
+      /** Density; kg/m3. */
+      density_kg_per_m3: number;
+      contraction: {
+        /** Published active stress: fast, ambit or elastodynamics. */
+        preset: 'fast' | 'ambit' | 'elastodynamics';
+        lv?: {
+          /** Stress to which the muscle would come in the end; kPa. */
+          peak_kpa: number;
+          /** How fast it comes; 1/s. */
+          rise_per_s: number;
+          /** How fast it goes; 1/s. */
+          fall_per_s: number;
+          /** How long switching takes; 0: none; ms. */
+          switch_ms: number;
+        };
+        rv?: {
+          /** Stress to which the muscle would come in the end; kPa. */
+          peak_kpa: number;
+          /** How fast it comes; 1/s. */
+          rise_per_s: number;
+          /** How fast it goes; 1/s. */
+          fall_per_s: number;
+          /** How long switching takes; 0: none; ms. */
+          switch_ms: number;
+        };
+        /** What activates a place: the eikonal map, the first wave of the monodomain model, or nothing but time (synchronous). */
+        by: 'eikonal' | 'monodomain' | 'synchronous';
+        /** Time of the beat at which that map begins; ms. */
+        start_ms: number;
+        /** From activation to recovery, where the map does not say it; ms. */
+        duration_ms: number;
+      };
+      support: {
+        /** Springs on the epicardium, along its normal; kPa/mm. */
+        epicardium_kpa_per_mm: number;
+        /** Springs on the base, in all directions; kPa/mm. */
+        base_kpa_per_mm: number;
+        /** Dampers beside both; kPa s/mm. */
+        damping_kpa_s_per_mm: number;
+      };
+      windkessel: {
+        systemic: {
+          /** Resistance of the vessels; kPa s/ml. */
+          resistance_kpa_s_per_ml: number;
+          /** Compliance of the arteries; ml/kPa. */
+          compliance_ml_per_kpa: number;
+          /** Impedance of the great artery; kPa s/ml. */
+          impedance_kpa_s_per_ml: number;
+          /** Pressure into which the vessels drain; kPa. */
+          venous_kpa: number;
+          /** Pressure of the atrium at rest; kPa. */
+          atrium_kpa: number;
+          /** Pressure at the height of its contraction; kPa. */
+          kick_kpa: number;
+          /** When it contracts in each beat; s. */
+          kick_start_s: number;
+          /** How long it does; s. */
+          kick_s: number;
+        };
+        pulmonary: {
+          /** Resistance of the vessels; kPa s/ml. */
+          resistance_kpa_s_per_ml: number;
+          /** Compliance of the arteries; ml/kPa. */
+          compliance_ml_per_kpa: number;
+          /** Impedance of the great artery; kPa s/ml. */
+          impedance_kpa_s_per_ml: number;
+          /** Pressure into which the vessels drain; kPa. */
+          venous_kpa: number;
+          /** Pressure of the atrium at rest; kPa. */
+          atrium_kpa: number;
+          /** Pressure at the height of its contraction; kPa. */
+          kick_kpa: number;
+          /** When it contracts in each beat; s. */
+          kick_start_s: number;
+          /** How long it does; s. */
+          kick_s: number;
+        };
+        /** Pressure in the arteries as the first beat begins; kPa. */
+        systemic_start_kpa: number;
+        /** The same of the lung's; kPa. */
+        pulmonary_start_kpa: number;
+        /** Share of its conductance with which the pulmonary valve leaks. */
+        regurgitation: number;
+      };
+      closed_loop?: {
+        left_atrium: {
+          /** Elastance that contraction adds; kPa/ml. */
+          active_kpa_per_ml: number;
+          /** Elastance at rest; kPa/ml. */
+          passive_kpa_per_ml: number;
+          /** Volume without pressure; ml. */
+          unloaded_ml: number;
+          /** When it contracts in each beat; s. */
+          start_s: number;
+          /** How long it contracts; s. */
+          contraction_s: number;
+          /** How long it relaxes; s. */
+          relaxation_s: number;
+        };
+        right_atrium: {
+          /** Elastance that contraction adds; kPa/ml. */
+          active_kpa_per_ml: number;
+          /** Elastance at rest; kPa/ml. */
+          passive_kpa_per_ml: number;
+          /** Volume without pressure; ml. */
+          unloaded_ml: number;
+          /** When it contracts in each beat; s. */
+          start_s: number;
+          /** How long it contracts; s. */
+          contraction_s: number;
+          /** How long it relaxes; s. */
+          relaxation_s: number;
+        };
+        systemic_arteries: {
+          /** Resistance; kPa s/ml. */
+          resistance_kpa_s_per_ml: number;
+          /** Compliance; ml/kPa. */
+          compliance_ml_per_kpa: number;
+          /** Inertance; kPa s2/ml. */
+          inertance_kpa_s2_per_ml: number;
+        };
+        systemic_veins: {
+          /** Resistance; kPa s/ml. */
+          resistance_kpa_s_per_ml: number;
+          /** Compliance; ml/kPa. */
+          compliance_ml_per_kpa: number;
+          /** Inertance; kPa s2/ml. */
+          inertance_kpa_s2_per_ml: number;
+        };
+        pulmonary_arteries: {
+          /** Resistance; kPa s/ml. */
+          resistance_kpa_s_per_ml: number;
+          /** Compliance; ml/kPa. */
+          compliance_ml_per_kpa: number;
+          /** Inertance; kPa s2/ml. */
+          inertance_kpa_s2_per_ml: number;
+        };
+        pulmonary_veins: {
+          /** Resistance; kPa s/ml. */
+          resistance_kpa_s_per_ml: number;
+          /** Compliance; ml/kPa. */
+          compliance_ml_per_kpa: number;
+          /** Inertance; kPa s2/ml. */
+          inertance_kpa_s2_per_ml: number;
+        };
+        /** Share of its conductance with which the pulmonary valve leaks. */
+        regurgitation: number;
+      };
+      /** Length of a beat; ms. */
+      period_ms: number;
+      /** Beats at most. */
+      beats: number;
+      /** Ends sooner where no ventricle's volume at the end of a beat differs by more from the one before; 0: never; %. */
+      cycle_percent: number;
+      /** Before the first beat, pressures rise from 0 to those of the atria; ms. */
+      fill_ms: number;
+      /** The longest time step; halved where that is too long; ms. */
+      step_ms: number;
+      /** Time between two frames; ms. */
+      frame_ms: number;
+    };
     diffusion?: {
       /** Label from which heat spreads. */
       from: number;
@@ -435,6 +660,8 @@ export interface RecipeFields {
       eikonal: string;
       /** Digest of the wave; empty: none is promised. */
       monodomain: string;
+      /** Digest of the beating heart; empty: none is promised. */
+      mechanics: string;
     };
   };
   view?: {
@@ -562,7 +789,8 @@ export const recipeDefaults = {
     "physics": "",
     "stages": {
       "eikonal": "",
-      "monodomain": ""
+      "monodomain": "",
+      "mechanics": ""
     }
   }
 } as const;
@@ -641,6 +869,134 @@ export const optionalDefaults = {
     "consistent_mass": 0.5,
     "correct_speed": false,
     "electrodes": []
+  },
+  "physics.mechanics": {
+    "element": "p1_anp",
+    "material": {},
+    "labels": [],
+    "bulk_kpa": 1000,
+    "viscosity_kpa_s": 0.1,
+    "density_kg_per_m3": 1000,
+    "contraction": {
+      "preset": "fast",
+      "by": "eikonal",
+      "start_ms": 150,
+      "duration_ms": 250
+    },
+    "support": {
+      "epicardium_kpa_per_mm": 0.01,
+      "base_kpa_per_mm": 0.5,
+      "damping_kpa_s_per_mm": 0.005
+    },
+    "windkessel": {
+      "systemic": {
+        "resistance_kpa_s_per_ml": 0.14,
+        "compliance_ml_per_kpa": 11,
+        "impedance_kpa_s_per_ml": 0.007,
+        "venous_kpa": 0.7,
+        "atrium_kpa": 1,
+        "kick_kpa": 1.6,
+        "kick_start_s": 0,
+        "kick_s": 0.12
+      },
+      "pulmonary": {
+        "resistance_kpa_s_per_ml": 0.02,
+        "compliance_ml_per_kpa": 30,
+        "impedance_kpa_s_per_ml": 0.003,
+        "venous_kpa": 0.7,
+        "atrium_kpa": 0.5,
+        "kick_kpa": 0.9,
+        "kick_start_s": 0,
+        "kick_s": 0.12
+      },
+      "systemic_start_kpa": 10,
+      "pulmonary_start_kpa": 2,
+      "regurgitation": 0
+    },
+    "period_ms": 800,
+    "beats": 5,
+    "cycle_percent": 1,
+    "fill_ms": 300,
+    "step_ms": 5,
+    "frame_ms": 10
+  },
+  "physics.mechanics.material.transversely_isotropic": {
+    "c1_kpa": 1,
+    "c2_kpa": 0.3,
+    "a_f_kpa": 1.5,
+    "b_f": 8
+  },
+  "physics.mechanics.material.holzapfel_ogden": {
+    "a_kpa": 0.059,
+    "b": 8.023,
+    "a_f_kpa": 18.472,
+    "b_f": 16.026,
+    "a_s_kpa": 2.481,
+    "b_s": 11.12,
+    "a_fs_kpa": 0.216,
+    "b_fs": 11.436,
+    "k": 100
+  },
+  "physics.mechanics.material.guccione": {
+    "c_kpa": 2,
+    "b_f": 8,
+    "b_t": 2,
+    "b_fs": 4
+  },
+  "physics.mechanics.material.mooney_rivlin": {
+    "c1_kpa": 1,
+    "c2_kpa": 0
+  },
+  "physics.mechanics.contraction.lv": {
+    "peak_kpa": 80,
+    "rise_per_s": 25,
+    "fall_per_s": 20,
+    "switch_ms": 0
+  },
+  "physics.mechanics.contraction.rv": {
+    "peak_kpa": 80,
+    "rise_per_s": 25,
+    "fall_per_s": 20,
+    "switch_ms": 0
+  },
+  "physics.mechanics.closed_loop": {
+    "left_atrium": {
+      "active_kpa_per_ml": 0.00933256711905,
+      "passive_kpa_per_ml": 0.0239980297347,
+      "unloaded_ml": 4,
+      "start_s": 0,
+      "contraction_s": 0.17,
+      "relaxation_s": 0.17
+    },
+    "right_atrium": {
+      "active_kpa_per_ml": 0.007999343244899999,
+      "passive_kpa_per_ml": 0.00933256711905,
+      "unloaded_ml": 4,
+      "start_s": 0,
+      "contraction_s": 0.17,
+      "relaxation_s": 0.17
+    },
+    "systemic_arteries": {
+      "resistance_kpa_s_per_ml": 0.09772530997519499,
+      "compliance_ml_per_kpa": 10.290844820602405,
+      "inertance_kpa_s2_per_ml": 0.000666611937075
+    },
+    "systemic_veins": {
+      "resistance_kpa_s_per_ml": 0.0426631639728,
+      "compliance_ml_per_kpa": 85.22949686334194,
+      "inertance_kpa_s2_per_ml": 0.0000666611937075
+    },
+    "pulmonary_arteries": {
+      "resistance_kpa_s_per_ml": 0.006132829821089999,
+      "compliance_ml_per_kpa": 150.01231516913128,
+      "inertance_kpa_s2_per_ml": 0.0000666611937075
+    },
+    "pulmonary_veins": {
+      "resistance_kpa_s_per_ml": 0.0001999835811225,
+      "compliance_ml_per_kpa": 120.00985213530502,
+      "inertance_kpa_s2_per_ml": 0.0000666611937075
+    },
+    "regurgitation": 0
   },
   "physics.diffusion": {
     "from": 1,
@@ -883,6 +1239,19 @@ export const stageSpecs = [
     ],
     "reads": [
       "physics.diffusion"
+    ]
+  },
+  {
+    "name": "mechanics",
+    "inputs": [
+      "optimise",
+      "anatomy",
+      "fibres",
+      "eikonal",
+      "monodomain"
+    ],
+    "reads": [
+      "physics.mechanics"
     ]
   }
 ] as const;

@@ -1,7 +1,7 @@
 /** Runs of the engine in parts: between two of them the worker hears what else is wanted. */
 import { withNone, withRoom } from '../geometry/rows';
 import { guarded } from './failures';
-import { noValue, type FieldInfo, type Frame, type Reply } from './contract';
+import { noValue, type FieldInfo, type Frame, type Reply, type Traces } from './contract';
 import type { Session } from './session_api';
 
 interface Part<Summary> {
@@ -33,16 +33,40 @@ function nextMessage(): Promise<void> {
 export interface Snapshot {
   time_ms: number;
   fields: FieldInfo[];
+  trace_times_ms: number[];
+  traces: Traces['lines'];
+}
+
+/** The length of each vector of three numbers, and the least and the most of them. */
+function lengthsOf(vectors: Float32Array): { lengths: Float32Array; range: [number, number] } {
+  const lengths = new Float32Array(vectors.length / 3);
+  const range: [number, number] = [Infinity, -Infinity];
+  for (let i = 0; i < lengths.length; i++) {
+    lengths[i] = Math.hypot(vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2]);
+    range[0] = Math.min(range[0], lengths[i]);
+    range[1] = Math.max(range[1], lengths[i]);
+  }
+  return { lengths, range };
 }
 
 /** The frame that the engine has just told of, with its values. */
-export function frameOf(session: Session, { time_ms, fields }: Snapshot): Frame {
-  const values: Frame['values'] = {};
-  for (const { name } of fields) {
-    const view = session.snapshotArray(name);
-    if (view) values[name] = withRoom(withNone(view as Float32Array, noValue));
+export function frameOf(session: Session, told: Snapshot): Frame {
+  const frame: Frame = { timeMs: told.time_ms, fields: [], values: {} };
+  for (const field of told.fields) {
+    const view = session.snapshotArray(field.name) as Float32Array | undefined;
+    if (!view) continue;
+    if (field.components === 3) {
+      const { lengths, range } = lengthsOf(view);
+      frame.moves = view.slice();
+      frame.fields.push({ ...field, components: 1, range });
+      frame.values[field.name] = withRoom(lengths as Float32Array<ArrayBuffer>);
+    } else {
+      frame.fields.push(field);
+      frame.values[field.name] = withRoom(withNone(view, noValue));
+    }
   }
-  return { timeMs: time_ms, fields, values };
+  if (told.traces.length > 0) frame.traces = { times_ms: told.trace_times_ms, lines: told.traces };
+  return frame;
 }
 
 /** The frames that have not been taken yet. */

@@ -7,7 +7,9 @@ export type { Vec3 } from './generated';
 export type Recipe = Omit<RecipeFields, 'expected' | 'view'>;
 /** What a case promises of its mesh, and of what is simulated on it where there is anything. */
 export type Expected = Pick<RecipeFields['expected'], 'engine' | 'digest' | 'tets'> &
-  Partial<Pick<RecipeFields['expected'], 'physics' | 'stages'>>;
+  Partial<Pick<RecipeFields['expected'], 'physics'>> & {
+    stages?: Partial<RecipeFields['expected']['stages']>;
+  };
 export type SharedView = NonNullable<RecipeFields['view']>;
 
 /** At most one is set; none: nothing has been chosen yet. */
@@ -28,4 +30,6 @@ export type Stimulus = Physics['stimuli'][number];
 export type Electrode = NonNullable<Physics['monodomain']>['electrodes'][number];
 export type FibreParams = NonNullable<Physics['fibres']>;
 export type MonodomainParams = NonNullable<Physics['monodomain']>;
+export type BeatParams = NonNullable<Physics['mechanics']>;
+export type MuscleMaterial = BeatParams['material'];
 export type DiffusionParams = NonNullable<Physics['diffusion']>;

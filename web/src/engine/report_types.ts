@@ -1,5 +1,5 @@
 /** A mesh's report: what it measures, what it is worth, and what simulations found on it. */
-import type { StageSummary, VolumeSummary } from './contract';
+import type { StageSummary, Traces, VolumeSummary } from './contract';
 import type { Recipe } from './recipe_types';
 
 export interface Histogram {
@@ -119,6 +119,30 @@ export interface Simulated {
     /** Absent without electrodes. */
     traces?: { times_ms: number[]; electrodes: { title: string; unit: string; values: number[] }[] };
   };
+  mechanics?: {
+    end_ms: number;
+    frames: number;
+    beats: Record<Ventricle, VentricleBeat>[];
+    /** The last beat ended as the one before, within what the recipe asks for. */
+    has_cycle: boolean;
+    /** By how much the volumes at the end of the last two beats differ; absent after one. */
+    change_percent?: number;
+    steps: number;
+    newton_iterations: number;
+    traces: Traces;
+  };
+}
+
+export type Ventricle = 'lv' | 'rv';
+
+/** What a ventricle did in one beat. */
+export interface VentricleBeat {
+  end_diastolic_ml: number;
+  end_systolic_ml: number;
+  stroke_ml: number;
+  ejection_fraction: number;
+  most_kpa: number;
+  stroke_work_j: number;
 }
 
 /** What was done to the slices of a stack. */

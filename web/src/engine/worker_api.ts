@@ -78,7 +78,7 @@ function handing(onFrame: (frame: Frame) => Promise<void>): typeof onFrame {
     onFrame(
       Comlink.transfer(
         frame,
-        Object.values(frame.values).map(({ buffer }) => buffer),
+        [...Object.values(frame.values), ...(frame.moves ? [frame.moves] : [])].map(({ buffer }) => buffer),
       ),
     );
 }

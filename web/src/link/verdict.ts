@@ -15,7 +15,11 @@ export interface Found extends Pick<Report, 'engine' | 'digest' | 'tets'> {
   stages?: Partial<Record<(typeof promisedStages)[number], string>>;
 }
 
-const titles = { eikonal: 'Digest of the activation map', monodomain: 'Digest of the wave' };
+const titles = {
+  eikonal: 'Digest of the activation map',
+  monodomain: 'Digest of the wave',
+  mechanics: 'Digest of the heartbeat',
+};
 
 /** The stages whose results are promised. */
 export function stagesPromised({ stages }: Expected): (typeof promisedStages)[number][] {

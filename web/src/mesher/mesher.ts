@@ -188,7 +188,7 @@ export class Mesher {
     return this.client.forecast(JSON.stringify({ ...recipe, source }), source, tets, signal);
   }
 
-  /** Computes on the last mesh: `eikonal`, `monodomain` or `diffusion`. Fields hold -1e30 where there is no value. */
+  /** Computes on the last mesh: `eikonal`, `monodomain`, `mechanics` or `diffusion`. Fields hold -1e30 where there is no value. */
   async simulate(
     physics: SimulationName,
     { onProgress = () => undefined, onFrame = () => undefined, signal }: SimulateOptions = {},

@@ -2,7 +2,7 @@
  * The evidence of a run, for whoever reviews it: one page that needs nothing else, to be read, printed and kept. Text,
  * tables, histograms as SVG, pictures inside.
  */
-import type { ChecklistItem, Report, Simulated } from '../engine/contract';
+import { promisedStages, type ChecklistItem, type Report, type Simulated } from '../engine/contract';
 import type { Verdict } from '../link/verdict';
 import { seriesOf, shapeMeasures } from './charts';
 import { escaped, histogramSvg, number, table, toneStyle, whole } from './markup';
@@ -67,7 +67,7 @@ function identityRows(found: Report): string[][] {
     ['Digest of the volume', source.digest],
     ['Digest of the mesh', found.digest],
   ];
-  const simulated = found.stages.filter(({ name }) => ['eikonal', 'monodomain'].includes(name));
+  const simulated = found.stages.filter(({ name }) => (promisedStages as readonly string[]).includes(name));
   return [...rows, ...simulated.map(({ name, digest }) => [`Digest of ${name}`, digest])];
 }
 
@@ -82,7 +82,12 @@ function certificate(found: Report): string {
   return `${verdict}${cautions > 0 ? ` ${cautions} more call for care.` : ''}`;
 }
 
-function simulationPart({ eikonal, monodomain }: Simulated): string {
+const ventricles = [
+  ['lv', 'Left ventricle'],
+  ['rv', 'Right ventricle'],
+] as const;
+
+function simulationPart({ eikonal, monodomain, mechanics }: Simulated): string {
   const rows: string[][] = [];
   if (eikonal)
     rows.push(
@@ -95,6 +100,17 @@ function simulationPart({ eikonal, monodomain }: Simulated): string {
       ['Wave, points activated', `${number(100 * monodomain.activated)} %`],
       ['Total activation time', `${number(monodomain.total_activation_ms)} ms`],
       ['Most activations of a point', String(monodomain.most_activations)],
+    );
+  const last = mechanics?.beats.at(-1);
+  if (last)
+    rows.push(
+      ['Heartbeat, beats', String(mechanics?.beats.length)],
+      ...ventricles.flatMap(([name, title]) => [
+        [`${title}, end-diastolic volume`, `${number(last[name].end_diastolic_ml)} ml`],
+        [`${title}, end-systolic volume`, `${number(last[name].end_systolic_ml)} ml`],
+        [`${title}, ejection fraction`, `${number(100 * last[name].ejection_fraction)} %`],
+        [`${title}, highest pressure`, `${number(last[name].most_kpa)} kPa`],
+      ]),
     );
   return rows.length > 0 ? `<h2>Simulation</h2>${table(['What', 'Found'], rows)}` : '';
 }

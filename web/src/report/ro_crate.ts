@@ -2,7 +2,7 @@
  * A zip as a research object: `ro-crate-metadata.json`, which says what the files are and how they were made. RO-Crate
  * 1.1 (doi 10.5281/zenodo.4541002), and of its profiles Process Run Crate 0.5.
  */
-import type { Report } from '../engine/contract';
+import { promisedStages, type Report } from '../engine/contract';
 
 export interface CrateFile {
   path: string;
@@ -74,7 +74,7 @@ export async function roCrate(
       'The label volume that was meshed. It is not among the files; its digest is of the decoded voxels and their affine.',
     identifier: { '@id': '#volume-digest' },
   };
-  const simulated = found.stages.filter(({ name }) => ['eikonal', 'monodomain'].includes(name));
+  const simulated = found.stages.filter(({ name }) => (promisedStages as readonly string[]).includes(name));
   const digests = [
     digest('#volume-digest', 'Digest of the volume', found.source.digest),
     digest('#mesh-digest', 'Digest of the mesh', found.digest),

@@ -5,6 +5,7 @@ import type { StageName, Vec3 } from '../engine/contract';
 import { freeSide } from '../geometry/free_side';
 import { toIndex } from '../geometry/orientation';
 import { borderTriangles } from '../geometry/section';
+import { movedMesh } from '../store/run/beat/motion';
 import { pinned, pinnedArrays } from '../store/run/compare';
 import { addRegion, bodiesOf } from '../store/case/bodies';
 import { volume, voxelCount } from '../store/case/input';
@@ -217,7 +218,7 @@ export function mountScene(container: HTMLElement): () => void {
       leads: true,
       onModel: (model, mesh) =>
         slices.show({
-          borders: () => borderTriangles(mesh, hiddenLabels.value),
+          borders: () => borderTriangles(movedMesh.value ?? mesh, hiddenLabels.value),
           elements: { mesh, edges: (image) => model.section(image) },
         }),
     }),
@@ -241,7 +242,7 @@ export function mountScene(container: HTMLElement): () => void {
     }),
     effect(() => {
       const tet = focusTet.value;
-      const mesh = untracked(() => shownResult('optimise'));
+      const mesh = movedMesh.peek();
       if (tet === null || !mesh || 4 * tet >= mesh.tets.length) return;
       untracked(() => {
         const { centre, size } = tetCentre(mesh, tet);

@@ -124,6 +124,9 @@ export const explode = signal(0);
 export const hiddenLabels = signal<ReadonlySet<number>>(new Set());
 /** A click on the mesh excites it there, where a simulation is under way. */
 export const stimulating = signal(false);
+/** How a body that moves is shown: moved, with an outline of where it was at rest, or at rest. */
+export type Motion = 'moved' | 'outline' | 'rest';
+export const motion = signal<Motion>('moved');
 /** The time cursor of what is played, ms. */
 export const time = signal(0);
 export const theme = signal<ThemeChoice>('system');

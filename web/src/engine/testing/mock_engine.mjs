@@ -4,7 +4,9 @@ import { oppositeFace, tetNeighbours } from '../../geometry/tet_neighbours';
 
 /** A simulation gives so many frames, one in each part. */
 const frameCount = 20;
+const nothingRecorded = { trace_times_ms: [], traces: [] };
 const playedFields = {
+  mechanics: { name: 'displacement_mm', title: 'Displacement', unit: 'mm', components: 3 },
   diffusion: { name: 'temperature', title: 'Temperature', unit: '1' },
   monodomain: { name: 'voltage_mV', title: 'Membrane voltage', unit: 'mV' },
 };
@@ -214,8 +216,14 @@ class Session {
     if (!this.done.has('quality')) this.advanceTo('quality', onProgress);
     const [stage, fraction] = [this.last, ++this.frame / frameCount];
     const info = { ...playedFields[stage], on: 'points', scale: 'sequential' };
-    const field = { ...info, components: 1, count: this.mesh.points.length / 3, range: [0, fraction] };
-    this.waiting.push({ time_ms: 5 * this.frame, fields: [field] });
+    const count = this.mesh.points.length / 3;
+    const field = { components: 1, ...info, count, range: [0, fraction] };
+    const time_ms = 5 * this.frame;
+    const recorded = stage === 'mechanics' && {
+      trace_times_ms: [time_ms - 2.5, time_ms],
+      traces: [{ name: 'lv_volume', title: 'Volume', unit: 'ml', values: [time_ms, 2 * time_ms] }],
+    };
+    this.waiting.push({ time_ms, fields: [field], ...nothingRecorded, ...recorded });
     onProgress(stage, fraction);
     const done = fraction === 1;
     const summary = done
@@ -261,14 +269,16 @@ class Session {
     const part = Float32Array.from(this.values.bytes.subarray(frame * count, (frame + 1) * count));
     this.part = part;
     const range = [Math.min(...part), Math.max(...part)];
-    return JSON.stringify({ ok: true, value: { time_ms: 5 * frame, fields: [{ ...info, count, range }] } });
+    const fields = [{ ...info, count, range }];
+    return JSON.stringify({ ok: true, value: { time_ms: 5 * frame, fields, ...nothingRecorded } });
   }
   closeValues() {
     this.values = null;
   }
   snapshotArray() {
     if (this.values) return this.part;
-    return new Float32Array(this.mesh.points.length / 3).fill(this.taken.time_ms / 100);
+    const { time_ms, fields } = this.taken;
+    return new Float32Array(fields[0].components * fields[0].count).fill(time_ms / 100);
   }
   advanceTo(stage, onProgress) {
     if (!this.recipe.source.phantom && !this.file) {

@@ -101,14 +101,23 @@ function SizingSection({ current }: { current: Recipe }) {
 const CutList = fetched(() => import('./cut_list').then((part) => part.CutList));
 
 /** What is not fetched before it is asked for. */
-function AddSection(props: { title: string; button: string; hint?: string; add(): Promise<void> }) {
+function AddSection(props: {
+  title: string;
+  /** What a button says, and what it adds. */
+  adds: readonly (readonly [string, () => Promise<void>])[];
+  hint?: string;
+}) {
   return (
     <section class="section">
       <div class="section-head">
         <h2>{props.title}</h2>
-        <button type="button" class="button small" onClick={() => void props.add()}>
-          <Icon name="plus" size={13} /> {props.button}
-        </button>
+        <span class="section-actions">
+          {props.adds.map(([name, add]) => (
+            <button key={name} type="button" class="button small" onClick={() => void add()}>
+              <Icon name="plus" size={13} /> {name}
+            </button>
+          ))}
+        </span>
       </div>
       {props.hint && <p class="hint">{props.hint}</p>}
     </section>
@@ -118,6 +127,8 @@ function AddSection(props: { title: string; button: string; hint?: string; add()
 const addCut = () => import('./cut_list').then((part) => part.addCut(), tellError);
 const addSimulation = () =>
   import('../../store/case/physics').then((part) => part.addSimulation(), tellError);
+
+const addHeartbeat = () => import('../../store/case/physics').then((part) => part.addHeartbeat(), tellError);
 
 const PhysicsSection = fetched(() =>
   import('../physics/physics_section').then((part) => part.PhysicsSection),
@@ -174,18 +185,20 @@ export function CasePanel() {
             (current.volume.cut.length > 0 ? (
               <CutList current={current} />
             ) : (
-              <AddSection title="Flat cuts" button="Plane" add={addCut} />
+              <AddSection title="Flat cuts" adds={[['Plane', addCut]]} />
             ))}
           {!meshIsGiven.value && <StageSection current={current} />}
           {mayUse('physics') &&
-            (physics?.monodomain ? (
+            (physics?.monodomain || physics?.mechanics ? (
               <PhysicsSection current={current} physics={physics} />
             ) : (
               <AddSection
                 title="Physics"
-                button="Simulate"
-                hint="How excitation spreads through the heart, on this mesh."
-                add={addSimulation}
+                adds={[
+                  ['Simulate', addSimulation],
+                  ['Heartbeat', addHeartbeat],
+                ]}
+                hint="How excitation spreads through the heart, on this mesh, and how it beats."
               />
             ))}
           {developer && <SimulationSection current={current} />}

@@ -1,7 +1,29 @@
+import type { Simulated } from '../../engine/contract';
 import { simulated } from '../../store/run/frames';
-import { ElectrogramChart } from './electrogram_chart';
+import { heartIsPlayed } from '../../store/run/beat/heartbeat';
+import { labelColour } from '../../geometry/colours';
+import { TraceChart } from './trace_chart';
 
 const ms = (value: number): string => `${value.toFixed(0)} ms`;
+
+type Potentials = NonNullable<NonNullable<Simulated['monodomain']>['traces']>;
+
+/** The potential at each electrode over time. */
+function Electrograms({ traces }: { traces: Potentials }) {
+  return (
+    <TraceChart
+      name="Electrograms, mV over ms"
+      label={`Potentials of ${traces.electrodes.map(({ title }) => title).join(', ')}`}
+      timesMs={traces.times_ms}
+      lines={traces.electrodes.map(({ title, values }, i) => ({
+        title,
+        values,
+        colour: labelColour(i + 1),
+      }))}
+      seeks={!heartIsPlayed.value}
+    />
+  );
+}
 
 /** What the last simulations of this mesh found, in words. */
 export function Findings() {
@@ -29,7 +51,7 @@ export function Findings() {
           </div>
         ))}
       </dl>
-      {monodomain?.traces && <ElectrogramChart traces={monodomain.traces} />}
+      {monodomain?.traces && <Electrograms traces={monodomain.traces} />}
     </>
   );
 }

@@ -9,7 +9,7 @@ import type {
 } from '../../engine/contract';
 import { movedRegion } from '../../geometry/regions';
 import { fibresAreGiven } from '../../store/case/input';
-import { meshedLabels, newStimulus, newTissue, slowAcross } from '../../store/case/physics';
+import { addSimulation, meshedLabels, newStimulus, newTissue, slowAcross } from '../../store/case/physics';
 import { editRecipe } from '../../store/case/recipe';
 import { upToDate } from '../../store/run/report';
 import { groupDefaults } from '../../store/run/schema_defaults';
@@ -22,6 +22,7 @@ import { RemoveButton } from '../controls/folded_item';
 import { Icon } from '../controls/icons';
 import { SizeList } from '../controls/size_list';
 import { BodyFields, BodyHandles, BodyShape } from '../controls/body_fields';
+import { BeatSection } from './beat_section';
 import { Findings } from './findings';
 import { editPhysics, numbersOf } from './physics_fields';
 import { TissueFields } from './tissue_fields';
@@ -290,15 +291,11 @@ function PhysicsFields({ current, physics }: { current: Recipe; physics: Physics
       />
       <RunButtons />
       <Findings />
-      <p class="hint">
-        How right is this? <a href="./verification.html">Checks that run here</a>, beside closed forms and
-        other codes.
-      </p>
     </>
   );
 }
 
-/** The heart's excitation on the mesh. */
+/** The heart's excitation on the mesh, and its beat. */
 export function PhysicsSection({ current, physics }: { current: Recipe; physics: Physics }) {
   return (
     <section class="section">
@@ -309,7 +306,21 @@ export function PhysicsSection({ current, physics }: { current: Recipe; physics:
           onRemove={() => editRecipe('Remove simulation', (draft) => void delete draft.physics)}
         />
       </div>
-      <PhysicsFields current={current} physics={physics} />
+      {physics.monodomain ? (
+        <PhysicsFields current={current} physics={physics} />
+      ) : (
+        <div class="regions-head">
+          <h3>Excitation</h3>
+          <button type="button" class="button small" onClick={addSimulation}>
+            <Icon name="plus" size={13} /> Excitation
+          </button>
+        </div>
+      )}
+      <BeatSection current={current} />
+      <p class="hint">
+        How right is this? <a href="./verification.html">Checks that run here</a>, beside closed forms and
+        other codes.
+      </p>
     </section>
   );
 }

@@ -1,8 +1,15 @@
 import { useEffect } from 'preact/hooks';
-import { frameShown, frameTimes, mayStimulate, simulation, simulationEndMs } from '../../store/run/frames';
+import {
+  frameShown,
+  frameTimes,
+  mayStimulate,
+  simulation,
+  simulationEndMs,
+  simulationOf,
+} from '../../store/run/frames';
 import { keepPlaying, playing, seek, stepFrame, togglePlaying } from '../../store/run/player';
 import { pauseSimulation, resumeSimulation } from '../../store/run/simulate';
-import { stimulating, time } from '../../store/view';
+import { motion, stimulating, time, type Motion } from '../../store/view';
 import { extraKeys } from '../controls/extra_keys';
 import { short } from '../controls/format';
 import { Icon, type IconName } from '../controls/icons';
@@ -37,7 +44,8 @@ function Progress() {
   const newest = frameTimes.value.at(-1) ?? 0;
   const part = Math.floor((100 * newest) / simulationEndMs.value);
   const computing = state === 'running' || state === 'paused';
-  const words = state === 'running' ? 'computing' : stateWords[state];
+  const filling = simulationOf.value === 'mechanics' && frameTimes.value.length === 0;
+  const words = state === 'running' ? (filling ? 'filling' : 'computing') : stateWords[state];
   return (
     <>
       {words && (
@@ -76,6 +84,31 @@ function StimulateTool() {
     >
       Stimulate
     </button>
+  );
+}
+
+/** How a body that moves is shown. */
+function MotionTool() {
+  if (!frameShown.value?.moves) return null;
+  const options: [Motion, string][] = [
+    ['moved', 'Moved'],
+    ['outline', 'Moved, outline at rest'],
+    ['rest', 'At rest'],
+  ];
+  return (
+    <select
+      class="motion"
+      aria-label="Motion"
+      title="Whether the body is shown where it moves to"
+      value={motion.value}
+      onChange={(event) => (motion.value = event.currentTarget.value as Motion)}
+    >
+      {options.map(([value, text]) => (
+        <option key={value} value={value}>
+          {text}
+        </option>
+      ))}
+    </select>
   );
 }
 
@@ -147,6 +180,7 @@ export function PlayerBar() {
       </output>
       <Progress />
       <StimulateTool />
+      <MotionTool />
     </div>
   );
 }

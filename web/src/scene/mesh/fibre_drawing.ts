@@ -3,6 +3,8 @@ import {
   GLSL3,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
+  InstancedInterleavedBuffer,
+  InterleavedBufferAttribute,
   BufferAttribute,
   Mesh,
   RawShaderMaterial,
@@ -81,6 +83,13 @@ function tube(): { corners: Float32Array; triangles: number[] } {
 
 export type FibreDrawing = Mesh<InstancedBufferGeometry, RawShaderMaterial>;
 
+/** Puts the ends of all pieces elsewhere, six numbers each. */
+export function setEnds({ geometry }: FibreDrawing, ends: Float32Array): void {
+  const { data } = geometry.getAttribute('start') as InterleavedBufferAttribute;
+  data.set(ends);
+  data.needsUpdate = true;
+}
+
 /** Pieces of fibres, with three bytes of colour each and the way in which each is pulled apart. */
 export function fibreDrawing(
   pieces: Pieces,
@@ -89,18 +98,13 @@ export function fibreDrawing(
   radius: number,
 ): FibreDrawing {
   const { corners, triangles } = tube();
-  const count = pieces.tets.length;
-  const [from, to] = [new Float32Array(3 * count), new Float32Array(3 * count)];
-  for (let i = 0; i < count; i++) {
-    from.set(pieces.ends.subarray(6 * i, 6 * i + 3), 3 * i);
-    to.set(pieces.ends.subarray(6 * i + 3, 6 * i + 6), 3 * i);
-  }
   const geometry = new InstancedBufferGeometry();
-  geometry.instanceCount = count;
+  geometry.instanceCount = pieces.tets.length;
   geometry.setIndex(triangles);
   geometry.setAttribute('position', new BufferAttribute(corners, 3));
-  geometry.setAttribute('start', new InstancedBufferAttribute(from, 3));
-  geometry.setAttribute('end', new InstancedBufferAttribute(to, 3));
+  const ends = new InstancedInterleavedBuffer(pieces.ends.slice(), 6);
+  geometry.setAttribute('start', new InterleavedBufferAttribute(ends, 3, 0));
+  geometry.setAttribute('end', new InterleavedBufferAttribute(ends, 3, 3));
   geometry.setAttribute('colour', new InstancedBufferAttribute(colours, 3, true));
   geometry.setAttribute('away', new InstancedBufferAttribute(ways, 3));
   const material = new RawShaderMaterial({

@@ -10,12 +10,14 @@ import {
   type FibreField,
   type Pieces,
 } from '../../geometry/fibres';
+import { endWeights, movedEnds } from '../../geometry/moved_pieces';
+import { movesShown } from '../../store/run/beat/motion';
 import { fibresShown } from '../../store/run/fibres';
 import { shownResult } from '../../store/run/results';
 import { explode, fibreLegend, fibreStyle, hiddenLabels, seeThrough, type Legend } from '../../store/view';
 import type { Viewer } from '../frame/viewer';
 import { nextTask } from '../frame/tasks';
-import { fibreDrawing, type FibreDrawing } from './fibre_drawing';
+import { fibreDrawing, setEnds, type FibreDrawing } from './fibre_drawing';
 import { noClip } from '../frame/surroundings';
 import type { Plane } from './tet_model';
 
@@ -117,12 +119,22 @@ export function addFibres(
   let drawing: FibreDrawing | null = null;
   let cell = 1;
   let count = 0;
+  /** Where the pieces that are drawn are at rest, and what their ends are made of. */
+  let drawn: { mesh: TetArrays; pieces: Pieces; weights: Float32Array } | null = null;
   const clear = () => {
     drawing?.geometry.dispose();
     drawing?.material.dispose();
-    drawing = null;
+    drawing = drawn = null;
     group.clear();
     fibreLegend.value = null;
+    viewer.invalidate();
+  };
+  const move = () => {
+    const moves = movesShown.value;
+    if (!drawing || !drawn) return;
+    const { mesh, pieces, weights } = drawn;
+    const fits = moves?.length === mesh.points.length;
+    setEnds(drawing, fits ? movedEnds(mesh.tets, pieces, weights, moves) : pieces.ends);
     viewer.invalidate();
   };
   const look = () => {
@@ -151,6 +163,8 @@ export function addFibres(
     const colours = helix ? helixColours(helix, pieces.tets) : wayColours(fibre, pieces.tets);
     drawing = fibreDrawing(pieces, colours, waysOf(mesh, pieces.tets), radius);
     group.add(drawing);
+    drawn = { mesh, pieces, weights: endWeights(mesh, pieces) };
+    untracked(move);
     fibreLegend.value = helix && legend;
     untracked(look);
   };
@@ -169,6 +183,7 @@ export function addFibres(
       }
     }),
     effect(look),
+    effect(move),
   ];
   return () => {
     for (const stop of stops) stop();

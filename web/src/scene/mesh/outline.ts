@@ -1,6 +1,7 @@
 import { effect } from '@preact/signals';
 import { BufferGeometry, Color, GLSL3, Mesh, RawShaderMaterial, Vector2, Vector3 } from 'three';
 import type { StageName } from '../../engine/contract';
+import { movedMesh } from '../../store/run/beat/motion';
 import { shownResult } from '../../store/run/results';
 import { explode, picked, stageShown } from '../../store/view';
 import type { Viewer } from '../frame/viewer';
@@ -53,7 +54,7 @@ void main() {
 /** The corners of an element where the view shows it. */
 function cornersOf(stage: StageName, element: number): Vector3[] {
   if (isOnTets(stage)) {
-    const mesh = shownResult('optimise');
+    const mesh = movedMesh.value;
     return mesh && 4 * element < mesh.tets.length ? tetCorners(mesh, element, explode.value) : [];
   }
   const surface = stage === 'surface' || stage === 'smooth' || stage === 'remesh' ? shownResult(stage) : null;

@@ -60,6 +60,8 @@ export class TetModel {
   private readonly cap: TetDrawing;
   private readonly ghost: TetDrawing;
   private readonly veil: TetDrawing;
+  /** Where the body was before it moved. */
+  private readonly rest: TetDrawing;
   private plane: Plane | null = null;
   private choice: Choice = 'all';
   private seeThrough = false;
@@ -102,7 +104,11 @@ export class TetModel {
     this.ghost.geometry.setDrawRange(0, 3 * extents[0]);
     this.veil.geometry.setDrawRange(0, 3 * faces.length);
     this.ghost.renderOrder = this.veil.renderOrder = 1;
-    this.group.add(this.solid, this.cap, this.ghost, this.veil);
+    this.rest = this.drawing(facesVertex, { need: shownBit, ghost: true });
+    this.rest.geometry.setDrawRange(0, 3 * extents[0]);
+    this.rest.renderOrder = 1;
+    this.rest.visible = false;
+    this.group.add(this.solid, this.cap, this.ghost, this.veil, this.rest);
     this.update();
   }
 
@@ -164,6 +170,29 @@ export class TetModel {
     refill(this.shared.values.value, values);
   }
 
+  /** Moves each point by three numbers, or puts all back. */
+  setMoves(moves: Float32Array | null, outlined: boolean): void {
+    const { points, extents } = this.mesh;
+    if (this.rest.visible !== outlined) {
+      this.rest.visible = outlined;
+      const uniform = this.rest.material.uniforms.points;
+      if (uniform.value !== this.shared.points.value) (uniform.value as Texture).dispose();
+      uniform.value = outlined ? pointTexture(points) : this.shared.points.value;
+    }
+    const texture = this.shared.points.value;
+    const moved = texture.image.data as unknown as Float32Array;
+    let most = 0;
+    for (let i = 0, j = 0; i < points.length; i += 3, j += 4) {
+      const [x, y, z] = moves ? [moves[i], moves[i + 1], moves[i + 2]] : [0, 0, 0];
+      moved[j] = points[i] + x;
+      moved[j + 1] = points[i + 1] + y;
+      moved[j + 2] = points[i + 2] + z;
+      most = Math.max(most, x * x + y * y + z * z);
+    }
+    texture.needsUpdate = true;
+    this.shared.reach.value = extents[2] + Math.sqrt(most);
+  }
+
   setPlane(plane: Plane | null): void {
     this.plane = plane;
     this.update();
@@ -183,7 +212,7 @@ export class TetModel {
 
   setLook(edgeStrength: number, ghostOpacity: number): void {
     for (const one of [this.solid, this.cap]) one.material.uniforms.edgeStrength.value = edgeStrength;
-    this.ghost.material.uniforms.opacity.value = ghostOpacity;
+    for (const one of [this.ghost, this.rest]) one.material.uniforms.opacity.value = ghostOpacity;
     this.veil.material.uniforms.opacity.value = 2.2 * ghostOpacity;
     this.veil.material.uniforms.edgeStrength.value = edgeStrength;
   }
@@ -191,7 +220,8 @@ export class TetModel {
   dispose(): void {
     this.disposed = true;
     for (const { value } of Object.values(this.shared)) (value as Partial<Texture>).dispose?.();
-    for (const one of [this.solid, this.cap, this.ghost, this.veil]) {
+    (this.rest.material.uniforms.points.value as Texture).dispose();
+    for (const one of [this.solid, this.cap, this.ghost, this.veil, this.rest]) {
       one.geometry.dispose();
       one.material.dispose();
     }

@@ -12,6 +12,7 @@ import {
   legend,
   type Brush,
 } from '../../store/view';
+import { movesShown, pinnedMoves, restOutlined } from '../../store/run/beat/motion';
 import { pinnedValues, simulatedValues } from '../../store/run/simulated_fields';
 import type { BodyView } from './body_view';
 import type { Canvas } from '../frame/canvas';
@@ -72,12 +73,14 @@ export function followTets(
   { source, plane, leads, onModel }: Follower,
 ): () => void {
   const valuesOf = leads ? simulatedValues : pinnedValues;
+  let moved = false;
   const stops = [
     effect(() => {
       const shown = source();
       if (!shown) return;
       const model = body.showTets(shown.mesh);
       if (model) {
+        moved = false;
         untracked(() => onModel?.(model, shown.mesh));
         void model.upload(canvas.renderer).then(() => canvas.invalidate());
       }
@@ -113,6 +116,14 @@ export function followTets(
       const values = valuesOf(colourBy.value);
       if (!values || !body.model || !source()) return;
       body.model.setValues(values);
+      canvas.invalidate();
+    }),
+    effect(() => {
+      if (!source() || !body.model) return;
+      const moves = leads ? movesShown.value : pinnedMoves();
+      if (!moves && !moved) return;
+      moved = moves !== null;
+      body.model.setMoves(moves, restOutlined.value && moved);
       canvas.invalidate();
     }),
     effect(() => {

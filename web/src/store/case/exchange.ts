@@ -1,6 +1,7 @@
 /** What leaves the page: files of the mesh, the report, the case, a link. */
-import type { ElementOrder, Expected, ExportFormat, Recipe, Space } from '../../engine/contract';
+import type { ElementOrder, Expected, ExportFormat, Recipe, Space, Traces } from '../../engine/contract';
 import { encodeFragment } from '../../link/codec';
+import { tracesCsv } from '../run/beat/loops';
 import { engine, takeTurn, tellError } from '../run/engine';
 import { forecastUnderWay } from '../run/forecast';
 import { caseName, recipe } from './recipe';
@@ -120,6 +121,11 @@ export function downloadReport(): void {
     `${caseName()}.report.json`,
     new Blob([JSON.stringify(fullReport.value, null, 2)], { type: 'application/json' }),
   );
+}
+
+/** What was recorded of a heart that beats, for a spreadsheet. */
+export function downloadHeartbeat(traces: Traces): void {
+  download(`${caseName()}.heartbeat.csv`, new Blob([tracesCsv(traces)], { type: 'text/csv' }));
 }
 
 export function downloadCase(minimal: Record<string, unknown>): void {

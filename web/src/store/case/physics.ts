@@ -1,5 +1,13 @@
 /** What a simulation of the heart begins with, until the user says otherwise. */
-import type { MonodomainParams, Physics, Recipe, Stimulus, TissueKind, Vec3 } from '../../engine/contract';
+import type {
+  BeatParams,
+  MonodomainParams,
+  Physics,
+  Recipe,
+  Stimulus,
+  TissueKind,
+  Vec3,
+} from '../../engine/contract';
 import { announcement } from '../notices';
 import { engine, tellError } from '../run/engine';
 import { simulatedPhysics } from '../run/frames';
@@ -96,12 +104,30 @@ export function startingPhysics(current: Recipe): Physics {
   return physics;
 }
 
+/** Adds tissue, a stimulus and a wave; what else is simulated stays. */
+export function excite(draft: Recipe): void {
+  const { tissue, stimuli, monodomain } = startingPhysics(draft);
+  if (draft.physics?.fibres) tissue.kinds.forEach(slowAcross);
+  draft.physics = { ...(draft.physics ?? groupDefaults<Physics>('physics')), tissue, stimuli, monodomain };
+}
+
 /** The recipe asks for a simulation from now on. */
 export function addSimulation(): void {
-  const current = recipe.value;
-  if (!current) return;
-  const { diffusion } = current.physics ?? {};
-  editRecipe('Add simulation', (draft) => {
-    draft.physics = { ...startingPhysics(current), ...(diffusion && { diffusion }) };
+  editRecipe('Add simulation', excite);
+}
+
+/** The heart beats from now on, with what it needs for that: where its cavities are, and its fibres. */
+export function addHeartbeat(): void {
+  editRecipe('Add heartbeat', (draft) => {
+    draft.physics ??= groupDefaults<Physics>('physics');
+    const { physics } = draft;
+    physics.anatomy ??= groupDefaults('physics.anatomy');
+    if (!fibresAreGiven.value && !physics.fibres) {
+      physics.fibres = groupDefaults('physics.fibres');
+      physics.tissue.kinds.forEach(slowAcross);
+    }
+    physics.mechanics = { ...groupDefaults<BeatParams>('physics.mechanics'), material: {} };
+    // Without a wave all muscle contracts at once.
+    if (physics.tissue.kinds.length === 0) physics.mechanics.contraction.by = 'synchronous';
   });
 }

@@ -1,7 +1,7 @@
 import type { Frame } from '../../engine/contract';
 
-const bytesOf = (frame: Frame): number =>
-  Object.values(frame.values).reduce((sum, { byteLength }) => sum + byteLength, 0);
+const bytesOf = ({ values, moves }: Frame): number =>
+  Object.values(values).reduce((sum, { byteLength }) => sum + byteLength, moves?.byteLength ?? 0);
 
 /**
  * Frames of one simulation in the order of time, bounded in bytes. When they are too many every second one is

@@ -10,6 +10,7 @@ import {
   type Report,
   type Simulated,
   type SimulationName,
+  type Traces,
 } from '../../engine/contract';
 import { time } from '../view';
 import { FrameRing } from './frame_ring';
@@ -24,6 +25,17 @@ export const simulationEndMs = signal(0);
 export const simulationOf = signal<SimulationName | null>(null);
 
 let ring = new FrameRing(maxBytes);
+
+/** What the frames had recorded so far, of all of them: none of it is dropped. */
+export const tracesSoFar = signal<Traces | null>(null);
+
+function addTraces({ times_ms, lines }: Traces): void {
+  const known = tracesSoFar.peek();
+  tracesSoFar.value = {
+    times_ms: [...(known?.times_ms ?? []), ...times_ms],
+    lines: lines.map((line, i) => ({ ...line, values: [...(known?.lines[i].values ?? []), ...line.values] })),
+  };
+}
 
 /** Times of the frames at hand, ms, ascending. */
 export const frameTimes = signal<readonly number[]>([]);
@@ -116,26 +128,55 @@ export function keptSimulation(): KeptSimulation {
 /** Whether a point has a value. */
 export const hasValue = (value: number): boolean => value > noValue / 2;
 
-let framesAreOf: SimulationName | null = null;
+/** What the frames at hand are of. */
+export const framesOf = signal<SimulationName | null>(null);
 
-function clearFrames(): void {
+/** Nothing is played until there are frames again. */
+export function clearFrames(): void {
   ring = new FrameRing(maxBytes);
-  framesAreOf = null;
+  framesOf.value = null;
   frameTimes.value = [];
   playedFields.value = [];
+  tracesSoFar.value = null;
   time.value = 0;
 }
 
 export function forgetFrames(): void {
   clearFrames();
+  complete.clear();
   simulation.value = 'none';
 }
 
 /** Before the first frame of a run: one that goes on from an earlier time of the same simulation keeps what was before. */
 export function beginFrames(name: SimulationName, timeMs: number): void {
-  if (timeMs === 0 || framesAreOf !== name) clearFrames();
-  else ring.dropFrom(timeMs);
-  framesAreOf = name;
+  complete.delete(name);
+  if (framesOf.peek() === name) ring.dropFrom(timeMs);
+  if (framesOf.peek() !== name || ring.times.length === 0) clearFrames();
+  framesOf.value = name;
+  frameTimes.value = ring.times;
+}
+
+/** Frames of simulations that are done, with the key of the result: the engine gives none of what it has at hand. */
+const complete = new Map<
+  SimulationName,
+  { key: string; ring: FrameRing; fields: readonly PlayedField[]; traces: Traces | null }
+>();
+
+/** There will be no more frames of this simulation. */
+export function endFrames(name: SimulationName, key: string): void {
+  complete.set(name, { key, ring, fields: playedFields.peek(), traces: tracesSoFar.peek() });
+}
+
+/** Shows the frames of a result that was at hand. Where they are gone there are none: others would say something else. */
+export function showFrames(name: SimulationName, key: string): void {
+  const known = complete.get(name);
+  if (known?.key !== key) return forgetFrames();
+  if (framesOf.peek() === name) return;
+  clearFrames();
+  ({ ring } = known);
+  framesOf.value = name;
+  playedFields.value = known.fields;
+  tracesSoFar.value = known.traces;
   frameTimes.value = ring.times;
 }
 
@@ -147,6 +188,7 @@ export function keepFrame(frame: Frame): void {
     return before && within(info.range, before.range) ? before : grownBy(before, info);
   });
   if (grown.some((field, i) => field !== known[i])) playedFields.value = grown;
+  if (frame.traces) addTraces(frame.traces);
   frameTimes.value = ring.times;
 }
 

@@ -1,7 +1,7 @@
 /** Plays the frames: moves the time cursor. */
 import { effect, signal } from '@preact/signals';
 import { time } from '../view';
-import { frameTimes, simulation } from './frames';
+import { frameTimes, framesOf, simulation } from './frames';
 
 /** While a simulation goes on, playing shows its newest frame; else the cursor goes over all of them. */
 export const playing = signal(false);
@@ -54,8 +54,12 @@ export function keepPlaying(): () => void {
       const end = newest();
       const span = end - (frameTimes.peek()[0] ?? 0);
       time.value = Math.min(end, time.peek() + (span * (now - (before ?? now))) / playMs);
+      const over = time.peek() >= end;
+      // A heart beats on, but not by itself once it has been computed.
+      const again = over && before !== null && framesOf.peek() === 'mechanics';
       before = now;
-      if (time.peek() >= end) stopPlaying();
+      if (again) time.value = frameTimes.peek()[0];
+      if (over && !again) stopPlaying();
       else asked = requestAnimationFrame(turn);
     });
     return () => cancelAnimationFrame(asked);

@@ -11,7 +11,8 @@ function put(target: Record<string, unknown>, path: string, value: unknown): voi
 
 function defaultsOf(fields: readonly SchemaField[], isLeftOut: (path: string) => boolean): unknown {
   const values: Record<string, unknown> = {};
-  for (const { path, default: value } of fields) if (!isLeftOut(path)) put(values, path, value);
+  for (const { path, type, default: value } of fields)
+    if (!isLeftOut(path)) put(values, path, type === 'list' ? [] : value);
   return values;
 }
 

@@ -1,5 +1,11 @@
 /** What is simulated on the mesh that is shown. Its run can be held, and given up without losing the mesh. */
-import { EngineError, type promisedStages, type SimulationName } from '../../engine/contract';
+import {
+  EngineError,
+  type FieldInfo,
+  type Physics,
+  type promisedStages,
+  type SimulationName,
+} from '../../engine/contract';
 import { recipe } from '../case/recipe';
 import { announcement } from '../notices';
 import { colourBy, stageShown } from '../view';
@@ -8,10 +14,13 @@ import { engine, takeTurn, tellError } from './engine';
 import { forecastUnderWay } from './forecast';
 import {
   beginFrames,
-  forgetFrames,
+  clearFrames,
+  endFrames,
+  framesOf,
   keepFound,
   keepFrame,
   playedFields,
+  showFrames,
   simulatedPhysics,
   simulation,
   simulationDigests,
@@ -26,11 +35,30 @@ import { activity } from './stages';
 
 let count = 0;
 
+/** What frames with these fields are coloured by at first. */
+const firstColour = (name: SimulationName, fields: readonly FieldInfo[]): string =>
+  name === 'mechanics' ? 'fibre_strain_percent' : fields[0].name;
+
 /** Whether it gives frames, which are played as they come. */
 const lives = (name: SimulationName): boolean => name !== 'eikonal';
 
-/** Computes what the recipe asks for on the mesh that is shown. */
+/** The time up to which a simulation goes, ms. */
+function endOf(name: SimulationName, { diffusion, monodomain, mechanics }: Physics): number {
+  if (name === 'mechanics') return mechanics ? mechanics.beats * mechanics.period_ms : 0;
+  return (name === 'diffusion' ? diffusion : monodomain)?.end_ms ?? 0;
+}
+
+/** Computes what the recipe asks for on the mesh that is shown; before a heart that beats by the wave, the wave. */
 export async function simulate(name: SimulationName): Promise<void> {
+  const beat = recipe.value?.physics?.mechanics;
+  if (name === 'mechanics' && beat?.contraction.by === 'monodomain') {
+    await simulateOne('monodomain');
+    if (simulation.value !== 'done') return;
+  }
+  await simulateOne(name);
+}
+
+async function simulateOne(name: SimulationName): Promise<void> {
   const physics = recipe.value?.physics;
   if (!meshedRecipe.value || !physics || activity.value !== 'idle') return;
   const current = { ...meshedRecipe.value, physics };
@@ -43,31 +71,35 @@ export async function simulate(name: SimulationName): Promise<void> {
   activity.value = 'run';
   announcement.value = 'Simulation started';
   startClock();
-  const before = simulatedPhysics.value;
   let framed = false;
   if (lives(name)) {
-    simulationEndMs.value = (name === 'diffusion' ? physics.diffusion : physics.monodomain)?.end_ms ?? 0;
+    simulationEndMs.value = endOf(name, physics);
     simulationOf.value = name;
     simulatedPhysics.value = physics;
     simulation.value = 'running';
+    // A wave may go on from where it was; a heart begins anew, and is filled before its first frame.
+    if (framesOf.value !== name || name === 'mechanics') clearFrames();
     play();
   }
   stageShown.value = 'quality';
   try {
     await forecastUnderWay()?.done;
     if (!newest()) return settle('cancelled');
-    const { found, report } = await engine.simulate(JSON.stringify(current), current.source, name, {
+    const { summary, found, report } = await engine.simulate(JSON.stringify(current), current.source, name, {
       onProgress: () => undefined,
       onFrame(frame) {
         if (!newest()) return;
         if (!framed) beginFrames(name, frame.timeMs);
         framed = true;
-        if (playedFields.value.length === 0) colourBy.value = frame.fields[0].name;
+        if (playedFields.value.length === 0) colourBy.value = firstColour(name, frame.fields);
         keepFrame(frame);
       },
     });
-    // A result that was at hand already gives no frames: those of another case would say something else.
-    if (lives(name) && !framed && JSON.stringify(before) !== JSON.stringify(physics)) forgetFrames();
+    if (lives(name) && newest()) {
+      (framed ? endFrames : showFrames)(name, summary.key);
+      const fields = playedFields.value.map(({ info }) => info);
+      if (!framed && fields.length > 0) colourBy.value = firstColour(name, fields);
+    }
     if (lives(name)) settle('done');
     if (!newest()) return;
     keepFound(found);
