@@ -52,4 +52,10 @@ export const shipped: readonly Shipped[] = [
     text: 'Excitation of a heart, and the detour that a scar forces on it',
     load: () => json(import('./shipped/wave.json')),
   },
+  {
+    name: 'beat',
+    title: 'How many layers does a beating heart need?',
+    text: 'Elements that lock, and fibres that turn through one layer',
+    load: () => json(import('./shipped/beat.json')),
+  },
 ];
