@@ -1,6 +1,5 @@
 import { useState } from 'preact/hooks';
 import type { Traces } from '../../engine/contract';
-import { labelColour } from '../../geometry/colours';
 import {
   dropBeat,
   heartFound,
@@ -24,8 +23,9 @@ import { TraceChart } from './trace_chart';
 
 /** Colours of lines over time, those of the theme as it is. */
 const lineColours = ['--axis-r', '--axis-s', '--chart-before', '--chart-pinned', '--axis-a', '--text-soft'];
+const keptColours = ['--chart-before', '--chart-pinned', '--axis-s', '--axis-r', '--axis-a'];
 /** Of a run that is kept, by its number. */
-const keptColour = (id: number): string => labelColour(id + 1);
+const keptColour = (id: number): string => `var(${keptColours[(id - 1) % keptColours.length]})`;
 
 function Loops({ traces }: { traces: Traces }) {
   const periodMs = heartPeriodMs.value;
@@ -103,13 +103,13 @@ function LastBeat() {
           </tr>
         </thead>
         <tbody>
-          {left.map(({ name, title, value }, i) => (
+          {left.map(([name, title, value], i) => (
             <tr key={name}>
               <th scope="row" title={title}>
                 {name}
               </th>
               <td>{value}</td>
-              <td>{right[i].value}</td>
+              <td>{right[i][2]}</td>
             </tr>
           ))}
         </tbody>

@@ -47,10 +47,10 @@ function BeatFields({ params, current }: { params: BeatParams; current: Recipe }
         label="Elements"
         value={params.element}
         options={[
-          ['p1_anp', 'Linear, averaged pressures'],
-          ['p1_stabilised', 'Linear, stabilised pressures'],
-          ['p2', 'Quadratic, slow'],
-          ['p1', 'Linear, which lock'],
+          ['p1_anp', 'P1, averaged pressures'],
+          ['p1_stabilised', 'P1, stabilised pressures'],
+          ['p2', 'P2, slow'],
+          ['p1', 'P1, which lock'],
         ]}
         onChange={(element) => editBeat('Elements', (beat) => void (beat.element = element))}
       />
@@ -69,11 +69,11 @@ function BeatFields({ params, current }: { params: BeatParams; current: Recipe }
       <SelectField
         label="Activated by"
         value={params.contraction.by}
-        hint="What makes a place contract"
+        hint="What makes a place contract: when the wave comes there, or all places at one time"
         options={[
-          ['eikonal', 'the activation map'],
-          ['monodomain', 'the simulated wave'],
-          ['synchronous', 'nothing but time, all at once'],
+          ['eikonal', 'activation map'],
+          ['monodomain', 'simulated wave'],
+          ['synchronous', 'time alone'],
         ]}
         onChange={(by) =>
           editRecipe('Activated by', (draft) => {

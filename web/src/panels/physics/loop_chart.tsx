@@ -15,7 +15,7 @@ export interface LoopLine {
 
 const width = 268;
 const height = 168;
-const inset = { left: 32, right: 8, top: 8, bottom: 30 };
+const inset = { left: 40, right: 12, top: 8, bottom: 32 };
 
 /** Ends of an axis and how values become places on it. */
 function axisOf(values: number[], about: number, from: number, to: number) {
@@ -84,10 +84,13 @@ export function LoopChart(props: { title: string; lines: readonly LoopLine[]; se
           </text>
         </g>
       ))}
-      <text class="axis-name" x={width - inset.right} y={height - 4} text-anchor="end">
+      <text x={(inset.left + width - inset.right) / 2} y={height - 5} text-anchor="middle">
         Volume, ml
       </text>
-      <text class="axis-name" x={0} y={height - 4}>
+      <text
+        transform={`translate(10 ${(inset.top + height - inset.bottom) / 2}) rotate(-90)`}
+        text-anchor="middle"
+      >
         Pressure, kPa
       </text>
       {shown.map(({ name, colour, beats, kept }) =>

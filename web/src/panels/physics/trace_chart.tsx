@@ -19,7 +19,7 @@ function optionsOf(lines: readonly ChartLine[], width: number, endMs: number | u
   return {
     width,
     height,
-    padding: [6, 8, 0, 0],
+    padding: [6, 14, 0, 0],
     legend: { show: false },
     cursor: { y: false, points: { show: false }, drag: { x: false, y: false } },
     scales: { x: { time: false, ...(endMs !== undefined && { range: [0, endMs] }) } },

@@ -6,6 +6,7 @@ import {
   simulation,
   simulationEndMs,
   simulationOf,
+  simulationPart,
 } from '../../store/run/frames';
 import { keepPlaying, playing, seek, stepFrame, togglePlaying } from '../../store/run/player';
 import { pauseSimulation, resumeSimulation } from '../../store/run/simulate';
@@ -41,8 +42,7 @@ const stateWords = { paused: 'held', done: '', cancelled: 'cancelled', failed: '
 /** How far the simulation is, and the button that holds it. */
 function Progress() {
   const state = simulation.value;
-  const newest = frameTimes.value.at(-1) ?? 0;
-  const part = Math.floor((100 * newest) / simulationEndMs.value);
+  const part = Math.floor(100 * simulationPart.value);
   const computing = state === 'running' || state === 'paused';
   const filling = simulationOf.value === 'mechanics' && frameTimes.value.length === 0;
   const words = state === 'running' ? (filling ? 'filling' : 'computing') : stateWords[state];
@@ -92,14 +92,14 @@ function MotionTool() {
   if (!frameShown.value?.moves) return null;
   const options: [Motion, string][] = [
     ['moved', 'Moved'],
-    ['outline', 'Moved, outline at rest'],
+    ['outline', 'With outline'],
     ['rest', 'At rest'],
   ];
   return (
     <select
       class="motion"
       aria-label="Motion"
-      title="Whether the body is shown where it moves to"
+      title="The body where it moves to, with an outline of it at rest, or at rest"
       value={motion.value}
       onChange={(event) => (motion.value = event.currentTarget.value as Motion)}
     >

@@ -20,6 +20,8 @@ in vec3 vCorner;
 in vec3 vNormal;
 #endif
 #ifdef FIELD
+/** Where it was before the body moved: there its surroundings are known. */
+in vec3 vRest;
 /** A value, and 1 where there is one. */
 in vec2 vValue;
 // As precise as in the vertex stage, which WebKit asks for.
@@ -73,7 +75,12 @@ vec3 fieldColour() { return vColour; }
 /** How much of the light from all around comes to a place: 1 where no more than the body's own flat side is in the way. */
 float openness(vec3 normal) {
   if (cell == 0.0 || shelter <= 0.0) return 1.0;
-  vec3 place = (toOpen * vec4(vWorld + 1.5 * cell * normal, 1.0)).xyz;
+#ifdef FIELD
+  vec3 at = vRest;
+#else
+  vec3 at = vWorld;
+#endif
+  vec3 place = (toOpen * vec4(at + 1.5 * cell * normal, 1.0)).xyz;
   // Beyond the image there is nothing.
   if (place != clamp(place, 0.0, 1.0)) return 1.0;
   return smoothstep(0.0, 0.5, texture(open, place).r);

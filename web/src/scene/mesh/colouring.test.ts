@@ -89,6 +89,15 @@ describe('colours of what is played', () => {
     expect(simulatedPaint()).toMatchObject({ kind: 'nodal', values: parts, legend: { lo: 0, hi: 1 } });
   });
 
+  it('are those of nearly all elements where a few are far beyond them', () => {
+    const strains = Float32Array.from({ length: 1000 }, (_, i) => (i === 7 ? 300 : (i % 41) - 20));
+    const range: [number, number] = [-20, 300];
+    const { fields } = field('strain', strains, { unit: '%', scale: 'diverging', range });
+    keepFrame({ timeMs: 0, fields, values: { strain: strains } });
+    colourBy.value = 'strain';
+    expect(simulatedPaint()).toMatchObject({ legend: { lo: -20, hi: 20, values: range } });
+  });
+
   it('go around a circle where it is a phase, in words', () => {
     const { fields } = field('voltage_mV', parts, { on: 'points', range: [-80, 20] });
     keepFrame({ timeMs: 0, fields, values: { voltage_mV: parts } });

@@ -139,8 +139,9 @@ export function simulatedPaint(valuesOf = simulatedValues): TetPaint | null {
   if (!field || !values) return null;
   // Times that are found once are read as isochrones.
   const banded = !played && field.info.unit === 'ms' && field.info.scale !== 'diverging';
-  const most = Math.max(Math.abs(field.range[0]), Math.abs(field.range[1]));
-  const range: [number, number] = field.info.scale === 'diverging' ? [-most, most] : field.range;
+  const wide = field.most ?? field.range;
+  const most = Math.max(Math.abs(wide[0]), Math.abs(wide[1]));
+  const range: [number, number] = field.info.scale === 'diverging' ? [-most, most] : wide;
   const cyclic = field.info.scale === 'cyclic';
   const ends = banded ? bandEnds(range) : cyclic ? { lo: range[0], hi: range[1] } : roundEnds(range);
   const legend: Legend = {

@@ -61,7 +61,7 @@ export class TetModel {
   private readonly ghost: TetDrawing;
   private readonly veil: TetDrawing;
   /** Where the body was before it moved. */
-  private readonly rest: TetDrawing;
+  private readonly outline: TetDrawing;
   private plane: Plane | null = null;
   private choice: Choice = 'all';
   private seeThrough = false;
@@ -76,6 +76,7 @@ export class TetModel {
     const { faces, centres, extents, tets, neighbours } = mesh;
     this.shared = {
       points: { value: pointTexture(mesh.points) },
+      rest: { value: pointTexture(mesh.points) },
       centres: { value: arrayTexture(centres, 4) },
       tets: { value: arrayTexture(tets, 4) },
       neighbours: { value: arrayTexture(neighbours, 4) },
@@ -104,11 +105,12 @@ export class TetModel {
     this.ghost.geometry.setDrawRange(0, 3 * extents[0]);
     this.veil.geometry.setDrawRange(0, 3 * faces.length);
     this.ghost.renderOrder = this.veil.renderOrder = 1;
-    this.rest = this.drawing(facesVertex, { need: shownBit, ghost: true });
-    this.rest.geometry.setDrawRange(0, 3 * extents[0]);
-    this.rest.renderOrder = 1;
-    this.rest.visible = false;
-    this.group.add(this.solid, this.cap, this.ghost, this.veil, this.rest);
+    this.outline = this.drawing(facesVertex, { need: shownBit, ghost: true });
+    this.outline.material.uniforms.points = this.shared.rest;
+    this.outline.geometry.setDrawRange(0, 3 * extents[0]);
+    this.outline.renderOrder = 1;
+    this.outline.visible = false;
+    this.group.add(this.solid, this.cap, this.ghost, this.veil, this.outline);
     this.update();
   }
 
@@ -173,12 +175,7 @@ export class TetModel {
   /** Moves each point by three numbers, or puts all back. */
   setMoves(moves: Float32Array | null, outlined: boolean): void {
     const { points, extents } = this.mesh;
-    if (this.rest.visible !== outlined) {
-      this.rest.visible = outlined;
-      const uniform = this.rest.material.uniforms.points;
-      if (uniform.value !== this.shared.points.value) (uniform.value as Texture).dispose();
-      uniform.value = outlined ? pointTexture(points) : this.shared.points.value;
-    }
+    this.outline.visible = outlined;
     const texture = this.shared.points.value;
     const moved = texture.image.data as unknown as Float32Array;
     let most = 0;
@@ -212,7 +209,7 @@ export class TetModel {
 
   setLook(edgeStrength: number, ghostOpacity: number): void {
     for (const one of [this.solid, this.cap]) one.material.uniforms.edgeStrength.value = edgeStrength;
-    for (const one of [this.ghost, this.rest]) one.material.uniforms.opacity.value = ghostOpacity;
+    for (const one of [this.ghost, this.outline]) one.material.uniforms.opacity.value = ghostOpacity;
     this.veil.material.uniforms.opacity.value = 2.2 * ghostOpacity;
     this.veil.material.uniforms.edgeStrength.value = edgeStrength;
   }
@@ -220,8 +217,7 @@ export class TetModel {
   dispose(): void {
     this.disposed = true;
     for (const { value } of Object.values(this.shared)) (value as Partial<Texture>).dispose?.();
-    (this.rest.material.uniforms.points.value as Texture).dispose();
-    for (const one of [this.solid, this.cap, this.ghost, this.veil, this.rest]) {
+    for (const one of [this.solid, this.cap, this.ghost, this.veil, this.outline]) {
       one.geometry.dispose();
       one.material.dispose();
     }

@@ -6,7 +6,9 @@ precision highp sampler2D;
 precision highp isampler2D;
 precision highp usampler2D;
 uniform mat4 modelViewMatrix, projectionMatrix;
-uniform sampler2D points, centres, values, palette, offsets, scale;
+/** Places of the points as they are seen, and before the body moved. */
+uniform sampler2D points, rest;
+uniform sampler2D centres, values, palette, offsets, scale;
 uniform usampler2D tets, mask;
 uniform uint need;
 uniform vec4 cutPlane;
@@ -19,12 +21,14 @@ out vec3 vColour;
 flat out uint vElement;
 out vec3 vView;
 out vec3 vWorld;
+out vec3 vRest;
 out vec3 vCorner;
 out vec2 vValue;
 
 ivec2 at(int i) { return ivec2(i & 2047, i >> 11); }
 ivec2 ofLabel(int label) { return ivec2(label & 255, label >> 8); }
 vec3 point(uint i) { return texelFetch(points, at(int(i)), 0).xyz; }
+vec3 restPoint(uint i) { return texelFetch(rest, at(int(i)), 0).xyz; }
 bool chosen(int tet) { return (texelFetch(mask, at(tet), 0).r & need) == need; }
 
 /** Of the face that is drawn, where points have values; below 0 there is none. */
@@ -51,19 +55,20 @@ vec3 colourOf(int tet, int label) {
   return texelFetch(scale, ivec2(int(255.0 * x + 0.5), 0), 0).rgb;
 }
 
-void place(int tet, vec3 p) {
+void place(int tet, vec3 p, vec3 atRest) {
   vValue = vec2(0.0);
   int label = int(texelFetch(centres, at(tet), 0).w);
   vColour = colourOf(tet, label);
   vElement = uint(tet);
   vWorld = p;
+  vRest = atRest;
   vec4 view = modelViewMatrix * vec4(p + explode * texelFetch(offsets, ofLabel(label), 0).xyz, 1.0);
   vView = view.xyz;
   gl_Position = projectionMatrix * view;
 }
 
 void leaveOut() {
-  vColour = vView = vWorld = vCorner = vec3(0.0);
+  vColour = vView = vWorld = vRest = vCorner = vec3(0.0);
   vValue = vec2(0.0);
   vElement = 0u;
   gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
@@ -101,7 +106,8 @@ void main() {
     for (int k = 0; k < 3; k++) faceValue = max(faceValue, atPoint(corners[turn[k]]));
   }
   if (paint == 6) vertexValue = nearTo(atPoint(corners[turn[0]]), atPoint(corners[turn[corner]]));
-  place(mine ? own : other, point(corners[turn[corner]]));
+  uint seen = corners[turn[corner]];
+  place(mine ? own : other, point(seen), restPoint(seen));
 }`;
 
 /** Six vertices a tet: the triangle or quad in which a plane cuts it. */
@@ -151,5 +157,6 @@ void main() {
     float near = atPoint(corners[0]);
     vertexValue = mix(nearTo(near, atPoint(corners[from])), nearTo(near, atPoint(corners[to])), part);
   }
-  place(tet, mix(p[from], p[to], part));
+  vec3 seen = mix(p[from], p[to], part);
+  place(tet, seen, seen);
 }`;

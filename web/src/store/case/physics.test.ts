@@ -10,8 +10,8 @@ import { pauseSimulation, resumeSimulation, simulate } from '../run/simulate';
 import { activity, schema } from '../run/stages';
 import { volume } from './input';
 import { openPhantom, startEngine } from './open_case';
-import { addSimulation, meshedLabels, startingPhysics, stimulateAt } from './physics';
-import { recipe, undo, undoLabel } from './recipe';
+import { addHeartbeat, addSimulation, meshedLabels, startingPhysics, stimulateAt } from './physics';
+import { editRecipe, recipe, undo, undoLabel } from './recipe';
 
 let workers: Workers;
 
@@ -68,6 +68,32 @@ describe('the simulation that a case begins with', () => {
     expect(stimuli[0]).toMatchObject({ shape: 'sphere', duration_ms: 2, count: 1, s2_ms: 0 });
     expect(monodomain).toMatchObject({ end_ms: 400, consistent_mass: 0.5 });
     expect(others).toEqual({});
+  });
+});
+
+describe('the heartbeat that a case begins with', () => {
+  it('brings fibres and where the cavities are, and beats by time alone where no wave is asked for', () => {
+    name({ 1: '', 2: '' });
+    editRecipe('None', (draft) => void delete draft.physics);
+    addHeartbeat();
+    const { anatomy, fibres, mechanics, tissue } = (recipe.value as Recipe).physics!;
+    expect(anatomy).toBeDefined();
+    expect(fibres).toMatchObject({ alpha_endo_deg: 60 });
+    expect(mechanics).toMatchObject({ element: 'p1_anp', material: {}, labels: [], beats: 5 });
+    expect(mechanics?.contraction).toMatchObject({ by: 'synchronous', preset: 'fast' });
+    expect(mechanics?.windkessel).toMatchObject({ regurgitation: 0 });
+    expect(tissue.kinds).toEqual([]);
+  });
+
+  it('stays when a wave is added, and beats by the map of one that was there', () => {
+    name({ 1: '', 2: '' });
+    editRecipe('None', (draft) => void delete draft.physics);
+    addHeartbeat();
+    addSimulation();
+    expect((recipe.value as Recipe).physics).toMatchObject({ mechanics: { beats: 5 }, monodomain: {} });
+    editRecipe('None', ({ physics }) => void delete physics?.mechanics);
+    addHeartbeat();
+    expect((recipe.value as Recipe).physics?.mechanics?.contraction.by).toBe('eikonal');
   });
 });
 

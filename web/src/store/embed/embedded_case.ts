@@ -56,13 +56,16 @@ export async function showEmbedded(given: object): Promise<void> {
   else awaitedView.value = view;
 }
 
-/** Meshes the case, and computes its wave where it has one. */
+/** Meshes the case, and computes its heartbeat where it has one, or else its wave. */
 export async function runEmbedded(): Promise<void> {
   if (!mayRun() || activity.value !== 'idle') return;
   if (offered.value) await acceptOffer(true);
   else await runAll();
   // Another case may have come meanwhile.
-  if (!offered.value && upToDate.value && recipe.value?.physics?.monodomain) await simulate('monodomain');
+  if (offered.value || !upToDate.value) return;
+  const { mechanics, monodomain } = recipe.value?.physics ?? {};
+  if (mechanics) await simulate('mechanics');
+  else if (monodomain) await simulate('monodomain');
 }
 
 export interface Task {

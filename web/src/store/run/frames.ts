@@ -22,6 +22,8 @@ export type SimulationState = 'none' | 'running' | 'paused' | 'done' | 'cancelle
 /** How the simulation stands that the frames are of, and the time that it is to reach, ms. */
 export const simulation = signal<SimulationState>('none');
 export const simulationEndMs = signal(0);
+/** The part of it that is done. */
+export const simulationPart = signal(0);
 export const simulationOf = signal<SimulationName | null>(null);
 
 let ring = new FrameRing(maxBytes);
@@ -44,6 +46,8 @@ export const frameTimes = signal<readonly number[]>([]);
 export interface PlayedField {
   info: FieldInfo;
   range: [number, number];
+  /** Where a few elements are far beyond the others: the range of the others. */
+  most?: [number, number];
 }
 
 /** A wave is being computed, or is held, and has begun: it can be given another stimulus. */
@@ -150,8 +154,10 @@ export function forgetFrames(): void {
 /** Before the first frame of a run: one that goes on from an earlier time of the same simulation keeps what was before. */
 export function beginFrames(name: SimulationName, timeMs: number): void {
   complete.delete(name);
-  if (framesOf.peek() === name) ring.dropFrom(timeMs);
-  if (framesOf.peek() !== name || ring.times.length === 0) clearFrames();
+  const goesOn = framesOf.peek() === name && ring.times.some((known) => known < timeMs);
+  // Whoever keeps the frames of a run before has them still.
+  if (goesOn) ring.dropFrom(timeMs);
+  else clearFrames();
   framesOf.value = name;
   frameTimes.value = ring.times;
 }
@@ -185,7 +191,9 @@ export function keepFrame(frame: Frame): void {
   const known = playedFields.peek();
   const grown = frame.fields.map((info) => {
     const before = known.find((one) => one.info.name === info.name);
-    return before && within(info.range, before.range) ? before : grownBy(before, info);
+    const most = info.unit === '%' ? mostOf(frame.values[info.name]) : null;
+    const isKnown = before && within(info.range, before.range) && within(most, before.most ?? before.range);
+    return isKnown ? before : grownBy(before, info, most);
   });
   if (grown.some((field, i) => field !== known[i])) playedFields.value = grown;
   if (frame.traces) addTraces(frame.traces);
@@ -197,10 +205,23 @@ type Range = [number, number];
 const within = (inner: Range | null, [lo, hi]: Range): boolean =>
   !inner || (inner[0] >= lo && inner[1] <= hi);
 
-function grownBy(before: PlayedField | undefined, info: FieldInfo): PlayedField {
-  const [lo, hi] = info.range ?? [0, 1];
-  if (!before) return { info, range: [lo, hi] };
-  return { info, range: [Math.min(lo, before.range[0]), Math.max(hi, before.range[1])] };
+const around = (one: Range, other: Range | undefined): Range =>
+  other ? [Math.min(one[0], other[0]), Math.max(one[1], other[1])] : one;
+
+function grownBy(before: PlayedField | undefined, info: FieldInfo, most: Range | null): PlayedField {
+  const range = around(info.range ?? [0, 1], before?.range);
+  return { info, range, ...(most && { most: around(most, before?.most) }) };
+}
+
+/** Of so many elements, spread over all, the ends are taken. */
+const sampled = 5000;
+
+/** The range of all but a hundredth at either end. */
+function mostOf(values: Float32Array): Range | null {
+  const step = Math.ceil(values.length / sampled);
+  const some = values.filter((value, i) => i % step === 0 && hasValue(value)).sort();
+  const end = Math.floor(some.length / 100);
+  return some.length > 0 ? [some[end], some[some.length - 1 - end]] : null;
 }
 
 /** The last frame that is not after a time, or the first. Reading subscribes to which frames there are. */

@@ -7,6 +7,7 @@ import {
   frameShown,
   frameTimes,
   keepFrame,
+  keptSimulation,
   playedFields,
   simulation,
 } from './frames';
@@ -64,6 +65,14 @@ describe('frames', () => {
     expect(frameTimes.value).toEqual([0, 10, 20, 30]);
     beginFrames('diffusion', 40);
     expect(frameTimes.value).toEqual([]);
+  });
+
+  it('of a run that begins anew leave those of the one before to whoever keeps them', () => {
+    beginFrames('monodomain', 0);
+    for (const timeMs of [0, 10]) keepFrame(frame(timeMs));
+    const { frames } = keptSimulation();
+    beginFrames('monodomain', 0);
+    expect(frames.at(30)?.timeMs).toBe(10);
   });
 
   it('are gone with the mesh that they are of', () => {
@@ -124,6 +133,22 @@ describe('the player', () => {
     expect(time.value).toBe(30);
     play();
     expect(time.value).toBe(50);
+  });
+
+  it('goes round with a heart, but waits at its end once it has been computed', () => {
+    simulation.value = 'running';
+    beginFrames('mechanics', 0);
+    for (const timeMs of [0, 10, 20, 30]) keepFrame(frame(timeMs));
+    play();
+    simulation.value = 'done';
+    draw(1000);
+    expect(playing.value).toBe(false);
+    play();
+    draw(2000, 8000);
+    expect(time.value).toBe(0);
+    expect(playing.value).toBe(true);
+    draw(11000);
+    expect(time.value).toBeCloseTo(15, 6);
   });
 
   it('goes on by itself where the simulation that it follows is held or cut off', () => {

@@ -26,6 +26,7 @@ import {
   simulationDigests,
   simulationEndMs,
   simulationOf,
+  simulationPart,
   simulationReport,
   type SimulationState,
 } from './frames';
@@ -74,6 +75,7 @@ async function simulateOne(name: SimulationName): Promise<void> {
   let framed = false;
   if (lives(name)) {
     simulationEndMs.value = endOf(name, physics);
+    simulationPart.value = 0;
     simulationOf.value = name;
     simulatedPhysics.value = physics;
     simulation.value = 'running';
@@ -86,7 +88,9 @@ async function simulateOne(name: SimulationName): Promise<void> {
     await forecastUnderWay()?.done;
     if (!newest()) return settle('cancelled');
     const { summary, found, report } = await engine.simulate(JSON.stringify(current), current.source, name, {
-      onProgress: () => undefined,
+      onProgress(stage, fraction) {
+        if (stage === name && newest()) simulationPart.value = fraction;
+      },
       onFrame(frame) {
         if (!newest()) return;
         if (!framed) beginFrames(name, frame.timeMs);

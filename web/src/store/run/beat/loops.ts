@@ -89,15 +89,13 @@ export function tracesCsv({ times_ms, lines }: Traces): string {
 
 const mmhgPerKpa = 7.50062;
 
-/** What a ventricle did in one beat, in words and numbers. */
-export function figuresOf(beat: VentricleBeat): { name: string; title: string; value: string }[] {
-  const mmhg = Math.round(beat.most_kpa * mmhgPerKpa);
-  return [
-    { name: 'EDV', title: 'End-diastolic volume', value: `${beat.end_diastolic_ml.toFixed(1)} ml` },
-    { name: 'ESV', title: 'End-systolic volume', value: `${beat.end_systolic_ml.toFixed(1)} ml` },
-    { name: 'SV', title: 'Stroke volume', value: `${beat.stroke_ml.toFixed(1)} ml` },
-    { name: 'EF', title: 'Ejection fraction', value: `${(100 * beat.ejection_fraction).toFixed(1)} %` },
-    { name: 'Peak', title: 'Highest pressure', value: `${beat.most_kpa.toFixed(2)} kPa (${mmhg} mmHg)` },
-    { name: 'SW', title: 'Stroke work', value: `${beat.stroke_work_j.toFixed(3)} J` },
-  ];
-}
+/** What a ventricle did in one beat: short names with units, what they stand for, numbers. */
+export const figuresOf = (beat: VentricleBeat): [name: string, title: string, value: string][] => [
+  ['EDV, ml', 'End-diastolic volume', beat.end_diastolic_ml.toFixed(1)],
+  ['ESV, ml', 'End-systolic volume', beat.end_systolic_ml.toFixed(1)],
+  ['SV, ml', 'Stroke volume', beat.stroke_ml.toFixed(1)],
+  ['EF, %', 'Ejection fraction', (100 * beat.ejection_fraction).toFixed(1)],
+  ['Peak, kPa', 'Highest pressure', beat.most_kpa.toFixed(2)],
+  ['Peak, mmHg', 'Highest pressure', (mmhgPerKpa * beat.most_kpa).toFixed(0)],
+  ['Work, J', 'Stroke work', beat.stroke_work_j.toFixed(3)],
+];
