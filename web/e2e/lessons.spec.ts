@@ -235,7 +235,7 @@ test('how many layers a beating heart needs', async ({ page }) => {
   await enter(page, (stroke / before).toFixed(2));
   await choose(page, /^By less than a tenth/);
   await choose(page, /hardly more directions/);
-  await choose(page, /^Halve the angle/);
+  await choose(page, /^One layer is not enough/);
   await choose(page, /no longer change/);
   await ended(page, 9);
 });

@@ -55,7 +55,7 @@ export const shipped: readonly Shipped[] = [
   {
     name: 'beat',
     title: 'How many layers does a beating heart need?',
-    text: 'Elements that lock, and fibres that turn through one layer',
+    text: 'Elements that lock, and figures that change with the mesh',
     load: () => json(import('./shipped/beat.json')),
   },
 ];
