@@ -1,4 +1,5 @@
 import fc from 'fast-check';
+import { readFileSync } from 'node:fs';
 import { deflateRawSync } from 'node:zlib';
 import { afterEach, describe, expect, it } from 'vitest';
 import { LinkError } from '../link/codec';
@@ -241,6 +242,13 @@ describe('the lessons of the page', () => {
       if (question!.kind !== 'choice') expect(hints?.length ?? 0).toBeGreaterThan(0);
     }
   });
+});
+
+it('the heart of the lesson on beats is that of the example, for one beat', async () => {
+  const example = JSON.parse(readFileSync('../examples/pv-loops/case.json', 'utf8'));
+  example.physics.mechanics.beats = 1;
+  const read = readLesson(await shipped.find(({ name }) => name === 'beat')!.load());
+  for (const step of read.steps) if (step.case) expect(step.case).toEqual(example);
 });
 
 describe('values and checks', () => {
