@@ -127,7 +127,9 @@ void add_simulate_command(CLI::App& command, CaseOptions& options, SimulateOptio
       ->check(kNotEmpty);
   command
       .add_option("--from-state", wanted.from_state,
-                  "go on from this state: of a case that differs in end_ms or in later stimuli only")
+                  "go on from this state: of a case that differs in its end, in later stimuli or in the "
+                  "number of beats "
+                  "only")
       ->check(kNotEmpty);
   command.add_option("--what", wanted.what, "mechanics, monodomain, or eikonal: the activation map alone")
       ->check(CLI::IsMember({kMechanicsStage, kMonodomainStage, kEikonalStage}));
@@ -148,7 +150,7 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
                 output);
   if (!wanted.frames.empty() && *stage != Stage::kMonodomain)
     return fail(usage_error("cli", "--frames: found no physics.monodomain to run, expected one"), output);
-  if (*stage != Stage::kMonodomain && !(wanted.save_state + wanted.from_state).empty())
+  if (*stage == Stage::kEikonal && !(wanted.save_state + wanted.from_state).empty())
     return fail(usage_error("cli", "--save-state, --from-state: the activation map alone has no state"),
                 output);
   if (!wanted.from_state.empty()) {

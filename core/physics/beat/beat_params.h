@@ -52,7 +52,7 @@ struct ContractionParams {
 /// Springs and dampers around the heart, by undeformed area.
 struct SupportParams {
   double epicardium_kpa_per_mm = 0.01;  ///< along the epicardium's normal, as the pericardium's
-  double base_kpa_per_mm = 0.5;         ///< in all directions, on the base
+  double base_kpa_per_mm = 1;           ///< in all directions, on the base
   double damping_kpa_s_per_mm = 5e-3;   ///< on both, in the directions of the springs
 };
 

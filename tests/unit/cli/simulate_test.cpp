@@ -266,6 +266,47 @@ TEST_F(CliTest, NumbersRegionsForOpenCarpByTissue) {
   EXPECT_LT(lines_at(at("a.expected_ms.dat")).size(), lines_at(at("a.eikonal_ms.dat")).size());
 }
 
+TEST_F(CliTest, LetsAHeartBeatOnFromASavedState) {
+  json beating = heart();
+  const json kick{{"kick_s", 0.05}};
+  beating["physics"]["mechanics"] = {{"contraction", {{"start_ms", 20}, {"duration_ms", 40}}},
+                                     {"windkessel", {{"systemic", kick}, {"pulmonary", kick}}},
+                                     {"period_ms", 100},
+                                     {"fill_ms", 20},
+                                     {"beats", 2},
+                                     {"cycle_percent", 0}};
+  write("two.json", beating.dump());
+  ASSERT_EQ(run({"simulate", at("two.json"), "-o", at("whole.vtu"), "--traces", at("whole.csv"), "--report",
+                 at("r.json")}),
+            kExitOk);
+  for (const char* name :
+       {"displacement_mm", "fibre_strain_percent", "thickening_percent", "active_stress_kpa"})
+    EXPECT_NE(text_at(at("whole.vtu")).find(name), std::string::npos) << name;
+  const json found = json::parse(text_at(at("r.json")))["simulation"]["mechanics"];
+  ASSERT_EQ(found["beats"].size(), 2U);
+  for (const char* ventricle : {"lv", "rv"}) {
+    const json& beat = found["beats"][1][ventricle];
+    EXPECT_LT(beat["end_systolic_ml"].get<double>(), beat["end_diastolic_ml"].get<double>());
+    EXPECT_NEAR(beat["ejection_fraction"].get<double>(),
+                beat["stroke_ml"].get<double>() / beat["end_diastolic_ml"].get<double>(), 1e-12);
+  }
+  EXPECT_EQ(lines_at(at("whole.csv"))[0],
+            "time_ms,lv_volume_ml,rv_volume_ml,lv_pressure_kPa,rv_pressure_kPa,systemic_arteries_kPa,"
+            "pulmonary_arteries_kPa");
+  beating["physics"]["mechanics"]["beats"] = 1;
+  write("one.json", beating.dump());
+  ASSERT_EQ(run({"simulate", at("one.json"), "--save-state", at("one.state")}), kExitOk);
+  ASSERT_EQ(run({"simulate", at("two.json"), "--from-state", at("one.state"), "--traces", at("later.csv")}),
+            kExitOk);
+  EXPECT_EQ(text_at(at("later.csv")), text_at(at("whole.csv")));
+  // Of another heart.
+  beating["physics"]["mechanics"]["bulk_kpa"] = 500;
+  write("other.json", beating.dump());
+  test::CaughtErrors errors;
+  EXPECT_EQ(run({"simulate", at("other.json"), "--from-state", at("one.state")}), kExitUsage);
+  EXPECT_TRUE(errors.say("state: was made from another physics.mechanics"));
+}
+
 TEST_F(CliTest, RefusesASimulationThatCannotBe) {
   json without = ball();
   without.erase("physics");
@@ -277,7 +318,8 @@ TEST_F(CliTest, RefusesASimulationThatCannotBe) {
   for (const auto& [words, said] : std::vector<std::pair<std::vector<std::string>, std::string>>{
            {{"simulate", at("mesh.json")},
             "physics: found none in the case, expected what is to be simulated"},
-           {{"simulate", at("ball.json"), "--what", "remesh"}, "--what: remesh not in {monodomain,eikonal}"},
+           {{"simulate", at("ball.json"), "--what", "remesh"},
+            "--what: remesh not in {mechanics,monodomain,eikonal}"},
            {{"simulate", at("silent.json"), "--traces", at("t.csv")},
             "--traces: found no physics.monodomain.electrodes, expected at least one"},
            {{"simulate", at("ball.json"), "--what", "eikonal", "--traces", at("t.csv")},

@@ -19,9 +19,10 @@ struct MooneyRivlin {
 };
 
 /// c1 (I1' - 3) + c2 (I2' - 3) + a / 2b (exp(b (I4f - 1)+^2) - 1): isotropic, with fibres that resist
-/// stretch.
+/// stretch. With less than 3 kPa for c1 a ventricle that contracts buckles at its base, as quadratic elements
+/// show and linear ones hide.
 struct TransverselyIsotropic {
-  double c1_kpa = 1;
+  double c1_kpa = 3;
   double c2_kpa = 0.3;
   double a_f_kpa = 1.5;
   double b_f = 8;
@@ -59,7 +60,7 @@ struct Guccione {
 /// It does not stiffen, and so is for small stretches. Its own values are those of TransverselyIsotropic
 /// where fibres are hardly stretched.
 struct Corotational {
-  double shear_across_kpa = 2.6, shear_along_kpa = 2.6;
+  double shear_across_kpa = 6.6, shear_along_kpa = 6.6;
   double fibre_kpa = 6;  ///< what fibres add to stiffness along them
 };
 
