@@ -55,7 +55,7 @@ export const shipped: readonly Shipped[] = [
   {
     name: 'beat',
     title: 'How many layers does a beating heart need?',
-    text: 'Elements that lock, and figures that change with the mesh',
+    text: 'Elements that lock, and what a layer of them is worth',
     load: () => json(import('./shipped/beat.json')),
   },
 ];
