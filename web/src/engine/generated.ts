@@ -403,6 +403,8 @@ export interface RecipeFields {
     mechanics?: {
       /** Elements: p1_anp, linear with pressures averaged at points; p1_stabilised, linear with stabilised pressures; p1, which locks; p2, quadratic. */
       element: 'p1_anp' | 'p1_stabilised' | 'p1' | 'p2';
+      /** Fibres at four places of each tetrahedron, not at its centroid alone; needs physics.fibres. */
+      fine_fibres: boolean;
       material: {
         transversely_isotropic?: {
           /** c1 of c1 (I1 - 3) + c2 (I2 - 3), all around; kPa. */
@@ -449,6 +451,14 @@ export interface RecipeFields {
           c1_kpa: number;
           /** c2 of the same; 0: neo-Hookean; kPa. */
           c2_kpa: number;
+        };
+        corotational?: {
+          /** Shear modulus across fibres; kPa. */
+          shear_across_kpa: number;
+          /** Shear modulus along them; kPa. */
+          shear_along_kpa: number;
+          /** What fibres add to the stiffness along them; kPa. */
+          fibre_kpa: number;
         };
       };
       /** Where muscle is stiffer or contracts less than elsewhere. */
@@ -872,6 +882,7 @@ export const optionalDefaults = {
   },
   "physics.mechanics": {
     "element": "p1_anp",
+    "fine_fibres": false,
     "material": {},
     "labels": [],
     "bulk_kpa": 1000,
@@ -885,7 +896,7 @@ export const optionalDefaults = {
     },
     "support": {
       "epicardium_kpa_per_mm": 0.01,
-      "base_kpa_per_mm": 0.5,
+      "base_kpa_per_mm": 1,
       "damping_kpa_s_per_mm": 0.005
     },
     "windkessel": {
@@ -921,7 +932,7 @@ export const optionalDefaults = {
     "frame_ms": 10
   },
   "physics.mechanics.material.transversely_isotropic": {
-    "c1_kpa": 1,
+    "c1_kpa": 3,
     "c2_kpa": 0.3,
     "a_f_kpa": 1.5,
     "b_f": 8
@@ -946,6 +957,11 @@ export const optionalDefaults = {
   "physics.mechanics.material.mooney_rivlin": {
     "c1_kpa": 1,
     "c2_kpa": 0
+  },
+  "physics.mechanics.material.corotational": {
+    "shear_across_kpa": 6.6,
+    "shear_along_kpa": 6.6,
+    "fibre_kpa": 6
   },
   "physics.mechanics.contraction.lv": {
     "peak_kpa": 80,
