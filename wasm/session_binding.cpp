@@ -197,8 +197,8 @@ class SessionBinding {
     return val::undefined();
   }
 
-  /// What snapshot_json() says of the earliest frame that has not been taken, whose values snapshot_array() gives
-  /// until the next is taken; null where there is none.
+  /// What snapshot_json() says of the earliest frame that has not been taken, whose values snapshot_array()
+  /// gives until the next is taken; null where there is none.
   std::string take_snapshot() {
     if (snapshots_.empty()) return reply(nullptr);
     snapshot_ = std::move(snapshots_.front());

@@ -109,7 +109,8 @@ test('a heart beats: it is held and goes on, its loops come with the frames, and
   expect(time).toBeGreaterThan(100);
   expect(time).toBeLessThan(480);
   for (const colorScheme of ['light', 'dark'] as const) {
-    await page.emulateMedia({ colorScheme });
+    await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
+    await expect(page.locator('html')).toHaveAttribute('data-theme', colorScheme);
     expect(await faults(page)).toEqual([]);
   }
 

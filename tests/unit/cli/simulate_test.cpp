@@ -268,6 +268,11 @@ TEST_F(CliTest, NumbersRegionsForOpenCarpByTissue) {
 
 TEST_F(CliTest, LetsAHeartBeatOnFromASavedState) {
   json beating = heart();
+  beating["source"]["phantom"] = {{"kind", "biventricle"}};
+  beating["merge"] = {{1, 2}};
+  beating["sizing"] = {
+      {"edge_mm", 10},
+      {"thickness", {{{"wall", {1, 2}}, {"inner", {3, 4}}, {"layers", 1}, {"layering", "exact"}}}}};
   const json kick{{"kick_s", 0.05}};
   beating["physics"]["mechanics"] = {{"contraction", {{"start_ms", 20}, {"duration_ms", 40}}},
                                      {"windkessel", {{"systemic", kick}, {"pulmonary", kick}}},

@@ -145,7 +145,7 @@ TEST(MechanicsCase, HasAFileForEachPartOfSvMultiPhysics) {
       test::text_of(files, ".xml"),
       {"<Mesh_file_path>a &amp; b.mesh.vtu</Mesh_file_path>\n",
        "<Add_face name=\"base\">\n<Face_file_path>a &amp; b.base.vtp</Face_file_path>\n</Add_face>\n",
-       "<a>6.6</a>\n<b>0</b>\n<a4f>1.5</a4f>\n<b4f>8</b4f>\n",
+       "<a>2.6</a>\n<b>0</b>\n<a4f>1.5</a4f>\n<b4f>8</b4f>\n",
        "<Dilational_penalty_model>ST91</Dilational_penalty_model>\n<Penalty_parameter>1000<",
        "<Add_BC name=\"base\">\n<Type>Dirichlet</Type>\n<Value>0</Value>\n</Add_BC>\n",
        "<Add_BC name=\"inside\">\n<Type>Neu</Type>\n<Time_dependence>Unsteady</Time_dependence>\n"});

@@ -49,6 +49,7 @@ TEST(StageTable, ReadsFieldsThatTheRecipeHas) {
   recipe.physics->anatomy.emplace();
   recipe.physics->fibres.emplace().septum.emplace();
   recipe.physics->monodomain.emplace();
+  recipe.physics->mechanics.emplace();
   const nlohmann::json fields = recipe_to_json(recipe);
   for (const StageSpec& spec : stage_table())
     for (const std::string_view path : spec.reads)

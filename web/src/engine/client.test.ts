@@ -315,25 +315,6 @@ describe('EngineClient', () => {
       expect(new Set(stages)).toEqual(new Set(['diffusion']));
     });
 
-    it('and says of a body that moves how far each point is, and what was recorded since the frame before', async () => {
-      const client = start();
-      await client.run(JSON.stringify(phantom), phantom.source, 'quality');
-      const frames: Frame[] = [];
-      await client.simulate(recipe, phantom.source, 'mechanics', {
-        onProgress: () => undefined,
-        onFrame: (frame) => void frames.push(frame),
-      });
-      const [, second] = frames;
-      const { count } = second.fields[0];
-      expect(second.moves).toEqual(new Float32Array(3 * count).fill(0.1));
-      expect(second.fields[0]).toMatchObject({ name: 'displacement_mm', components: 1 });
-      expect(second.values.displacement_mm.length).toBe(count);
-      expect(second.values.displacement_mm[0]).toBeCloseTo(Math.sqrt(0.03), 6);
-      expect(second.fields[0].range?.[1]).toBeCloseTo(Math.sqrt(0.03), 6);
-      expect(second.traces?.times_ms).toEqual([7.5, 10]);
-      expect(second.traces?.lines[0].values).toEqual([10, 20]);
-    });
-
     it('and is cancelled by word: its worker lives on, and an export runs no stage again', async () => {
       let cancelled: Promise<number> | undefined;
       const run = await meshed(3, (client) => (cancelled = client.cancel()));

@@ -16,6 +16,8 @@ export type {
   Simulated,
   SimulationName,
   Space,
+  Trace,
+  Traces,
 } from '../engine/contract';
 export { decodeFragment, encodeFragment, LinkError } from '../link/codec';
 export type { EmbedEvent, EmbedRequest } from '../link/embed_messages';

@@ -22,9 +22,12 @@ export function beatNumbers<T extends object>(
   value: T,
   of: (beat: BeatParams) => T | undefined,
 ) {
-  return numbersOf(group ? `${path}.${group}` : path, owner, value, (label, change) =>
+  const field = numbersOf(group ? `${path}.${group}` : path, owner, value, (label, change) =>
     editBeat(`${owner}: ${label}`, (beat) => void Object.assign(of(beat) ?? {}, change)),
   );
+  // There is no room for a long unit behind the number.
+  return (...[label, key, unit, step]: Parameters<typeof field>) =>
+    unit.length > 4 ? field(`${label}, ${unit}`, key, '', step) : field(label, key, unit, step);
 }
 
 type MaterialName = keyof MuscleMaterial;
@@ -34,6 +37,7 @@ const materials: readonly (readonly [MaterialName, string])[] = [
   ['holzapfel_ogden', 'Holzapfel–Ogden 2009'],
   ['guccione', 'Guccione 1991'],
   ['mooney_rivlin', 'Mooney–Rivlin, isotropic'],
+  ['corotational', 'Corotational, linear'],
 ];
 
 /** None given is the first. */
@@ -71,6 +75,9 @@ const signs: Record<string, string> = {
   b_fs: 'b, shear',
   b_t: 'b, across',
   k: 'k, slackening',
+  shear_across_kpa: 'Shear across',
+  shear_along_kpa: 'Shear along',
+  fibre_kpa: 'Fibres',
 };
 
 function MaterialNumbers({ params }: { params: BeatParams }) {
@@ -128,6 +135,12 @@ export function MuscleFields({ params, current }: { params: BeatParams; current:
     <details class="more">
       <summary>Muscle</summary>
       <MaterialNumbers params={params} />
+      <CheckField
+        label="Fine fibres"
+        hint="Fibres by rule at four places of each tetrahedron, not at its centroid alone"
+        checked={params.fine_fibres}
+        onChange={(on) => editBeat('Fine fibres', (beat) => void (beat.fine_fibres = on))}
+      />
       {number('Bulk modulus', 'bulk_kpa', 'kPa', 100)}
       {number('Viscosity', 'viscosity_kpa_s', 'kPa s', 0.05)}
       {number('Density', 'density_kg_per_m3', 'kg/m³', 10)}

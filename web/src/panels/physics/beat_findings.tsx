@@ -11,7 +11,7 @@ import {
   renameBeat,
 } from '../../store/run/beat/heartbeat';
 import { figuresOf, loopOf, ventricleNames, ventricles } from '../../store/run/beat/loops';
-import { simulation, simulationEndMs } from '../../store/run/frames';
+import { awaitsFrames, simulationEndMs, simulationOf } from '../../store/run/frames';
 import { dark } from '../../store/view';
 import { cssColour } from '../controls/chart_style';
 import { RemoveButton } from '../controls/folded_item';
@@ -212,15 +212,9 @@ function KeptRuns() {
   );
 }
 
-/** What the heart does as it beats: loops and lines as they come, and what was found at the end. */
-export function BeatFindings() {
-  const traces = heartTraces.value;
-  if (!traces) {
-    const filling = simulation.value === 'running';
-    return filling ? <p class="hint">The ventricles are being filled before the first beat.</p> : null;
-  }
+function Recorded({ traces }: { traces: Traces }) {
   return (
-    <div class="beat-findings">
+    <>
       <Loops traces={traces} />
       <LastBeat />
       <KeepRun />
@@ -234,6 +228,18 @@ export function BeatFindings() {
       >
         <Icon name="download" size={13} /> CSV
       </button>
+    </>
+  );
+}
+
+/** What the heart does as it beats: loops and lines as they come, and what was found at the end. */
+export function BeatFindings() {
+  const traces = heartTraces.value;
+  const filling = awaitsFrames.value && simulationOf.value === 'mechanics';
+  return (
+    <div class="beat-findings">
+      {filling && <p class="hint">The ventricles are being filled before the first beat.</p>}
+      {traces && <Recorded traces={traces} />}
     </div>
   );
 }

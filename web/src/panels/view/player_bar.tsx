@@ -1,5 +1,6 @@
 import { useEffect } from 'preact/hooks';
 import {
+  awaitsFrames,
   frameShown,
   frameTimes,
   mayStimulate,
@@ -44,7 +45,7 @@ function Progress() {
   const state = simulation.value;
   const part = Math.floor(100 * simulationPart.value);
   const computing = state === 'running' || state === 'paused';
-  const filling = simulationOf.value === 'mechanics' && frameTimes.value.length === 0;
+  const filling = simulationOf.value === 'mechanics' && awaitsFrames.value;
   const words = state === 'running' ? (filling ? 'filling' : 'computing') : stateWords[state];
   return (
     <>

@@ -10,13 +10,13 @@ import {
   type FibreField,
   type Pieces,
 } from '../../geometry/fibres';
-import { endWeights, movedEnds } from '../../geometry/moved_pieces';
 import { movesShown } from '../../store/run/beat/motion';
 import { fibresShown } from '../../store/run/fibres';
 import { shownResult } from '../../store/run/results';
 import { explode, fibreLegend, fibreStyle, hiddenLabels, seeThrough, type Legend } from '../../store/view';
 import type { Viewer } from '../frame/viewer';
 import { nextTask } from '../frame/tasks';
+import { endWeights, movedEnds } from './moved_pieces';
 import { fibreDrawing, setEnds, type FibreDrawing } from './fibre_drawing';
 import { noClip } from '../frame/surroundings';
 import type { Plane } from './tet_model';

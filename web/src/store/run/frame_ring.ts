@@ -27,10 +27,13 @@ export class FrameRing {
     return this.kept.map(({ frame }) => frame.timeMs);
   }
 
-  /** Forgets the frames from a time on. */
-  dropFrom(timeMs: number): void {
-    this.kept = this.kept.filter(({ frame }) => frame.timeMs < timeMs);
-    this.sum = this.kept.reduce((sum, { frame }) => sum + bytesOf(frame), 0);
+  /** The frames before a time, to which others may be added: whoever keeps this ring has all of its own still. */
+  before(timeMs: number): FrameRing {
+    const next = new FrameRing(this.maxBytes);
+    next.kept = this.kept.filter(({ frame }) => frame.timeMs < timeMs);
+    next.sum = next.kept.reduce((sum, { frame }) => sum + bytesOf(frame), 0);
+    [next.stride, next.count] = [this.stride, this.count];
+    return next;
   }
 
   push(frame: Frame): void {

@@ -24,6 +24,8 @@ export const simulation = signal<SimulationState>('none');
 export const simulationEndMs = signal(0);
 /** The part of it that is done. */
 export const simulationPart = signal(0);
+/** It runs, and has not given a frame yet: those at hand are of an earlier run. */
+export const awaitsFrames = signal(false);
 export const simulationOf = signal<SimulationName | null>(null);
 
 let ring = new FrameRing(maxBytes);
@@ -31,11 +33,17 @@ let ring = new FrameRing(maxBytes);
 /** What the frames had recorded so far, of all of them: none of it is dropped. */
 export const tracesSoFar = signal<Traces | null>(null);
 
+/** A run that goes on from an earlier time tells what comes after it anew. */
 function addTraces({ times_ms, lines }: Traces): void {
   const known = tracesSoFar.peek();
+  const stays = known?.times_ms.filter((time) => time < times_ms[0]).length ?? 0;
+  const grown = (before: number[] | undefined, more: number[]) => [
+    ...(before?.slice(0, stays) ?? []),
+    ...more,
+  ];
   tracesSoFar.value = {
-    times_ms: [...(known?.times_ms ?? []), ...times_ms],
-    lines: lines.map((line, i) => ({ ...line, values: [...(known?.lines[i].values ?? []), ...line.values] })),
+    times_ms: grown(known?.times_ms, times_ms),
+    lines: lines.map((line, i) => ({ ...line, values: grown(known?.lines[i].values, line.values) })),
   };
 }
 
@@ -135,8 +143,7 @@ export const hasValue = (value: number): boolean => value > noValue / 2;
 /** What the frames at hand are of. */
 export const framesOf = signal<SimulationName | null>(null);
 
-/** Nothing is played until there are frames again. */
-export function clearFrames(): void {
+function clearFrames(): void {
   ring = new FrameRing(maxBytes);
   framesOf.value = null;
   frameTimes.value = [];
@@ -155,8 +162,7 @@ export function forgetFrames(): void {
 export function beginFrames(name: SimulationName, timeMs: number): void {
   complete.delete(name);
   const goesOn = framesOf.peek() === name && ring.times.some((known) => known < timeMs);
-  // Whoever keeps the frames of a run before has them still.
-  if (goesOn) ring.dropFrom(timeMs);
+  if (goesOn) ring = ring.before(timeMs);
   else clearFrames();
   framesOf.value = name;
   frameTimes.value = ring.times;

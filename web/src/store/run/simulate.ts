@@ -13,10 +13,9 @@ import { startClock, stopClock } from './clock';
 import { engine, takeTurn, tellError } from './engine';
 import { forecastUnderWay } from './forecast';
 import {
+  awaitsFrames,
   beginFrames,
-  clearFrames,
   endFrames,
-  framesOf,
   keepFound,
   keepFrame,
   playedFields,
@@ -79,8 +78,7 @@ async function simulateOne(name: SimulationName): Promise<void> {
     simulationOf.value = name;
     simulatedPhysics.value = physics;
     simulation.value = 'running';
-    // A wave may go on from where it was; a heart begins anew, and is filled before its first frame.
-    if (framesOf.value !== name || name === 'mechanics') clearFrames();
+    awaitsFrames.value = true;
     play();
   }
   stageShown.value = 'quality';
@@ -95,6 +93,7 @@ async function simulateOne(name: SimulationName): Promise<void> {
         if (!newest()) return;
         if (!framed) beginFrames(name, frame.timeMs);
         framed = true;
+        awaitsFrames.value = false;
         if (playedFields.value.length === 0) colourBy.value = firstColour(name, frame.fields);
         keepFrame(frame);
       },
@@ -119,6 +118,7 @@ async function simulateOne(name: SimulationName): Promise<void> {
     if (newest()) tellError(error);
   } finally {
     if (newest()) {
+      awaitsFrames.value = false;
       activity.value = 'idle';
       stopClock();
     }

@@ -74,6 +74,16 @@ describe('what a heart has recorded', () => {
     expect(heartIsPlayed.value).toBe(true);
   });
 
+  it('of a run that goes on from an earlier time is told anew from there', () => {
+    keepFrame(frame(10, traces([5, 10])));
+    keepFrame(frame(20, traces([15, 20])));
+    beginFrames('mechanics', 20);
+    keepFrame(frame(20, { ...traces([15, 20]), lines: [{ ...traces([]).lines[0], values: [1, 2] }] }));
+    expect(frameTimes.value).toEqual([0, 10, 20]);
+    expect(heartTraces.value?.times_ms).toEqual([-5, 0, 5, 10, 15, 20]);
+    expect(heartTraces.value?.lines[0].values.slice(-3)).toEqual([90, 1, 2]);
+  });
+
   it('has its figures only at its end: those of the run before are of other loops', () => {
     reported(traces([0]));
     expect(heartFound.value).toBeNull();

@@ -1,5 +1,5 @@
 /** Pieces that lie within tetrahedra follow them when their points move. */
-import type { Pieces } from './fibres';
+import type { Pieces } from '../../geometry/fibres';
 
 interface Mesh {
   points: Float32Array;
