@@ -23,8 +23,8 @@ def decades(low, high):
     return [value for value in found if low <= value <= high]
 
 
-def curves(title, x_title, y_title, series, x_range, y_range, log=False):
-    """`series`: name -> [(x, y), ...]. `log`: both axes are logarithmic."""
+def curves(title, x_title, y_title, series, x_range, y_range, log=False, dots=True):
+    """`series`: name -> [(x, y), ...]. `log`: both axes are logarithmic. `dots`: each point is seen, not the line alone."""
     left, top, wide, tall = 60, 40, 520, 340
     scale = math.log10 if log else float
     place = lambda value, ends: (scale(value) - scale(ends[0])) / (scale(ends[1]) - scale(ends[0]))
@@ -39,6 +39,7 @@ def curves(title, x_title, y_title, series, x_range, y_range, log=False):
         colour, key = COLOURS[index], top + 10 + 18 * index
         path = " ".join(f"{x_of(x):.1f},{y_of(y):.1f}" for x, y in points)
         parts.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="2"/>')
-        parts += [f'<circle cx="{x_of(x):.1f}" cy="{y_of(y):.1f}" r="4" fill="{colour}" stroke="white"/>' for x, y in points]
+        if dots:
+            parts += [f'<circle cx="{x_of(x):.1f}" cy="{y_of(y):.1f}" r="4" fill="{colour}" stroke="white"/>' for x, y in points]
         parts += [line(left + wide + 14, key, left + wide + 34, key, colour, 2), text(left + wide + 40, key + 4, name, colour=INK)]
     return svg(left + wide + 250, top + tall + 46, parts)

@@ -63,6 +63,7 @@ export default defineConfig({
       part('On the mesh', 'stages', [
         ['Fibres', 'fibres'],
         ['Electrophysiology', 'electrophysiology'],
+        ['The beating heart', 'heartbeat'],
       ]),
       part('Reference', 'reference', [
         ['Fields of a case', 'recipe'],

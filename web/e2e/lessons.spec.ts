@@ -209,3 +209,32 @@ test('how a wave goes around a scar', async ({ page }) => {
   await answered(page);
   await ended(page, 8);
 });
+
+test('how many layers a beating heart needs', async ({ page }) => {
+  test.setTimeout(900_000); // two beats
+  await begin(page, 'beat');
+  const volume = (which: string) => shown(page, `Left ventricle, ${which} volume`);
+  const beaten = async () => {
+    await page.getByTestId('simulate-beat').click();
+    await expect(asked(page)).toHaveAttribute('data-done', 'true', { timeout: 400_000 });
+  };
+  await run(page);
+  await beaten();
+  const [filled, left] = [await volume('end-diastolic'), await volume('end-systolic')];
+  await next(page);
+  await enter(page, (100 * (1 - left / filled)).toFixed(1));
+  const before = await volume('stroke');
+  await pin(page);
+  await answered(page);
+  await page.getByLabel('Elements', { exact: true }).selectOption('p1');
+  await beaten();
+  expect(await volume('end-diastolic')).toBeLessThan(0.95 * filled);
+  const stroke = await volume('stroke');
+  expect(stroke).toBeLessThan(0.9 * before);
+  await next(page);
+  await enter(page, (stroke / before).toFixed(2));
+  await choose(page, /^It is less/);
+  await choose(page, /hardly more directions/);
+  await choose(page, /no longer change/);
+  await ended(page, 8);
+});

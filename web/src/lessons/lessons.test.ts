@@ -1,4 +1,5 @@
 import fc from 'fast-check';
+import { readFileSync } from 'node:fs';
 import { deflateRawSync } from 'node:zlib';
 import { afterEach, describe, expect, it } from 'vitest';
 import { LinkError } from '../link/codec';
@@ -243,6 +244,13 @@ describe('the lessons of the page', () => {
   });
 });
 
+it('the heart of the lesson on beats is that of the example, for one beat', async () => {
+  const example = JSON.parse(readFileSync('../examples/pv-loops/case.json', 'utf8'));
+  example.physics.mechanics.beats = 1;
+  const read = readLesson(await shipped.find(({ name }) => name === 'beat')!.load());
+  for (const step of read.steps) if (step.case) expect(step.case).toEqual(example);
+});
+
 describe('values and checks', () => {
   afterEach(() => chooseLayout('model'));
 
@@ -254,7 +262,7 @@ describe('values and checks', () => {
 
   it('have nothing to say before there is a case', () => {
     for (const { name, ofLabel } of allValues) {
-      if (/^(view|run|wave|case\.(stimuli|labels))/.test(name)) continue;
+      if (/^(view|run|wave|beat\.done|case\.(stimuli|labels))/.test(name)) continue;
       expect([name, readValue({ value: name, label: ofLabel ? 1 : undefined })]).toEqual([name, null]);
     }
     expect(readValue({ value: 'mesh.tets', per: 'pinned' })).toBeNull();

@@ -52,4 +52,10 @@ export const shipped: readonly Shipped[] = [
     text: 'Excitation of a heart, and the detour that a scar forces on it',
     load: () => json(import('./shipped/wave.json')),
   },
+  {
+    name: 'beat',
+    title: 'How many layers does a beating heart need?',
+    text: 'Elements that lock, and what a layer of them is worth',
+    load: () => json(import('./shipped/beat.json')),
+  },
 ];

@@ -16,6 +16,7 @@ import { isMadeFrom, stages } from '../store/run/stages';
 import { colourBy, cut, layout, sliceOverlay, stageShown } from '../store/view';
 import type { ValueRef } from './lesson';
 import { enclosedMm3, surfaceMm2, type Triangles } from './shapes';
+import { excitation, heartbeat, percentOf, type SimulatedRow } from './simulated_values';
 import { spectrumOf } from './stiffness';
 
 /** A finished run: the one that is shown, or the pinned one. */
@@ -138,6 +139,12 @@ add('Case', [
     'mm',
     () => (volume.value ? Math.max(...volume.value.spacing_mm) : null),
   ],
+  [
+    'case.beat_element',
+    'Elements of the heartbeat',
+    '',
+    () => asked(({ physics }) => physics?.mechanics?.element ?? null),
+  ],
   ['case.stimuli', 'Stimuli', '', () => asked(({ physics }) => physics?.stimuli.length ?? 0)],
 ]);
 add(
@@ -186,6 +193,12 @@ add('Stages', [
     'The wave has been simulated (1: yes)',
     '',
     () => flag(shownRun()?.simulated.monodomain !== undefined),
+  ],
+  [
+    'beat.done',
+    'The heart has beaten (1: yes)',
+    '',
+    () => flag(shownRun()?.simulated.mechanics !== undefined),
   ],
 ]);
 
@@ -347,7 +360,6 @@ addOfRun(
   true,
 );
 
-const percentOf = (share: number | undefined) => (share === undefined ? undefined : 100 * share);
 addOfRun('Layers of a wall', [
   ['layers.target', 'Layers asked for', '', ({ report }) => report.layers?.[0]?.target_layers],
   [
@@ -364,17 +376,10 @@ addOfRun('Layers of a wall', [
   ],
 ]);
 
-addOfRun('Excitation', [
-  ['wave.last_ms', 'Last point of the activation map', 'ms', (run) => run.simulated.eikonal?.last_ms],
-  ['wave.activated_percent', 'Activated points', '%', (run) => percentOf(run.simulated.eikonal?.activated)],
-  [
-    'wave.total_ms',
-    'Total activation time of the wave',
-    'ms',
-    (run) => run.simulated.monodomain?.total_activation_ms,
-  ],
-  ['wave.apd_ms', 'Mean action potential', 'ms', (run) => run.simulated.monodomain?.mean_apd_ms],
-]);
+const ofSimulated = (rows: readonly SimulatedRow[]): RunRow[] =>
+  rows.map(([name, title, unit, of]) => [name, title, unit, (run) => of(run.simulated)]);
+addOfRun('Excitation', ofSimulated(excitation));
+addOfRun('Heartbeat', ofSimulated(heartbeat));
 
 const byName = new Map(values.map((value) => [value.name, value]));
 
