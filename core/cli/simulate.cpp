@@ -156,7 +156,7 @@ int run_simulate(const CaseOptions& options, const SimulateOptions& wanted, cons
   if (!wanted.from_state.empty()) {
     Result<Bytes> state = read_file(wanted.from_state);
     if (!state) return fail(state.error(), output);
-    session.resume_from(*std::move(state));
+    session.resume_from(*stage, *std::move(state));
   }
   if ((wanted.out + wanted.report + wanted.traces + wanted.frames + wanted.save_state).empty() &&
       !output.as_json)

@@ -201,8 +201,8 @@ Result<Bytes> Session::saved_state() {
   return saved_->state;
 }
 
-void Session::resume_from(Bytes state) {
-  saved_ = {Stage::kMonodomain, std::move(state), true};
+void Session::resume_from(Stage stage, Bytes state) {
+  saved_ = {stage, std::move(state), true};
 }
 
 Status Session::resume(Stage stage, StageTask& task) {

@@ -75,10 +75,10 @@ class Session {
   /// The state of a simulation: of the one under way, else of the last one, which was ended or came to its
   /// end. Errors: kUsage where there was none.
   Result<Bytes> saved_state();
-  /// The next simulation goes on from it. Without this one goes on from the last if it may: where only the
-  /// end, or what comes later, has changed. The result is the same as from the start. Errors, of the run:
-  /// those of StageTask::resume().
-  void resume_from(Bytes state);
+  /// The next simulation of that stage goes on from it. Without this one goes on from the last if it may:
+  /// where only the end, or what comes later, has changed. The result is the same as from the start. Errors,
+  /// of the run: those of StageTask::resume().
+  void resume_from(Stage stage, Bytes state);
 
   /// The value of a stage, of that stage's own type (stage_results.h).
   template <class T>

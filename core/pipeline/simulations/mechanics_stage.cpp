@@ -63,9 +63,12 @@ class MechanicsTask : public StageTask {
     record_.add(before_, steps_.now());
     const double now_ms = 1000 * steps_.now().time_s;
     const bool over = record_.is_over();
-    if (now_ms >= next_frame_ms_ - kRounding || over) emit(ctx);
+    const bool due = now_ms >= next_frame_ms_ - kRounding;
+    if (due) emit(ctx);
     // Kept at times that do not depend on when somebody asks, so that a run that goes on is the same run.
     if (std::floor(now_ms / kKeepMs + kRounding) > std::floor(before_ms / kKeepMs + kRounding)) keep();
+    // The frame at an end between two frames is one that a longer run does not have.
+    if (over && !due) emit(ctx);
     return over;
   }
 

@@ -269,7 +269,7 @@ TEST(HeartStages, AWaveGoesOnFromASavedState) {
   const Result<Bytes> middle = other.saved_state();
   ASSERT_TRUE(middle.ok());
   Session last(0);
-  last.resume_from(*middle);
+  last.resume_from(Stage::kMonodomain, *middle);
   frames = 0;
   ASSERT_TRUE(last.set_recipe(heart()).ok());
   ASSERT_TRUE(last.run(Stage::kMonodomain, counting).ok());
@@ -278,7 +278,7 @@ TEST(HeartStages, AWaveGoesOnFromASavedState) {
 
   // From what does not fit.
   const auto error_of = [&](const Recipe& changed, const Bytes& from) {
-    last.resume_from(from);
+    last.resume_from(Stage::kMonodomain, from);
     EXPECT_TRUE(last.set_recipe(changed).ok());
     const Status done = last.run(Stage::kMonodomain, ctx);
     return done.ok() ? "none" : done.error().message;
