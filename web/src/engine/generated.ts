@@ -896,7 +896,7 @@ export const optionalDefaults = {
     },
     "support": {
       "epicardium_kpa_per_mm": 0.01,
-      "base_kpa_per_mm": 0.5,
+      "base_kpa_per_mm": 1,
       "damping_kpa_s_per_mm": 0.005
     },
     "windkessel": {
@@ -932,7 +932,7 @@ export const optionalDefaults = {
     "frame_ms": 10
   },
   "physics.mechanics.material.transversely_isotropic": {
-    "c1_kpa": 1,
+    "c1_kpa": 3,
     "c2_kpa": 0.3,
     "a_f_kpa": 1.5,
     "b_f": 8
@@ -959,8 +959,8 @@ export const optionalDefaults = {
     "c2_kpa": 0
   },
   "physics.mechanics.material.corotational": {
-    "shear_across_kpa": 2.6,
-    "shear_along_kpa": 2.6,
+    "shear_across_kpa": 6.6,
+    "shear_along_kpa": 6.6,
     "fibre_kpa": 6
   },
   "physics.mechanics.contraction.lv": {
