@@ -97,7 +97,7 @@ bool HeartSteps::coupled() const {
 void HeartSteps::begin_step() {
   const double end = time_s(tick_ + length_), step = step_s();
   if (heart_->tension_kpa) tension_ = heart_->tension_kpa(end);
-  trial_.emplace();
+  trial_ = Trial{};
   trial_->motion.time_s = end;
   trial_->motion.cavity_kpa = coupled() ? now_.cavity_kpa : heart_->given_kpa(end);
   // As it would move by itself, unless that inverts elements.
