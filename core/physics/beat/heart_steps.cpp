@@ -145,16 +145,16 @@ Status HeartSteps::complete(Trial& trial, bool tangent) {
   trial.error = scale > 0 ? trial.force.norm() / scale : 0;
   motion.cavity_ml = volumes_ml(heart, motion.u);
   motion.circulation = now_.circulation;
-  trial.missing = {};
+  trial.excess_ml = {};
   if (coupled()) {
     Result<CirculationStep> blood =
         step_circulation(*heart.circulation, now_.circulation, motion.time_s, step, motion.cavity_kpa);
     if (!blood) return blood.error();
     motion.circulation = std::move(blood->states);
     trial.inflow_by_pressure = std::move(blood->inflow_by_pressure);
-    trial.missing = motion.cavity_ml - now_.cavity_ml - step * blood->inflow_ml_per_s;
-    for (Eigen::Index c = 0; c < trial.missing.size(); ++c)
-      trial.error = std::max(trial.error, std::abs(trial.missing[c] / now_.cavity_ml[c]));
+    trial.excess_ml = motion.cavity_ml - now_.cavity_ml - step * blood->inflow_ml_per_s;
+    for (Eigen::Index c = 0; c < trial.excess_ml.size(); ++c)
+      trial.error = std::max(trial.error, std::abs(trial.excess_ml[c] / now_.cavity_ml[c]));
   }
   trial.error /= params_.tolerance;
   if (!std::isfinite(trial.error))
@@ -189,7 +189,7 @@ Result<bool> HeartSteps::iterate() {
       cavity.add_gradient(x, -1, system.border.back());
     }
     system.corner = kMm3PerMl * step_s() * trial.inflow_by_pressure;
-    right.y = kMm3PerMl * trial.missing;
+    right.y = kMm3PerMl * trial.excess_ml;
   }
   const auto change = solver_.solve(system, right, kLinearTolerance);
   if (!change) return change.error();

@@ -94,7 +94,7 @@ class HeartSteps {
   struct Trial {
     HeartMotion motion;
     Eigen::VectorXd force;               ///< out of balance, mN
-    Eigen::VectorXd missing;             ///< ml that a cavity has too much; empty where pressures are given
+    Eigen::VectorXd excess_ml;           ///< what a cavity has too much; empty where pressures are given
     Eigen::MatrixXd inflow_by_pressure;  ///< ml/s/kPa
     double scale = 0;                    ///< of the forces, mN
     double error = 0;                    ///< the largest of both, over what is tolerated
@@ -120,8 +120,7 @@ class HeartSteps {
   std::int64_t tick_ = 0, length_ = 1;  ///< of the shortest step's length
   std::optional<Trial> trial_;
   std::vector<double> tension_;  ///< at the end of the step
-  Eigen::VectorXd given_kpa_;
-  double force_scale_ = 0;  ///< in the last step
+  double force_scale_ = 0;       ///< in the last step
   int tried_ = 0, steps_ = 0, iterations_ = 0;
   fem::SparseMatrix tangent_;
   mechanics::TangentSolver solver_;
