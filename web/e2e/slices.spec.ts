@@ -104,7 +104,7 @@ test('a slice is zoomed by buttons, keys and the wheel about the pointer, and fi
   await button(/Zoom out/).click();
   expect(Math.abs(await at())).toBeGreaterThan(Math.abs(near));
   await button(/The whole slice/).click();
-  expect(await at()).toBe(whole);
+  await expect.poll(at).toBe(whole);
   // What is under the pointer stays there.
   await page.keyboard.down('Control');
   await page.mouse.wheel(0, -300);
