@@ -34,7 +34,7 @@ void check_active_stress() {
   const char* const check = "Active stress";
   const char* const source =
       "the elastodynamics benchmark of Arostica et al. (2025), Runge-Kutta in steps of 0.01 ms";
-  const ActiveStressPreset preset = value_or_exit(active_stress_preset("elastodynamics"));
+  const ActiveStressPreset preset = active_stress_preset(ActiveStressPresetName::kElastodynamics);
   const auto stress = [&](double ms) {
     return active_stress_kpa(preset.lv, preset.start_ms, preset.end_ms, ms);
   };

@@ -16,16 +16,6 @@ using mechanics::Formulation;
 constexpr double kBulk = 1000;  // kPa
 constexpr int kSteps = 10;
 
-const char* name_of(Formulation formulation) {
-  switch (formulation) {
-    case Formulation::kLinear: return "P1";
-    case Formulation::kAverageNodalPressure: return "P1 ANP";
-    case Formulation::kQuadratic: return "P2";
-    case Formulation::kStabilised: return "P1-P1";
-  }
-  return "";
-}
-
 struct Row {
   Formulation formulation;
   int across;  ///< bricks or layers

@@ -21,6 +21,16 @@ void print_check(const char* check, const std::string& what, double measured, co
   std::fflush(stdout);
 }
 
+const char* name_of(mechanics::Formulation formulation) {
+  switch (formulation) {
+    case mechanics::Formulation::kLinear: return "P1";
+    case mechanics::Formulation::kAverageNodalPressure: return "P1 ANP";
+    case mechanics::Formulation::kQuadratic: return "P2";
+    case mechanics::Formulation::kStabilised: return "P1-P1";
+  }
+  return "";
+}
+
 std::string text(const char* format, double value) {
   char out[64];
   std::snprintf(out, sizeof out, format, value);

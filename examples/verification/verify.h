@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/mechanics/elements/nodes.h"
 #include "physics/monodomain/monodomain.h"
 #include "types/stimulus.h"
 #include "types/tet_mesh.h"
@@ -41,6 +42,8 @@ void print_checks();
 /// A line of them: what was measured, what is expected, and whether it lies in [low, high].
 void print_check(const char* check, const std::string& what, double measured, const char* unit, double low,
                  double high, const std::string& expected, const char* source);
+/// As tables have it: "P1", "P1 ANP", "P1-P1", "P2".
+const char* name_of(mechanics::Formulation formulation);
 /// A number as printf writes it.
 std::string text(const char* format, double value);
 

@@ -11,10 +11,6 @@ namespace voxtet {
 namespace {
 
 constexpr ActiveStressLaw kBenchmark{150, 5, 30, 5}, kAmbit{100, 15, 30, 5};
-constexpr std::array<std::pair<std::string_view, ActiveStressPreset>, 3> kActiveStressPresets{
-    {{"elastodynamics", {kBenchmark, kBenchmark, 160, 484}},
-     {"ambit", {kAmbit, kAmbit, 200, 530}},
-     {"fast", {{80, 25, 20, 0}, {50, 25, 20, 0}, 0, 0}}}};
 
 }  // namespace
 
@@ -57,14 +53,13 @@ double active_stress_kpa(const ActiveStressLaw& law, double start_ms, double end
   return time_ms > falls ? stress * portable_exp(integral_of_a(falls, time_ms)) : stress;
 }
 
-Result<ActiveStressPreset> active_stress_preset(std::string_view name) {
-  std::string names;
-  for (const auto& [known, preset] : kActiveStressPresets) {
-    if (known == name) return preset;
-    names += (names.empty() ? "" : ", ") + std::string(known);
+ActiveStressPreset active_stress_preset(ActiveStressPresetName name) {
+  switch (name) {
+    case ActiveStressPresetName::kFast: return {{80, 25, 20, 0}, {50, 25, 20, 0}, 0, 0};
+    case ActiveStressPresetName::kAmbit: return {kAmbit, kAmbit, 200, 530};
+    case ActiveStressPresetName::kElastodynamics: break;
   }
-  return usage_error("mechanics",
-                     "active stress: found \"" + std::string(name) + "\", expected one of " + names);
+  return {kBenchmark, kBenchmark, 160, 484};
 }
 
 }  // namespace voxtet

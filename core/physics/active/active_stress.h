@@ -2,8 +2,6 @@
 // recovered. Bestel, Clement and Sorine, "A biomechanical model of muscle contraction", MICCAI (2001).
 #pragma once
 
-#include <string_view>
-
 #include "types/result.h"
 
 namespace voxtet {
@@ -36,9 +34,12 @@ struct ActiveStressPreset {
   double start_ms = 0, end_ms = 0;  ///< both 0: not published
 };
 
-/// By name: "elastodynamics", the benchmark of Arostica et al., CMAME 435 (2025); "ambit", peak, rates and
-/// times of the heart cycle in Ambit's demos (Hirschvogel), whose linear switches are those of the benchmark
-/// here; "fast", the reduced law with 80 and 50 kPa. Returns kUsage for another name.
-Result<ActiveStressPreset> active_stress_preset(std::string_view name);
+enum class ActiveStressPresetName {
+  kFast,            ///< the reduced law with 80 and 50 kPa
+  kAmbit,           ///< of Ambit's demos (Hirschvogel), whose linear switches are those of the benchmark here
+  kElastodynamics,  ///< the benchmark of Arostica et al., CMAME 435 (2025)
+};
+
+ActiveStressPreset active_stress_preset(ActiveStressPresetName name);
 
 }  // namespace voxtet

@@ -32,7 +32,6 @@ struct MuscleLabels {
   double contractility = 1;  ///< multiplies the active stress
 };
 
-enum class ActiveStressPresetName { kFast, kAmbit, kElastodynamics };
 /// Where the time comes from at which a place is activated.
 enum class ActivationBy {
   kEikonal,      ///< the map of activation

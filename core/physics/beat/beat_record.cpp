@@ -23,10 +23,6 @@ std::string unit_of(std::string_view state) {
   return state.ends_with("atrium") ? "ml" : "kPa";
 }
 
-std::vector<double> list_of(const Eigen::VectorXd& values) {
-  return {values.begin(), values.end()};
-}
-
 }  // namespace
 
 std::optional<double> BeatMeasures::change_percent() const {
@@ -66,7 +62,7 @@ void BeatRecord::restore(BeatMeasures measures, std::vector<VentricleBeat> under
 
 bool BeatRecord::has_cycle() const {
   const std::optional<double> change = measures_.change_percent();
-  return change && *change <= cycle_percent_;
+  return cycle_percent_ > 0 && change && *change <= cycle_percent_;
 }
 
 void BeatRecord::add(const HeartMotion& before, const HeartMotion& motion) {
@@ -74,23 +70,17 @@ void BeatRecord::add(const HeartMotion& before, const HeartMotion& motion) {
   if (motion.time_s <= 0) return;
   if (beat_.empty())
     for (Eigen::Index c = 0; c < motion.cavity_ml.size(); ++c)
-      beat_.push_back({before.cavity_ml[c], before.cavity_ml[c], before.cavity_kpa[c], 0});
+      beat_.push_back(VentricleBeat::from(before.cavity_ml[c], before.cavity_kpa[c]));
   for (std::size_t c = 0; c < beat_.size(); ++c) {
     const auto i = static_cast<Eigen::Index>(c);
-    VentricleBeat& beat = beat_[c];
-    beat.most_ml = std::max(beat.most_ml, motion.cavity_ml[i]);
-    beat.least_ml = std::min(beat.least_ml, motion.cavity_ml[i]);
-    beat.most_kpa = std::max(beat.most_kpa, motion.cavity_kpa[i]);
-    // kPa ml = mJ.
-    beat.stroke_work_j += (motion.cavity_kpa[i] + before.cavity_kpa[i]) / 2 *
-                          (before.cavity_ml[i] - motion.cavity_ml[i]) / 1000;
+    beat_[c].add(before.cavity_ml[i], before.cavity_kpa[i], motion.cavity_ml[i], motion.cavity_kpa[i]);
   }
   const double end_ms = period_ms_ * static_cast<double>(measures_.beats.size() + 1);
   if (1000 * motion.time_s < end_ms - kRounding) return;
   measures_.beats.push_back(std::move(beat_));
   beat_.clear();
   measures_.ml_before = std::move(measures_.ml_at_end);
-  measures_.ml_at_end = list_of(motion.cavity_ml);
+  measures_.ml_at_end.assign(motion.cavity_ml.begin(), motion.cavity_ml.end());
 }
 
 }  // namespace voxtet::beat

@@ -7,7 +7,7 @@
 
 #include "physics/beat/beat_params.h"
 #include "physics/beat/heart_steps.h"
-#include "physics/circulation/elastance_heart.h"
+#include "physics/circulation/ventricle_beat.h"
 #include "types/field.h"
 
 namespace voxtet::beat {

@@ -19,14 +19,6 @@ constexpr double kMostGrowth = 4;
 constexpr int kEasy = 5;
 constexpr double kMm3PerMl = 1000;
 
-Error list_of_wrong_length(const char* list, Eigen::Index found, Eigen::Index expected) {
-  return {ErrorCode::kInternal,
-          kMechanicsStage,
-          std::string(list) + ": found " + std::to_string(found) + " entries, expected " +
-              std::to_string(expected),
-          {}};
-}
-
 Eigen::VectorXd volumes_ml(const Heart& heart, const Eigen::VectorXd& u) {
   const Eigen::VectorXd x = heart.body.nodes().places_after(u);
   Eigen::VectorXd ml(static_cast<Eigen::Index>(heart.cavities.size()));
@@ -53,19 +45,19 @@ Result<HeartSteps> HeartSteps::start(std::shared_ptr<const Heart> heart, HeartMo
   const Eigen::Index unknowns = heart->body.unknowns();
   for (Eigen::VectorXd* list : {&start.u, &start.velocity, &start.acceleration}) {
     if (list->size() == 0) *list = Eigen::VectorXd::Zero(unknowns);
-    if (list->size() != unknowns) return list_of_wrong_length("displacements", list->size(), unknowns);
+    if (list->size() != unknowns) return mechanics::wrong_length("displacements", list->size(), unknowns);
   }
   const auto cavities = static_cast<Eigen::Index>(heart->cavities.size());
   if (heart->circulation) {
     const auto states = static_cast<Eigen::Index>(heart->circulation->state_names().size());
     if (start.circulation.size() != states)
-      return list_of_wrong_length("states of the circulation", start.circulation.size(), states);
+      return mechanics::wrong_length("states of the circulation", start.circulation.size(), states);
     if (heart->circulation->cavities() != cavities)
-      return list_of_wrong_length("cavities", cavities, heart->circulation->cavities());
+      return mechanics::wrong_length("cavities", cavities, heart->circulation->cavities());
   }
   if (start.cavity_kpa.size() == 0) start.cavity_kpa = Eigen::VectorXd::Zero(cavities);
   if (start.cavity_kpa.size() != cavities)
-    return list_of_wrong_length("cavity_kpa", start.cavity_kpa.size(), cavities);
+    return mechanics::wrong_length("cavity_kpa", start.cavity_kpa.size(), cavities);
   start.cavity_ml = volumes_ml(*heart, start.u);
   HeartSteps out;
   out.length_ = std::int64_t{1} << static_cast<unsigned>(params.most_halvings);

@@ -81,6 +81,17 @@ std::vector<Eigen::Matrix3d> frames_of(const Wall& wall, const Anatomy& anatomy,
   return frames;
 }
 
+/// Of each tetrahedron of the wall which entry of BeatParams::labels it is of, from 1 on; 0: of none.
+std::vector<std::uint16_t> kinds_of(const Wall& wall, const std::vector<MuscleLabels>& kinds) {
+  std::vector<std::uint16_t> out(wall.tets.size(), 0);
+  for (std::size_t t = 0; t < out.size(); ++t)
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+      if (std::find(kinds[k].labels.begin(), kinds[k].labels.end(), wall.mesh.labels[t]) !=
+          kinds[k].labels.end())
+        out[t] = static_cast<std::uint16_t>(k + 1);
+  return out;
+}
+
 /// The mean over the corners of a tetrahedron of the whole mesh.
 double mean_on(const Tet& tet, std::span<const float> values) {
   double sum = 0;
@@ -95,20 +106,20 @@ struct Contracting {
   int law;                  ///< that of the left ventricle, or of the right one
 };
 
-std::vector<Contracting> contracting(const Wall& wall, const Anatomy& anatomy, const BeatParams& params) {
+std::vector<Contracting> contracting(const Wall& wall, const std::vector<std::uint16_t>& kinds,
+                                     const Anatomy& anatomy, const BeatParams& params) {
   const ContractionParams& contraction = params.contraction;
   std::vector<Contracting> all;
-  for (const std::uint32_t t : wall.tets) {
-    Contracting one{contraction.start_ms, 0, 1, anatomy.right[t] ? 1 : 0};
+  for (std::size_t i = 0; i < wall.tets.size(); ++i) {
+    const std::uint32_t t = wall.tets[i];
+    const double part = kinds[i] > 0 ? params.labels[kinds[i] - 1U].contractility : 1;
+    Contracting one{contraction.start_ms, 0, part, anatomy.right[t] ? 1 : 0};
     double duration = std::numeric_limits<double>::quiet_NaN();
     if (contraction.by != ActivationBy::kSynchronous) {
       one.start_ms += mean_on(anatomy.mesh.tets[t], anatomy.activation_ms);
       if (!anatomy.duration_ms.empty()) duration = mean_on(anatomy.mesh.tets[t], anatomy.duration_ms);
     }
     one.end_ms = one.start_ms + (std::isnan(duration) ? contraction.duration_ms : duration);
-    for (const MuscleLabels& kind : params.labels)
-      if (std::find(kind.labels.begin(), kind.labels.end(), anatomy.mesh.labels[t]) != kind.labels.end())
-        one.part = kind.contractility;
     all.push_back(one);
   }
   return all;
@@ -130,38 +141,41 @@ std::vector<double> tension_kpa(const std::vector<Contracting>& all,
 }
 
 std::array<ActiveStressLaw, 2> laws_of(const ContractionParams& params) {
-  constexpr const char* kNames[] = {"fast", "ambit", "elastodynamics"};
-  const ActiveStressPreset preset = active_stress_preset(kNames[static_cast<int>(params.preset)]).value();
+  const ActiveStressPreset preset = active_stress_preset(params.preset);
   return {params.lv.value_or(preset.lv), params.rv.value_or(preset.rv)};
 }
 
-/// The pressures to which the cavities are filled before the first beat.
-Eigen::VectorXd filled_kpa(const BeatParams& params, Eigen::Index cavities) {
-  Eigen::VectorXd kpa(cavities);
-  const VentricleLoad* loads[] = {&params.windkessel.systemic, &params.windkessel.pulmonary};
-  for (Eigen::Index c = 0; c < cavities; ++c) kpa[c] = loads[c]->atrium.rest_kpa;
-  return kpa;
+/// What a heart works against, its states as the first beat begins, and the pressures of the atria then, to
+/// which the ventricles are filled.
+struct Circulation {
+  std::unique_ptr<const LumpedCirculation> model;
+  Eigen::VectorXd states, atria_kpa;
+};
+
+Circulation closed_loop_of(const LoopParams& params, double period_s) {
+  ClosedLoopParams loop = params;
+  loop.period_s = period_s;
+  if (params.regurgitation > 0) loop.pulmonary = regurgitant(loop.pulmonary, params.regurgitation);
+  Circulation out{std::make_unique<ClosedLoop>(loop), regazzoni_heart().states, Eigen::VectorXd(2)};
+  const auto pressure = [&](const Elastance& atrium, double ml) {
+    return elastance_at(atrium, 0, period_s) * (ml - atrium.unloaded_ml);
+  };
+  out.atria_kpa << pressure(loop.left_atrium, out.states[loop::kLeftAtrium]),
+      pressure(loop.right_atrium, out.states[loop::kRightAtrium]);
+  return out;
 }
 
-void set_circulation(const BeatParams& params, int cavities, Heart& heart, HeartMotion& start) {
-  if (params.closed_loop) {
-    ClosedLoopParams loop = *params.closed_loop;
-    loop.period_s = params.period_ms / 1000;
-    if (params.closed_loop->regurgitation > 0)
-      loop.pulmonary = regurgitant(loop.pulmonary, params.closed_loop->regurgitation);
-    heart.circulation = std::make_unique<ClosedLoop>(loop);
-    start.circulation = regazzoni_heart().states;
-    return;
-  }
-  VentricleLoad pulmonary = params.windkessel.pulmonary;
-  if (params.windkessel.regurgitation > 0)
-    pulmonary.outlet = regurgitant(pulmonary.outlet, params.windkessel.regurgitation);
-  std::vector<VentricleLoad> loads{params.windkessel.systemic, pulmonary};
+Circulation windkessels_of(const WindkesselParams& params, bool right, double period_s) {
+  VentricleLoad pulmonary = params.pulmonary;
+  if (params.regurgitation > 0) pulmonary.outlet = regurgitant(pulmonary.outlet, params.regurgitation);
+  std::vector<VentricleLoad> loads{params.systemic, pulmonary};
+  Eigen::VectorXd states(2), atria(2);
+  states << params.systemic_start_kpa, params.pulmonary_start_kpa;
+  atria << params.systemic.atrium.rest_kpa, params.pulmonary.atrium.rest_kpa;
+  const Eigen::Index cavities = right ? 2 : 1;
   loads.resize(static_cast<std::size_t>(cavities));
-  start.circulation = Eigen::VectorXd(cavities);
-  const double kpa[] = {params.windkessel.systemic_start_kpa, params.windkessel.pulmonary_start_kpa};
-  for (int c = 0; c < cavities; ++c) start.circulation[c] = kpa[c];
-  heart.circulation = std::make_unique<VentricleLoads>(std::move(loads), params.period_ms / 1000);
+  return {std::make_unique<VentricleLoads>(std::move(loads), period_s), states.head(cavities),
+          atria.head(cavities)};
 }
 
 }  // namespace
@@ -178,13 +192,10 @@ Result<MadeHeart> make_heart(const Anatomy& anatomy, const BeatParams& params) {
   muscle.bulk_kpa = params.bulk_kpa;
   muscle.viscosity_kpa_s = params.viscosity_kpa_s;
   muscle.materials = {params.material.chosen()};
-  muscle.material.assign(wall.tets.size(), 0);
-  for (const MuscleLabels& kind : params.labels) {
-    for (std::size_t t = 0; t < wall.tets.size(); ++t)
-      if (std::find(kind.labels.begin(), kind.labels.end(), wall.mesh.labels[t]) != kind.labels.end())
-        muscle.material[t] = static_cast<std::uint16_t>(muscle.materials.size());
+  for (const MuscleLabels& kind : params.labels)
     muscle.materials.push_back(scaled(params.material.chosen(), kind.stiffness));
-  }
+  const std::vector<std::uint16_t> kinds = kinds_of(wall, params.labels);
+  muscle.material = kinds;
   const mechanics::Nodes nodes(wall.mesh, params.element, anatomy.fine_fibres != nullptr);
   muscle.frames = frames_of(wall, anatomy, nodes);
   Result<mechanics::Body> body = mechanics::Body::make(wall.mesh, params.element, std::move(muscle));
@@ -210,16 +221,19 @@ Result<MadeHeart> make_heart(const Anatomy& anatomy, const BeatParams& params) {
     heart->cavities.emplace_back(nodes, *cavity);
   }
 
-  heart->tension_kpa = [all = contracting(wall, anatomy, params), laws = laws_of(params.contraction),
+  heart->tension_kpa = [all = contracting(wall, kinds, anatomy, params), laws = laws_of(params.contraction),
                         period_ms = params.period_ms](double time_s) {
     return tension_kpa(all, laws, period_ms, 1000 * time_s);
   };
-  const double fill_s = params.fill_ms / 1000;
-  heart->given_kpa = [full = filled_kpa(params, static_cast<Eigen::Index>(ventricles.size())),
-                      fill_s](double time_s) -> Eigen::VectorXd {
+  const double period_s = params.period_ms / 1000, fill_s = params.fill_ms / 1000;
+  Circulation circulation = params.closed_loop
+                                ? closed_loop_of(*params.closed_loop, period_s)
+                                : windkessels_of(params.windkessel, wall.surfaces.right, period_s);
+  heart->circulation = std::move(circulation.model);
+  made.start.circulation = std::move(circulation.states);
+  heart->given_kpa = [full = circulation.atria_kpa, fill_s](double time_s) -> Eigen::VectorXd {
     return std::clamp(1 + time_s / fill_s, 0.0, 1.0) * full;
   };
-  set_circulation(params, static_cast<int>(ventricles.size()), *heart, made.start);
   made.start.time_s = -fill_s;
   made.heart = std::move(heart);
   made.points = wall.points;

@@ -39,21 +39,16 @@ Result<HeartState> step_heart(const LumpedCirculation& circulation, const std::v
 
 Result<HeartBeat> beat_heart(const LumpedCirculation& circulation, const std::vector<Elastance>& chambers,
                              double period_s, const HeartState& state, int steps) {
-  HeartBeat beat{state, std::vector<VentricleBeat>(chambers.size())};
-  for (std::size_t c = 0; c < chambers.size(); ++c)
-    beat.cavities[c].most_ml = beat.cavities[c].least_ml = state.cavity_ml[static_cast<Eigen::Index>(c)];
+  HeartBeat beat{state, {}};
+  for (Eigen::Index c = 0; c < state.cavity_ml.size(); ++c)
+    beat.cavities.push_back(VentricleBeat::from(state.cavity_ml[c], state.cavity_kpa[c]));
   for (int step = 0; step < steps; ++step) {
     auto next = step_heart(circulation, chambers, period_s, beat.end, period_s / steps);
     if (!next) return next.error();
     for (std::size_t c = 0; c < chambers.size(); ++c) {
-      VentricleBeat& cavity = beat.cavities[c];
       const auto i = static_cast<Eigen::Index>(c);
-      const double ml = next->cavity_ml[i], kpa = next->cavity_kpa[i];
-      cavity.most_ml = std::max(cavity.most_ml, ml);
-      cavity.least_ml = std::min(cavity.least_ml, ml);
-      cavity.most_kpa = std::max(cavity.most_kpa, kpa);
-      // 1 kPa ml is 1 mJ.
-      cavity.stroke_work_j -= (kpa + beat.end.cavity_kpa[i]) / 2 * (ml - beat.end.cavity_ml[i]) / 1000;
+      beat.cavities[c].add(beat.end.cavity_ml[i], beat.end.cavity_kpa[i], next->cavity_ml[i],
+                           next->cavity_kpa[i]);
     }
     beat.end = *std::move(next);
   }

@@ -7,6 +7,7 @@
 #include "physics/circulation/closed_loop.h"
 #include "physics/circulation/elastance.h"
 #include "physics/circulation/lumped_circulation.h"
+#include "physics/circulation/ventricle_beat.h"
 #include "types/result.h"
 
 namespace voxtet {
@@ -23,16 +24,6 @@ struct HeartState {
 /// converge.
 Result<HeartState> step_heart(const LumpedCirculation& circulation, const std::vector<Elastance>& chambers,
                               double period_s, const HeartState& state, double step_s);
-
-/// What is read off a beat of one ventricle.
-struct VentricleBeat {
-  double most_ml = 0, least_ml = 0;  ///< end-diastolic and end-systolic volume
-  double most_kpa = 0;
-  double stroke_work_j = 0;  ///< the area of the loop of pressure and volume
-
-  double stroke_ml() const { return most_ml - least_ml; }
-  double ejection_fraction() const { return stroke_ml() / most_ml; }
-};
 
 struct HeartBeat {
   HeartState end;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/circulation/elastance_heart.h"
+#include "physics/circulation/ventricle_beat.h"
 #include "physics/ventricles/ventricular_potentials.h"
 #include "types/field.h"
 #include "types/heart_surfaces.h"

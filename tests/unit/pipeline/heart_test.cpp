@@ -10,22 +10,15 @@
 
 #include "pipeline/exports/exported_fields.h"
 #include "pipeline/session.h"
+#include "support/half_heart.h"
 
 namespace voxtet {
 namespace {
 
 /// Two ventricles of half the size, with the wave from the apex for some milliseconds.
 Recipe heart() {
-  Recipe recipe;
-  PhantomParams& phantom = recipe.source.phantom.emplace();
-  phantom.kind = PhantomKind::kBiventricle;
-  phantom.scale = 0.5;
-  phantom.roughness_mm = 0;
-  recipe.labels = {1, 2};
-  recipe.sizing.edge_mm = 3;
-  PhysicsParams& physics = recipe.physics.emplace();
-  physics.anatomy.emplace();
-  physics.fibres.emplace();
+  Recipe recipe = test::half_heart(3);
+  PhysicsParams& physics = *recipe.physics;
   TissueLabels& wall = physics.tissue.kinds.emplace_back();
   wall.labels = {1, 2};
   wall.along_mm_per_ms = 0.6;

@@ -5,23 +5,10 @@
 
 #include <string>
 
+#include "support/half_heart.h"
+
 namespace voxtet {
 namespace {
-
-/// Two ventricles of half the size, with fibres.
-Recipe ventricles() {
-  Recipe recipe;
-  PhantomParams& phantom = recipe.source.phantom.emplace();
-  phantom.kind = PhantomKind::kBiventricle;
-  phantom.scale = 0.5;
-  phantom.roughness_mm = 0;
-  recipe.labels = {1, 2};
-  recipe.sizing.edge_mm = 4;
-  PhysicsParams& physics = recipe.physics.emplace();
-  physics.anatomy.emplace();
-  physics.fibres.emplace();
-  return recipe;
-}
 
 /// All files of the case for FEBio, or why there is none.
 std::string febio_case(const Recipe& recipe) {
@@ -38,7 +25,7 @@ std::string febio_case(const Recipe& recipe) {
 }
 
 TEST(MechanicsCaseFiles, AreHeldAtTheBaseAndLoadedInBothCavities) {
-  const std::string text = febio_case(ventricles());
+  const std::string text = febio_case(test::half_heart(4));
   for (const char* part :
        {"node_set=\"@surface:base\"", "type=\"pressure\" surface=\"lv_endocardium\"",
         "type=\"pressure\" surface=\"rv_endocardium\"", "type=\"pressure\" surface=\"rv_septum\"",
@@ -48,7 +35,7 @@ TEST(MechanicsCaseFiles, AreHeldAtTheBaseAndLoadedInBothCavities) {
 }
 
 TEST(MechanicsCaseFiles, HaveTheMaterialOfTheRecipe) {
-  Recipe recipe = ventricles();
+  Recipe recipe = test::half_heart(4);
   BeatParams& muscle = recipe.physics->mechanics.emplace();
   muscle.bulk_kpa = 500;
   muscle.material.mooney_rivlin.emplace(mechanics::MooneyRivlin{2, 0.5});
@@ -65,14 +52,14 @@ TEST(MechanicsCaseFiles, HaveTheMaterialOfTheRecipe) {
 }
 
 TEST(MechanicsCaseFiles, NeedNamedSurfacesAndFibres) {
-  Recipe recipe = ventricles();
+  Recipe recipe = test::half_heart(4);
   recipe.physics->fibres.reset();
   EXPECT_EQ(febio_case(recipe),
             "a case of mechanics: found no physics.anatomy with physics.fibres, expected both");
 }
 
 TEST(MechanicsCaseFiles, NeedEmptyCavities) {
-  Recipe recipe = ventricles();
+  Recipe recipe = test::half_heart(4);
   recipe.source.phantom->blood_pools = true;
   recipe.labels = {1, 2, 3};
   recipe.physics->anatomy->wall = {1, 2};

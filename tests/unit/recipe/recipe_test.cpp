@@ -210,6 +210,9 @@ TEST(ParseRecipe, ReadsHowAVolumeIsRead) {
   const auto message = [](std::string_view text) { return parse_recipe(text).error().message; };
   EXPECT_EQ(message(R"({"source": {"unit": "inch"}})"),
             R"(source.unit: found "inch", expected one of file, m, cm, mm, um, nm)");
+  EXPECT_EQ(
+      message(R"({"physics": {"mechanics": {"contraction": {"preset": "slow"}}}})"),
+      R"(physics.mechanics.contraction.preset: found "slow", expected one of fast, ambit, elastodynamics)");
   EXPECT_EQ(message(R"({"source": {"precedence": [true]}})"),
             "source.precedence[0]: found true, expected a text or a label");
   EXPECT_EQ(message(R"({"source": {"frame": -2}})"),

@@ -9,17 +9,6 @@
 #include "physics/mechanics/elements/element_forces.h"
 
 namespace voxtet::mechanics {
-namespace {
-
-Error wrong_count(const std::string& list, std::size_t found, std::size_t expected) {
-  return {ErrorCode::kInternal,
-          kMechanicsStage,
-          list + ": found " + std::to_string(found) + " entries, expected " + std::to_string(expected),
-          {}};
-}
-
-}  // namespace
-
 struct Body::Sample {
   std::size_t tet, index;  ///< index: among all samples
   double weight;           ///< mm^3
@@ -39,9 +28,9 @@ Result<Body> Body::make(const TetMesh& mesh, Formulation formulation, Muscle mus
     if (const auto fault = fault_of(material)) return usage_error(kMechanicsStage, *fault);
   const std::size_t tets = mesh.tets.size();
   if (!muscle.material.empty() && muscle.material.size() != tets)
-    return wrong_count("material", muscle.material.size(), tets);
+    return wrong_length("material", muscle.material.size(), tets);
   for (const std::uint16_t m : muscle.material)
-    if (m >= muscle.materials.size()) return wrong_count("materials", muscle.materials.size(), m + 1U);
+    if (m >= muscle.materials.size()) return wrong_length("materials", muscle.materials.size(), m + 1U);
   for (std::size_t t = 0; t < tets; ++t)
     if (!(fem::element_of(mesh, t).volume > 0))
       return Error{ErrorCode::kBadInput,
@@ -52,7 +41,7 @@ Result<Body> Body::make(const TetMesh& mesh, Formulation formulation, Muscle mus
   body.nodes_ = Nodes(mesh, formulation, muscle.frames.size() == 4 * tets);
   const std::size_t samples = tets * body.nodes_.samples_per_tet();
   if (!muscle.frames.empty() && muscle.frames.size() != samples)
-    return wrong_count("frames", muscle.frames.size(), samples);
+    return wrong_length("frames", muscle.frames.size(), samples);
   if (muscle.frames.empty()) muscle.frames.assign(samples, Eigen::Matrix3d::Identity());
   body.formulation_ = formulation;
   body.muscle_ = std::move(muscle);
@@ -126,10 +115,9 @@ void Body::add_pressures(const Sample& sample, const LinearPressure& pressure, E
 Status Body::add_forces(const Eigen::VectorXd& u, std::span<const double> tension_kpa, Eigen::VectorXd& force,
                         fem::SparseMatrix* tangent, const StrainRate* rate) const {
   if (!tension_kpa.empty() && tension_kpa.size() != nodes_.tets())
-    return wrong_count("tension_kpa", tension_kpa.size(), nodes_.tets());
+    return wrong_length("tension_kpa", tension_kpa.size(), nodes_.tets());
   if (rate && rate->before.size() != unknowns())
-    return wrong_count("before", static_cast<std::size_t>(rate->before.size()),
-                       static_cast<std::size_t>(unknowns()));
+    return wrong_length("before", rate->before.size(), unknowns());
   return for_tets(u, [&](std::span<const Sample> samples) {
     const std::size_t t = samples.front().tet, count = nodes_.per_tet();
     const std::uint32_t* const node = nodes_.of_tet(t);

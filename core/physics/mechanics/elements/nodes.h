@@ -5,13 +5,25 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "physics/fem/element.h"
+#include "types/result.h"
+#include "types/stage_names.h"
 #include "types/tet_mesh.h"
 
 namespace voxtet::mechanics {
+
+/// The kInternal error of a list whose length is not that of what it belongs to.
+template <class Found, class Expected>
+Error wrong_length(const std::string& list, Found found, Expected expected) {
+  return {ErrorCode::kInternal,
+          kMechanicsStage,
+          list + ": found " + std::to_string(found) + " entries, expected " + std::to_string(expected),
+          {}};
+}
 
 /// How displacements are made of the values at nodes, and what a change of volume costs.
 enum class Formulation {

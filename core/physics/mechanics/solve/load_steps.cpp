@@ -17,14 +17,6 @@ constexpr int kFewIterations = 5;
 /// Of the linear equations in Newton's method.
 constexpr double kLinearTolerance = 1e-8;
 
-Error list_of_wrong_length(const char* list, std::size_t found, Eigen::Index expected) {
-  return {ErrorCode::kInternal,
-          kMechanicsStage,
-          std::string(list) + ": found " + std::to_string(found) + " entries, expected " +
-              std::to_string(expected),
-          {}};
-}
-
 std::string percent(double part) {
   std::ostringstream text;
   text << 100 * part << " %";
@@ -36,10 +28,9 @@ std::string percent(double part) {
 Result<LoadSteps> LoadSteps::start(const Body& body, Loads loads, std::vector<bool> held,
                                    const NewtonParams& params, Eigen::VectorXd start) {
   if (held.size() != static_cast<std::size_t>(body.unknowns()))
-    return list_of_wrong_length("held", held.size(), body.unknowns());
+    return wrong_length("held", held.size(), body.unknowns());
   if (start.size() == 0) start = Eigen::VectorXd::Zero(body.unknowns());
-  if (start.size() != body.unknowns())
-    return list_of_wrong_length("start", static_cast<std::size_t>(start.size()), body.unknowns());
+  if (start.size() != body.unknowns()) return wrong_length("start", start.size(), body.unknowns());
   if (params.steps < 1)
     return usage_error(kMechanicsStage,
                        "steps: found " + std::to_string(params.steps) + ", expected at least 1");
