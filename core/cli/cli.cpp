@@ -6,12 +6,14 @@
 #include <string_view>
 
 #include "base/digest.h"
-#include "cli/case_input.h"
 #include "cli/convert.h"
+#include "cli/input/case_input.h"
 #include "cli/mesh.h"
 #include "cli/options.h"
+#include "cli/phantom.h"
 #include "cli/print.h"
 #include "cli/simulate.h"
+#include "cli/study.h"
 #include "cli/verify.h"
 #include "cli/words/option_texts.h"
 #include "io/bytes/files.h"
@@ -92,29 +94,6 @@ int run_check(const std::string& path, const std::string& label_array, const Out
   return report->passed() ? kExitOk : kExitMeshing;
 }
 
-int run_phantom(const std::string& name, const std::vector<std::string>& set, const std::string& out) {
-  Result<Recipe> recipe = with_field(Recipe{}, "source.phantom.kind", name);
-  for (const std::string& text : set) {
-    if (!recipe) break;
-    const std::size_t at = text.find('=');
-    if (at == std::string::npos)
-      return fail({ErrorCode::kUsage, "cli", "--set " + text + ": expected NAME=VALUE", {}});
-    recipe = with_field(*recipe, "source.phantom." + text.substr(0, at), text.substr(at + 1));
-  }
-  if (!recipe) return fail(recipe.error());
-  Result<LabelVolume> volume = make_phantom(*recipe->source.phantom);
-  if (!volume) return fail(volume.error());
-  const bool gzip = out.ends_with(".gz");
-  if (!is_nifti_name(out))
-    return fail({ErrorCode::kUsage, "cli", out + ": a phantom is written as .nii or .nii.gz", {}});
-  Result<Bytes> bytes = write_nifti(*volume, gzip);
-  if (!bytes) return fail(bytes.error());
-  if (Status written = place_files({{out, *bytes}}); !written) return fail(written.error());
-  std::printf("%s: %d x %d x %d voxels, digest %s\n", out.c_str(), volume->size[0], volume->size[1],
-              volume->size[2], digest_of(*volume).c_str());
-  return kExitOk;
-}
-
 /// A case with its volume within it.
 Result<Recipe> inlined_case(const CaseOptions& options) {
   Session session;
@@ -151,7 +130,6 @@ int run_cli(int argc, const char* const* argv) {
   Output output;
   MeshOptions wanted;
   std::string in, out, base, label_array;
-  std::vector<std::string> set;
   int code = kExitOk;
 
   CLI::App* mesh = app.add_subcommand("mesh", "mesh a volume or a case");
@@ -162,6 +140,11 @@ int run_cli(int argc, const char* const* argv) {
   CLI::App* simulate = app.add_subcommand("simulate", "mesh a case and simulate its physics on the mesh");
   add_simulate_command(*simulate, options, simulated, output);
   simulate->callback([&] { code = run_simulate(options, simulated, output); });
+
+  StudyOptions studied;
+  CLI::App* study = app.add_subcommand("study", "run a table of cases and compare what they give");
+  add_study_command(*study, studied, output);
+  study->callback([&] { code = run_study_command(studied, output); });
 
   CLI::App* field =
       app.add_subcommand("field", "write edge length, wall thickness or wall potential as an image");
@@ -192,13 +175,11 @@ int run_cli(int argc, const char* const* argv) {
   check->add_flag("--json", output.as_json, "print the report, or the error, as JSON");
   check->callback([&] { code = run_check(in, label_array, output); });
 
-  CLI::App* phantom = app.add_subcommand("phantom", "generate a body as a label volume");
-  phantom
-      ->add_option("NAME", in, "sphere, shell, torus, slab, nested_boxes, branching_tube, biventricle, atlas")
-      ->required();
-  phantom->add_option("--set", set, "a field of the phantom, as spacing_mm=[1,1,1]");
-  phantom->add_option("-o,--output", out, ".nii or .nii.gz")->required();
-  phantom->callback([&] { code = run_phantom(in, set, out); });
+  PhantomOptions generated;
+  CLI::App* phantom =
+      app.add_subcommand("phantom", "generate a body, or a cohort of hearts, as label volumes");
+  add_phantom_command(*phantom, generated);
+  phantom->callback([&] { code = run_phantom(generated); });
 
   ConvertOptions converted;
   CLI::App* convert = app.add_subcommand("convert", "convert a mesh file, or a volume to NIfTI");

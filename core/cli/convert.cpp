@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "cli/check_outputs.h"
 #include "cli/cli.h"
+#include "cli/input/check_outputs.h"
 #include "cli/print.h"
 #include "geometry/topology/adjacency.h"
 #include "io/bytes/files.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/case_input.h"
+#include "cli/input/case_input.h"
 #include "io/mesh/write_mesh.h"
 #include "pipeline/session.h"
 #include "types/result.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/digest.h"
-#include "cli/case_input.h"
 #include "cli/cli.h"
+#include "cli/input/case_input.h"
 #include "cli/print.h"
 #include "pipeline/report.h"
 #include "pipeline/results/describe_results.h"

@@ -6,7 +6,7 @@
 #include "base/digest.h"
 #include "bench/peers/peer.h"
 #include "bench/peers/surface_file.h"
-#include "cli/case_input.h"
+#include "cli/input/case_input.h"
 #include "io/bytes/files.h"
 #include "io/volume/write_volume.h"
 #include "pipeline/session.h"

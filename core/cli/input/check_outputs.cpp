@@ -1,4 +1,4 @@
-#include "cli/check_outputs.h"
+#include "cli/input/check_outputs.h"
 
 #include <filesystem>
 

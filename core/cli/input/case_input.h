@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/check_outputs.h"
+#include "cli/input/check_outputs.h"
 #include "cli/words/read_options.h"
 #include "io/bytes/bytes.h"
 #include "pipeline/session.h"

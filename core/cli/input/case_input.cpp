@@ -1,4 +1,4 @@
-#include "cli/case_input.h"
+#include "cli/input/case_input.h"
 
 #include <algorithm>
 #include <array>
@@ -12,6 +12,7 @@
 #include "cli/words/label_words.h"
 #include "cli/words/option_texts.h"
 #include "io/bytes/files.h"
+#include "pipeline/case_files.h"
 #include "pipeline/sources/source_volume.h"
 #include "recipe/link.h"
 #include "volume/clean/clean_volume.h"
@@ -26,21 +27,15 @@ bool is_case_file(const std::string& input) {
   return input.size() > 5 && input.ends_with(".json");
 }
 
+/// Where the files are that the case file names, if there is one.
+std::string folder_of(const CaseOptions& options) {
+  if (!is_case_file(options.input)) return "";
+  return std::filesystem::path(options.input).parent_path().string();
+}
+
 /// What a recipe calls the file of a path.
 std::string file_name(const std::string& path) {
   return path == kDash ? kStandardInput : std::filesystem::path(path).filename().string();
-}
-
-/// Reads a file and gives it to `load`, a function of VolumeFile. `format`: the ending of one without a name.
-template <class Load>
-Status load_file(const std::string& path, const std::string& format, Load load) {
-  Result<Bytes> bytes = read_input(path);
-  if (!bytes) return bytes.error();
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  const SiblingReader sibling = [folder](const std::string& name) {
-    return read_file((folder / name).string());
-  };
-  return load(VolumeFile{file_name(path) + (format.empty() ? "" : "." + format), *bytes, sibling});
 }
 
 /// "5=0.8mm" of each text -> {"label": 5, "edge_mm": 0.8}. Errors: kUsage.
@@ -103,23 +98,13 @@ Result<nlohmann::json> to_cut(const std::string& text, const LabelWords& words) 
   return cut;
 }
 
-/// The masks and images of the case, beside it, and those of the options.
-Status load_side_files(const Recipe& recipe, const CaseOptions& options, Session& session) {
-  const std::filesystem::path folder = is_case_file(options.input)
-                                           ? std::filesystem::path(options.input).parent_path()
-                                           : std::filesystem::path();
-  std::vector<std::string> masks = options.masks, images = options.size_images;
-  for (const MaskSize& mask : recipe.sizing.masks) masks.push_back((folder / mask.name).string());
-  for (const ImageSize& image : recipe.sizing.images) images.push_back((folder / image.name).string());
-  for (const std::string& path : masks)
-    if (Status loaded = load_file(path, "", [&](const auto& file) { return session.load_mask(file); });
-        !loaded)
-      return loaded;
-  for (const std::string& path : images)
-    if (Status loaded = load_file(path, "", [&](const auto& file) { return session.load_size_image(file); });
-        !loaded)
-      return loaded;
-  return std::monostate{};
+/// The masks and images of the case, beside it, and those of the options. Standard input is none of them.
+SidePaths side_paths_of(const Recipe& recipe, const CaseOptions& options) {
+  SidePaths paths{options.masks, options.size_images};
+  const auto [masks, images] = side_paths(recipe, folder_of(options));
+  paths.masks.insert(paths.masks.end(), masks.begin(), masks.end());
+  paths.images.insert(paths.images.end(), images.begin(), images.end());
+  return paths;
 }
 
 bool merges_all(const CaseOptions& options) {
@@ -236,29 +221,19 @@ std::vector<NamedPath> inputs_of(const CaseOptions& options) {
   inputs.push_back({"the input", options.input});
   const Result<Recipe> recipe = read_case(options.input);
   if (!is_case_file(options.input) || !recipe) return inputs;
-  const std::filesystem::path folder = std::filesystem::path(options.input).parent_path();
-  const auto add = [&](const std::string& name) {
-    inputs.push_back({"the case " + options.input, (folder / name).string()});
-  };
-  if (recipe->source.file) add(recipe->source.file->name);
-  for (const MaskSize& mask : recipe->sizing.masks) add(mask.name);
-  for (const ImageSize& image : recipe->sizing.images) add(image.name);
+  const std::string folder = folder_of(options);
+  const auto add = [&](const std::string& path) { inputs.push_back({"the case " + options.input, path}); };
+  if (recipe->source.file) add((std::filesystem::path(folder) / recipe->source.file->name).string());
+  const auto [masks, images] = side_paths(*recipe, folder);
+  for (const std::string& path : masks) add(path);
+  for (const std::string& path : images) add(path);
   return inputs;
 }
 
 Result<Recipe> read_case(const std::string& input) {
   if (is_link(input)) return recipe_of_link(input);
   if (!is_case_file(input)) return Recipe{};
-  Result<Bytes> bytes = read_file(input);
-  if (!bytes) return bytes.error();
-  Result<Recipe> recipe =
-      parse_recipe(std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
-  if (!recipe) {
-    Error error = recipe.error();
-    error.message = input + ": " + error.message;
-    return error;
-  }
-  return recipe;
+  return read_case_file(input);
 }
 
 Result<Expected> expected_of(const Recipe& recipe, const std::string& input) {
@@ -294,8 +269,7 @@ Status open_case(const CaseOptions& options, Session& session) {
     path = options.input;
   } else if (recipe->source.file) {
     path = recipe->source.file->name;
-    if (is_case_file(options.input))
-      path = (std::filesystem::path(options.input).parent_path() / path).string();
+    path = (std::filesystem::path(folder_of(options)) / path).string();
   }
   const bool is_volume = !path.empty() && !recipe->source.file;
   if (is_volume) recipe->source.file = FileSource{file_name(path), {}};
@@ -303,11 +277,15 @@ Status open_case(const CaseOptions& options, Session& session) {
   if (!changed) return changed.error();
   if (!path.empty()) {
     const ReadOptions& read = changed->source.read;
-    const auto load = [&](const auto& file) { return session.load_volume(file, read); };
-    if (Status loaded = load_file(path, options.input_format, load); !loaded) return loaded;
+    const Result<Bytes> bytes = read_input(path);
+    if (!bytes) return bytes.error();
+    VolumeFile file = file_at(path, *bytes);
+    file.name = file_name(path);
+    if (!options.input_format.empty()) file.name += "." + options.input_format;
+    if (Status loaded = session.load_volume(file, read); !loaded) return loaded;
     if (is_volume) recipe->source = session.recipe().source;
   }
-  if (Status loaded = load_side_files(*recipe, options, session); !loaded) return loaded;
+  if (Status loaded = load_side_files(side_paths_of(*recipe, options), session); !loaded) return loaded;
   Result<std::shared_ptr<const LabelVolume>> volume = std::shared_ptr<const LabelVolume>();
   if (names_labels(options)) volume = volume_of(*changed, session);
   if (!volume) return volume.error();

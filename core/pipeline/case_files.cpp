@@ -1,0 +1,52 @@
+#include "pipeline/case_files.h"
+
+#include <filesystem>
+#include <string_view>
+
+#include "io/bytes/files.h"
+
+namespace voxtet {
+
+namespace fs = std::filesystem;
+
+Result<Recipe> read_case_file(const std::string& path) {
+  const Result<Bytes> bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  Result<Recipe> recipe =
+      parse_recipe(std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()));
+  if (recipe) return recipe;
+  Error error = recipe.error();
+  error.message = path + ": " + error.message;
+  return error;
+}
+
+VolumeFile file_at(const std::string& path, std::span<const std::uint8_t> bytes) {
+  return {fs::path(path).filename().string(), bytes,
+          [folder = fs::path(path).parent_path()](const std::string& name) {
+            return read_file((folder / name).string());
+          }};
+}
+
+SidePaths side_paths(const Recipe& recipe, const std::string& folder) {
+  SidePaths paths;
+  for (const MaskSize& mask : recipe.sizing.masks)
+    paths.masks.push_back((fs::path(folder) / mask.name).string());
+  for (const ImageSize& image : recipe.sizing.images)
+    paths.images.push_back((fs::path(folder) / image.name).string());
+  return paths;
+}
+
+Status load_side_files(const SidePaths& paths, Session& session) {
+  const auto load = [&](const std::vector<std::string>& files, Status (Session::*take)(const VolumeFile&)) {
+    for (const std::string& path : files) {
+      const Result<Bytes> bytes = read_file(path);
+      if (!bytes) return Status(bytes.error());
+      if (Status loaded = (session.*take)(file_at(path, *bytes)); !loaded) return loaded;
+    }
+    return Status(std::monostate{});
+  };
+  if (Status loaded = load(paths.masks, &Session::load_mask); !loaded) return loaded;
+  return load(paths.images, &Session::load_size_image);
+}
+
+}  // namespace voxtet

@@ -1,0 +1,212 @@
+#include "study/run_case.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <new>
+
+#include "base/digest.h"
+#include "io/bytes/files.h"
+#include "io/mesh/write_mesh.h"
+#include "pipeline/case_files.h"
+#include "pipeline/exports/exported_fields.h"
+#include "pipeline/forecast.h"
+#include "pipeline/memory.h"
+#include "pipeline/report.h"
+#include "pipeline/version/engine_version.h"
+#include "recipe/link.h"
+#include "study/figures.h"
+#include "study/picture.h"
+
+namespace voxtet {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+RunContext context_of(const CaseLimits& limits, Clock::time_point start) {
+  RunContext ctx;
+  ctx.threads = limits.threads;
+  if (limits.time_limit_s > 0)
+    ctx.on_cancelled = [start, most = limits.time_limit_s] { return seconds_since(start) > most; };
+  return ctx;
+}
+
+/// Files whose name differs in the ending only: of a header that has its voxels elsewhere, these are among
+/// them.
+std::vector<std::string> files_beside(const std::string& path) {
+  const auto stem = [](const fs::path& file) {
+    const std::string name = file.filename().string();
+    return name.substr(0, name.find('.', 1));
+  };
+  std::vector<std::string> found;
+  std::error_code failed;
+  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed))
+    if (stem(entry.path()) == stem(path) && entry.is_regular_file(failed))
+      found.push_back(entry.path().string());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+Status open(const StudyCase& one, const StudyPlan& plan, Session& session) {
+  Recipe recipe = one.recipe;
+  if (!one.volume_path.empty()) {
+    const Result<Bytes> bytes = read_file(one.volume_path);
+    if (!bytes) return bytes.error();
+    if (Status loaded = session.load_volume(file_at(one.volume_path, *bytes), recipe.source.read); !loaded)
+      return loaded;
+    if (recipe.source.file->sha256.empty()) recipe.source.file->sha256 = session.files().digest;
+  }
+  if (Status loaded = load_side_files(side_paths(recipe, plan.folder), session); !loaded) return loaded;
+  return session.set_recipe(recipe);
+}
+
+/// The machine failed, not the case.
+bool is_of_machine(const Error& error) {
+  if (error.code == ErrorCode::kCancelled) return true;
+  return error.code == ErrorCode::kOutOfMemory && error.stage != "forecast";
+}
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+std::string reason_of(const Error& error, const CaseLimits& limits) {
+  if (error.code == ErrorCode::kCancelled)
+    return "given up after the " + number_text(limits.time_limit_s) + " s of --time-limit";
+  if (is_of_machine(error) && limits.memory_mb > 0)
+    return error.message + ", with the " + number_text(limits.memory_mb) + " MB of --memory-mb";
+  return error.message;
+}
+
+Json record_of(const Recipe& recipe, const std::string& key, const Json& figures) {
+  const Json none{
+      {"seconds", nullptr}, {"peak_mb", nullptr}, {"forecast_seconds", nullptr}, {"forecast_mb", nullptr}};
+  return {{"key", key},     {"status", "done"},   {"stage", nullptr}, {"reason", nullptr},
+          {"again", false}, {"figures", figures}, {"cost", none},     {"link", link_fragment(recipe)}};
+}
+
+void put_failure(Json& record, const std::string& stage, const std::string& reason, bool again) {
+  record["status"] = "failed";
+  record["stage"] = stage;
+  record["reason"] = reason;
+  record["again"] = again;
+}
+
+/// What is kept of a case that is done.
+Status add_kept(const Session& session, const StudyPlan& plan, const std::string& key,
+                std::vector<CaseFile>& files) {
+  for (const std::string& ending : plan.keep) {
+    if (ending == "report") {
+      const std::string text = report_json(session).dump(1);
+      files.push_back({"files/" + key + ".report.json", Bytes(text.begin(), text.end())});
+      continue;
+    }
+    const Result<MeshFormat> format = mesh_format_of(key + "." + ending);
+    if (!format) return format.error();
+    Exported exported = exported_fields(session, *format, false);
+    exported.options.name = key;
+    Result<std::vector<OutputFile>> written = write_tet_mesh(*session.mesh(), *format, exported.options);
+    if (!written) return written.error();
+    for (OutputFile& file : *written) files.push_back({"files/" + key + file.suffix, std::move(file.bytes)});
+  }
+  return std::monostate{};
+}
+
+Status run_stages(const StudyPlan& plan, Session& session, RunContext& ctx, Json& cost) {
+  if (!session.opened_mesh()) {
+    if (Status done = session.run(Stage::kSizing, ctx); !done) return done;
+    if (const Result<Forecast> forecast = forecast_case(session, ctx)) {
+      cost["forecast_seconds"] = forecast->seconds;
+      cost["forecast_mb"] = forecast->peak_mb;
+    }
+  }
+  for (const Stage stage : plan.stages)
+    if (Status done = session.run(stage, ctx); !done) return done;
+  return std::monostate{};
+}
+
+}  // namespace
+
+std::string key_of(const StudyCase& one, const StudyPlan& plan) {
+  Sha256 sha;
+  sha.update("study 1\n" + engine_version() + "\n" + physics_version() + "\n" +
+             recipe_to_json(one.recipe, true).dump() + "\n");
+  for (const Stage stage : plan.stages) sha.update(name_of(stage) + "\n");
+  for (const std::string& ending : plan.keep) sha.update("keep " + ending + "\n");
+  std::vector<std::string> paths;
+  if (!one.volume_path.empty()) paths = files_beside(one.volume_path);
+  const auto [masks, images] = side_paths(one.recipe, plan.folder);
+  paths.insert(paths.end(), masks.begin(), masks.end());
+  paths.insert(paths.end(), images.begin(), images.end());
+  for (const std::string& path : paths) {
+    const Result<Bytes> bytes = read_file(path);
+    sha.update(fs::path(path).filename().string() + (bytes ? " " + std::to_string(bytes->size()) : "") +
+               "\n");
+    if (bytes) sha.update(*bytes);
+  }
+  return sha.hex();
+}
+
+Json failed_record(const StudyCase& one, const std::string& key, const std::string& stage,
+                   const std::string& reason) {
+  Json record = record_of(one.recipe, key, no_figures());
+  put_failure(record, stage, reason, true);
+  return record;
+}
+
+CaseOutcome run_case(const StudyCase& one, const StudyPlan& plan, const std::string& key,
+                     const CaseLimits& limits) {
+  const Clock::time_point start = Clock::now();
+  RunContext ctx = context_of(limits, start);
+  reset_peak_memory();
+  CaseOutcome outcome;
+  Session session(0);
+  Json cost{
+      {"seconds", nullptr}, {"peak_mb", nullptr}, {"forecast_seconds", nullptr}, {"forecast_mb", nullptr}};
+  Status done = std::monostate{};
+  try {
+    done = open(one, plan, session);
+    if (done) done = run_stages(plan, session, ctx, cost);
+    cost["seconds"] = seconds_since(start);
+    cost["peak_mb"] = peak_memory_mb();
+    if (done && session.mesh()) {
+      outcome.files.push_back({"pictures/" + key + ".png", picture_of(session)});
+      done = add_kept(session, plan, key, outcome.files);
+    }
+  } catch (const std::bad_alloc&) {
+    done = Error{ErrorCode::kOutOfMemory, "study", "out of memory", {}};
+  }
+  if (!done) {
+    // How far a machine came that failed is by chance.
+    const bool of_machine = is_of_machine(done.error());
+    outcome.record = record_of(one.recipe, key, of_machine ? no_figures() : figures_of(session));
+    put_failure(outcome.record, done.error().stage, reason_of(done.error(), limits), of_machine);
+    outcome.files.clear();
+  } else {
+    Recipe recipe = session.recipe();
+    recipe.expected = promise_of(session);
+    outcome.record = record_of(recipe, key, figures_of(session));
+  }
+  outcome.record["cost"] = cost;
+  return outcome;
+}
+
+Result<Forecast> forecast_of(const StudyCase& one, const StudyPlan& plan, const CaseLimits& limits) {
+  RunContext ctx = context_of(limits, Clock::now());
+  Session session(0);
+  if (Status opened = open(one, plan, session); !opened) return opened.error();
+  if (Status done = session.run(Stage::kSizing, ctx); !done) return done.error();
+  return forecast_case(session, ctx);
+}
+
+}  // namespace voxtet
