@@ -79,7 +79,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::vector<double> round_ticks(double low, double high, double least) {
-  constexpr double kFewest = 3;
+  constexpr double kFewest = 2;
   if (!(high > low)) {
     const double margin = low != 0 ? 0.5 * std::abs(low) : 1;
     low -= margin;
