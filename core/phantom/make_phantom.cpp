@@ -18,9 +18,26 @@ namespace {
 constexpr double kMaxVoxels = 512.0 * 512.0 * 512.0;
 constexpr int kPadding = 2;
 constexpr double kMaxRoughnessMm = 1.2;  // at scale 1: beyond it bumps would close the cavities' thin ends
-constexpr double kSpeckShare = 0.05;     // of the largest component of the same label
 constexpr int kMostRegions = 2000;
+constexpr Label kScarCore = 5;
 constexpr const char* kStage = "phantom";
+
+/// Ranges within which all combinations give a heart of one piece a label.
+struct HeartRange {
+  const char* field;
+  double PhantomParams::*value;
+  double least, most;
+  const char* unit;
+};
+constexpr std::array<HeartRange, 8> kHeartRanges{
+    {{"wall_scale", &PhantomParams::wall_scale, 0.5, 2, "a factor"},
+     {"length_scale", &PhantomParams::length_scale, 0.75, 1.35, "a factor"},
+     {"rv_dilation", &PhantomParams::rv_dilation, 0.7, 3.5, "a factor"},
+     {"rv_wall_mm", &PhantomParams::rv_wall_mm, 3, 10, "a thickness"},
+     {"scar_angle_deg", &PhantomParams::scar_angle_deg, -180, 180, "an angle"},
+     {"scar_height_mm", &PhantomParams::scar_height_mm, -20, 20, "a height"},
+     {"scar_arc_mm", &PhantomParams::scar_arc_mm, 20, 72, "a width"},
+     {"scar_length_mm", &PhantomParams::scar_length_mm, 16, 60, "a length"}}};
 
 bool reads_radius(PhantomKind kind) {
   return kind != PhantomKind::kBiventricle && kind != PhantomKind::kAtlas;
@@ -56,6 +73,12 @@ std::optional<Error> find_parameter_error(const PhantomParams& p) {
   if (p.kind == PhantomKind::kBiventricle) {
     if (!(p.roughness_mm >= 0 && p.roughness_mm <= kMaxRoughnessMm * p.scale))
       return refuse("roughness_mm", p.roughness_mm, "a length from 0 to 1.2 * scale");
+    for (const HeartRange& r : kHeartRanges)
+      if (!(p.*r.value >= r.least && p.*r.value <= r.most)) {
+        std::ostringstream expected;
+        expected << r.unit << " from " << r.least << " to " << r.most;
+        return refuse(r.field, p.*r.value, expected.str());
+      }
     if (!(p.scar_depth > 0 && p.scar_depth <= 1))
       return refuse("scar_depth", p.scar_depth, "a share of the wall > 0 and at most 1");
     if (!(std::isfinite(p.border_mm) && p.border_mm >= 0))
@@ -64,6 +87,11 @@ std::optional<Error> find_parameter_error(const PhantomParams& p) {
       return refuse("isthmus_mm", p.isthmus_mm, "a finite width, 0 for none");
   }
   return std::nullopt;
+}
+
+/// Only the scar core that an isthmus crosses may be in two pieces.
+bool is_cut_core(const PhantomParams& params, Label label) {
+  return params.kind == PhantomKind::kBiventricle && label == kScarCore && params.isthmus_mm > 0;
 }
 
 Body body_of(const PhantomParams& params) {
@@ -185,11 +213,16 @@ Result<LabelVolume> make_phantom(const PhantomParams& params) {
   if (!grid) return grid.error();
   LabelVolume sampled = sample(body, *grid);
   if (!reads_radius(params.kind))
-    keep_large_components(sampled, params.kind == PhantomKind::kAtlas ? 1 : kSpeckShare);
+    keep_large_components(sampled, [&](Label label) { return is_cut_core(params, label) ? 2U : 1U; });
   LabelVolume volume = cropped(sampled);
   if (volume.labels.empty())
     return usage_error(kStage,
                        "phantom.spacing_mm: no voxel centre lies inside the body, expected a finer spacing");
+  if (params.kind == PhantomKind::kBiventricle && params.scar &&
+      std::find(volume.labels.begin(), volume.labels.end(), kScarCore) == volume.labels.end())
+    return usage_error(kStage,
+                       "phantom.scar: no voxel of its core is left, expected a larger scar_arc_mm, "
+                       "scar_length_mm or scar_depth, a smaller isthmus_mm, or a finer spacing_mm");
   volume.infos = describe(volume, params.kind);
   return volume;
 }

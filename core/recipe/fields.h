@@ -33,8 +33,34 @@ void visit_fields(V& v, PhantomParams& p) {
   v.field({"scale", "", 0.1, 10, "Biventricle and atlas: size, 1 is an adult's."}, p.scale);
   v.field({"roughness_mm", "mm", 0, 12, "Biventricle: amplitude of the seeded roughness of the walls."},
           p.roughness_mm);
+  v.field({"wall_scale", "", 0.5, 2,
+           "Biventricle: factor on the LV wall's thickness, which grows outwards; the cavities stay."},
+          p.wall_scale);
+  v.field({"length_scale", "", 0.75, 1.35,
+           "Biventricle: factor on the length of both cavities along the LV's axis; widths and walls stay."},
+          p.length_scale);
+  v.field({"rv_dilation", "", 0.7, 3.5,
+           "Biventricle: factor on the depth of the RV cavity, from the septum to the free wall."},
+          p.rv_dilation);
+  v.field({"rv_wall_mm", "mm", 3, 10,
+           "Biventricle: thickness of the RV free wall at scale 1, which grows outwards."},
+          p.rv_wall_mm);
   v.field({"blood_pools", "", 0, 0, "Biventricle: label the cavities as 3 and 4."}, p.blood_pools);
   v.field({"scar", "", 0, 0, "Biventricle: scar core 5, crossed by an isthmus, with border zone 6."}, p.scar);
+  v.field({"scar_angle_deg", "deg", -180, 180,
+           "Biventricle: place of the scar around the LV, 0 is antero-lateral, 37 lateral, 127 inferior, "
+           "-53 anterior, -143 septal."},
+          p.scar_angle_deg);
+  v.field({"scar_height_mm", "mm", -20, 20,
+           "Biventricle: place of the scar along the LV's axis at scale 1, from 0 in the middle; positive: "
+           "towards the base."},
+          p.scar_height_mm);
+  v.field({"scar_arc_mm", "mm", 20, 72,
+           "Biventricle: width of the scar core around the LV, in the middle of the wall at scale 1."},
+          p.scar_arc_mm);
+  v.field({"scar_length_mm", "mm", 16, 60,
+           "Biventricle: length of the scar core along the LV's axis at scale 1."},
+          p.scar_length_mm);
   v.field(
       {"scar_depth", "", 0.05, 1, "Biventricle: share of the wall that the scar core fills, from inside."},
       p.scar_depth);

@@ -26,10 +26,26 @@ export interface RecipeFields {
       scale: number;
       /** Biventricle: amplitude of the seeded roughness of the walls; mm. */
       roughness_mm: number;
+      /** Biventricle: factor on the LV wall's thickness, which grows outwards; the cavities stay. */
+      wall_scale: number;
+      /** Biventricle: factor on the length of both cavities along the LV's axis; widths and walls stay. */
+      length_scale: number;
+      /** Biventricle: factor on the depth of the RV cavity, from the septum to the free wall. */
+      rv_dilation: number;
+      /** Biventricle: thickness of the RV free wall at scale 1, which grows outwards; mm. */
+      rv_wall_mm: number;
       /** Biventricle: label the cavities as 3 and 4. */
       blood_pools: boolean;
       /** Biventricle: scar core 5, crossed by an isthmus, with border zone 6. */
       scar: boolean;
+      /** Biventricle: place of the scar around the LV, 0 is antero-lateral, 37 lateral, 127 inferior, -53 anterior, -143 septal; deg. */
+      scar_angle_deg: number;
+      /** Biventricle: place of the scar along the LV's axis at scale 1, from 0 in the middle; positive: towards the base; mm. */
+      scar_height_mm: number;
+      /** Biventricle: width of the scar core around the LV, in the middle of the wall at scale 1; mm. */
+      scar_arc_mm: number;
+      /** Biventricle: length of the scar core along the LV's axis at scale 1; mm. */
+      scar_length_mm: number;
       /** Biventricle: share of the wall that the scar core fills, from inside. */
       scar_depth: number;
       /** Biventricle: width of the border zone around the core at scale 1; 0: none; mm. */
@@ -825,8 +841,16 @@ export const optionalDefaults = {
     "thickness_mm": 8,
     "scale": 1,
     "roughness_mm": 0.8,
+    "wall_scale": 1,
+    "length_scale": 1,
+    "rv_dilation": 1,
+    "rv_wall_mm": 3.8,
     "blood_pools": true,
     "scar": false,
+    "scar_angle_deg": 0,
+    "scar_height_mm": 0,
+    "scar_arc_mm": 48,
+    "scar_length_mm": 40,
     "scar_depth": 0.7,
     "border_mm": 3,
     "isthmus_mm": 8,

@@ -7,7 +7,8 @@ import { previewSoon } from '../../store/run/run_stages';
 import { volume } from '../../store/case/input';
 import { dialogShown } from '../controls/dialog_shown';
 import { fetched } from '../controls/fetched';
-import { CheckField, NumberField, SelectField, VectorField } from '../controls/fields';
+import { fieldUnit } from '../controls/field_words';
+import { CheckField, fieldOf, NumberField, SelectField, VectorField } from '../controls/fields';
 import { FileInput } from '../controls/file_input';
 import { short, whole } from '../controls/format';
 import { Icon } from '../controls/icons';
@@ -21,6 +22,25 @@ const bodies: readonly (readonly [PhantomKind, string])[] = [
   ['nested_boxes', 'Nested boxes'],
   ['branching_tube', 'Branching tube'],
   ['atlas', 'Atlas of many regions'],
+];
+
+type NumberKey = {
+  [K in keyof PhantomParams]: PhantomParams[K] extends number ? K : never;
+}[keyof PhantomParams];
+const heartFields: readonly (readonly [NumberKey, string])[] = [
+  ['wall_scale', 'Thickness of the LV wall'],
+  ['length_scale', 'Length of the ventricles'],
+  ['rv_dilation', 'Depth of the RV'],
+  ['rv_wall_mm', 'Thickness of the RV wall'],
+];
+const scarFields: readonly (readonly [NumberKey, string])[] = [
+  ['scar_angle_deg', 'Scar around the LV'],
+  ['scar_height_mm', 'Scar towards the base'],
+  ['scar_arc_mm', 'Width of the scar'],
+  ['scar_length_mm', 'Length of the scar'],
+  ['scar_depth', 'Depth of the scar'],
+  ['border_mm', 'Width of the border zone'],
+  ['isthmus_mm', 'Width of the isthmus'],
 ];
 
 export function FileButton({ label, primary }: { label: string; primary?: boolean }) {
@@ -126,15 +146,19 @@ function PhantomFields({ phantom }: { phantom: PhantomParams }) {
     editPhantom(label, change);
     previewSoon();
   };
-  const number = (label: string, key: keyof PhantomParams, unit?: string) => (
-    <NumberField
-      label={label}
-      unit={unit}
-      path={`source.phantom.${key}`}
-      value={phantom[key] as number}
-      onChange={(value) => edit(label, { [key]: value })}
-    />
-  );
+  const number = (key: NumberKey, label: string) => {
+    const path = `source.phantom.${key}`;
+    return (
+      <NumberField
+        key={key}
+        label={label}
+        unit={fieldUnit(path, fieldOf(path)?.unit)}
+        path={path}
+        value={phantom[key]}
+        onChange={(value) => edit(label, { [key]: value })}
+      />
+    );
+  };
   const heart = phantom.kind === 'biventricle';
   const atlas = phantom.kind === 'atlas';
   const round = phantom.kind !== 'slab' && !heart && !atlas;
@@ -155,14 +179,14 @@ function PhantomFields({ phantom }: { phantom: PhantomParams }) {
       />
       <details class="more">
         <summary>Shape of the body</summary>
-        {(heart || atlas) && number('Scale', 'scale')}
-        {heart && number('Roughness', 'roughness_mm', 'mm')}
-        {atlas && number('Regions', 'regions')}
-        {(heart || atlas) && number('Seed', 'seed')}
-        {round && number('Radius', 'radius_mm', 'mm')}
-        {(phantom.kind === 'shell' || phantom.kind === 'torus') &&
-          number('Inner radius', 'inner_radius_mm', 'mm')}
-        {phantom.kind === 'slab' && number('Thickness', 'thickness_mm', 'mm')}
+        {(heart || atlas) && number('scale', 'Scale')}
+        {heart && heartFields.map(([key, label]) => number(key, label))}
+        {heart && number('roughness_mm', 'Roughness')}
+        {atlas && number('regions', 'Regions')}
+        {(heart || atlas) && number('seed', 'Seed')}
+        {round && number('radius_mm', 'Radius')}
+        {(phantom.kind === 'shell' || phantom.kind === 'torus') && number('inner_radius_mm', 'Inner radius')}
+        {phantom.kind === 'slab' && number('thickness_mm', 'Thickness')}
         {heart && (
           <CheckField
             label="Scar with isthmus"
@@ -170,9 +194,7 @@ function PhantomFields({ phantom }: { phantom: PhantomParams }) {
             onChange={(scar) => edit('Scar', { scar })}
           />
         )}
-        {heart && phantom.scar && number('Depth of the scar', 'scar_depth')}
-        {heart && phantom.scar && number('Width of the border zone', 'border_mm', 'mm')}
-        {heart && phantom.scar && number('Width of the isthmus', 'isthmus_mm', 'mm')}
+        {heart && phantom.scar && scarFields.map(([key, label]) => number(key, label))}
         {heart && (
           <CheckField
             label="Blood pools"

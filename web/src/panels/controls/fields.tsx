@@ -4,7 +4,7 @@ import { schema } from '../../store/run/stages';
 import { Explain } from './explain';
 
 /** A field of the engine's table, by its path; list items by `list.item`. */
-function fieldOf(path: string): SchemaField | undefined {
+export function fieldOf(path: string): SchemaField | undefined {
   let fields = schema.value?.fields;
   let rest = path;
   while (fields) {
