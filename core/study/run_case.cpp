@@ -179,10 +179,8 @@ CaseOutcome run_case(const StudyCase& one, const StudyPlan& plan, const std::str
     if (done) done = run_stages(plan, session, ctx, cost);
     cost["seconds"] = seconds_since(start);
     cost["peak_mb"] = peak_memory_mb();
-    if (done && session.mesh()) {
-      outcome.files.push_back({"pictures/" + key + ".png", picture_of(session)});
-      done = add_kept(session, plan, key, outcome.files);
-    }
+    if (session.mesh()) outcome.files.push_back({"pictures/" + key + ".png", picture_of(session)});
+    if (done && session.mesh()) done = add_kept(session, plan, key, outcome.files);
   } catch (const std::bad_alloc&) {
     done = Error{ErrorCode::kOutOfMemory, "study", "out of memory", {}};
   }
@@ -191,7 +189,7 @@ CaseOutcome run_case(const StudyCase& one, const StudyPlan& plan, const std::str
     const bool of_machine = is_of_machine(done.error());
     outcome.record = record_of(one.recipe, key, of_machine ? no_figures() : figures_of(session));
     put_failure(outcome.record, done.error().stage, reason_of(done.error(), limits), of_machine);
-    outcome.files.clear();
+    if (of_machine) outcome.files.clear();
   } else {
     Recipe recipe = session.recipe();
     recipe.expected = promise_of(session);

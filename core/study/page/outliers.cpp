@@ -1,17 +1,13 @@
 #include "study/page/outliers.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace voxtet {
 namespace {
 
-/// The middle value, or the mean of both; `values` is not empty.
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+/// The smallest value with a part of all below it; `values` is ascending and not empty.
+double at_part(const std::vector<double>& values, std::size_t quarters) {
+  return values[std::min(values.size() - 1, values.size() * quarters / 4)];
 }
 
 }  // namespace
@@ -28,24 +24,25 @@ std::vector<std::optional<double>> numbers_of(const std::vector<nlohmann::ordere
 
 std::vector<Outlier> find_outliers(const std::vector<nlohmann::ordered_json>& rows,
                                    const std::vector<std::string>& columns) {
-  constexpr double kMostDeviations = 3;
+  constexpr double kFence = 3;
   std::vector<Outlier> found;
   for (const std::string& column : columns) {
     const std::vector<std::optional<double>> numbers = numbers_of(rows, column);
-    std::vector<double> values, distances;
+    std::vector<double> values;
     for (const std::optional<double>& number : numbers)
       if (number) values.push_back(*number);
     if (values.empty()) continue;
-    const double median = median_of(values);
-    for (const double value : values) distances.push_back(std::abs(value - median));
-    const double deviation = 1.4826 * median_of(distances);
-    if (!(deviation > 0)) continue;
-    for (std::size_t row = 0; row < numbers.size(); ++row)
-      if (numbers[row] && std::abs(*numbers[row] - median) > kMostDeviations * deviation)
-        found.push_back({row, column, *numbers[row], median, std::abs(*numbers[row] - median) / deviation});
+    std::sort(values.begin(), values.end());
+    const double low = at_part(values, 1), median = at_part(values, 2), high = at_part(values, 3);
+    if (!(high > low)) continue;
+    for (std::size_t row = 0; row < numbers.size(); ++row) {
+      if (!numbers[row]) continue;
+      const double beyond = std::max(low - *numbers[row], *numbers[row] - high) / (high - low);
+      if (beyond > kFence) found.push_back({row, column, *numbers[row], median, beyond});
+    }
   }
   std::stable_sort(found.begin(), found.end(),
-                   [](const Outlier& a, const Outlier& b) { return a.deviations > b.deviations; });
+                   [](const Outlier& a, const Outlier& b) { return a.beyond > b.beyond; });
   return found;
 }
 

@@ -13,15 +13,17 @@ namespace voxtet {
 std::vector<std::optional<double>> numbers_of(const std::vector<nlohmann::ordered_json>& rows,
                                               const std::string& column);
 
-/// A value that is farther from the median of its column than three robust standard deviations (1.4826 times
-/// the median of the distances from the median; Leys et al. 2013).
+/// A value beyond the outer fences of its column: farther from the quartiles than three times the distance
+/// between them (Tukey 1977).
 struct Outlier {
   std::size_t row = 0;
   std::string column;
-  double value = 0, median = 0, deviations = 0;
+  double value = 0, median = 0;
+  double beyond = 0;  ///< distance from the nearer quartile, in distances between the quartiles
 };
 
-/// Of some columns, the farthest first. A column of which half the values are one has none.
+/// Of some columns, the farthest first. A column of which half the values are one has none. Quartiles are the
+/// values at n/4 and 3n/4 of n, rounded down, counted from 0 in ascending order.
 std::vector<Outlier> find_outliers(const std::vector<nlohmann::ordered_json>& rows,
                                    const std::vector<std::string>& columns);
 

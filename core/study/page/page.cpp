@@ -151,10 +151,11 @@ std::string outlier_figures(const StudyTable& table, const std::vector<Outlier>&
                           cell_text(outlier.median) + ")";
   }
   if (order.empty()) return "";
-  std::string out = "<h2>Outliers</h2><p>" + std::to_string(order.size()) +
-                    " cases have a figure more than three robust standard deviations from its median" +
-                    (order.size() > kMost ? "; the farthest " + std::to_string(kMost) : "") +
-                    ":</p><div class=\"grid\">";
+  std::string out =
+      "<h2>Outliers</h2><p>" + std::to_string(order.size()) +
+      " of the cases have a figure that is farther from the quartiles of its column than three times the "
+      "distance between them" +
+      (order.size() > kMost ? "; the farthest " + std::to_string(kMost) : "") + ":</p><div class=\"grid\">";
   for (std::size_t i = 0; i < std::min(kMost, order.size()); ++i) {
     const Json& row = table.rows[order[i]];
     out += "<figure><img width=\"320\" height=\"240\" alt=\"\" src=\"pictures/" +
@@ -179,7 +180,7 @@ std::string whole_table(const StudyTable& table, const std::string& base) {
   for (const auto& [column, value] : table.rows.front().items()) {
     if (left_out(column) || is_empty(column)) continue;
     columns.push_back(column);
-    out += "<th>" + escaped(column) + "</th>";
+    out += "<th title=\"" + escaped(column) + "\">" + escaped(column.substr(column.rfind('.') + 1)) + "</th>";
   }
   out += "</tr>";
   for (const Json& row : table.rows) {

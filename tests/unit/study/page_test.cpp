@@ -17,15 +17,16 @@ std::vector<Json> rows_of(const std::vector<double>& values) {
   return rows;
 }
 
-TEST(Outliers, AreFarFromTheMedianByTheSpreadOfTheRest) {
-  // Median 10, distances 0 to 2 but one: the median distance is 1.
-  const std::vector<Outlier> found = find_outliers(rows_of({8, 9, 9, 10, 10, 11, 11, 12, 4, 15}), {"x", "y"});
+TEST(Outliers, AreBeyondTheOuterFences) {
+  // Twelve values, quartiles 10 and 12 (the fourth and the tenth): the fences are at 4 and 18.
+  const std::vector<Outlier> found =
+      find_outliers(rows_of({9, 9, 10, 10, 10, 11, 11, 12, 12, 12, 3.9, 18.5}), {"x", "y"});
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_EQ(found[0].row, 8U);
-  EXPECT_EQ(found[0].value, 4);
-  EXPECT_EQ(found[0].median, 10);
-  EXPECT_NEAR(found[0].deviations, 6 / 1.4826, 1e-12);
-  EXPECT_EQ(found[1].row, 9U);
+  EXPECT_EQ(found[0].row, 11U);
+  EXPECT_EQ(found[0].value, 18.5);
+  EXPECT_EQ(found[0].median, 11);
+  EXPECT_NEAR(found[0].beyond, 3.25, 1e-12);
+  EXPECT_EQ(found[1].row, 10U);
 }
 
 TEST(Outliers, AreNoneWhereHalfTheValuesAreOne) {
@@ -83,7 +84,7 @@ TEST(Page, SaysWhatBecameOfEachCase) {
        {"<title>Hearts &amp; more</title>",
         "9 cases: 8 done, 1 failed, 0 not run. 18 s in all, at most 19 MB a case.",
         "<a href=\"https://host/app/#c1=3\">&lt;bad&gt;</a>", "a &quot;broken&quot; file", "pictures/k9.png",
-        "Smallest dihedral angle, degrees: 5 (median 30.45)", "1 cases have a figure"})
+        "Smallest dihedral angle, degrees: 5 (median 30.5)", "1 of the cases have a figure"})
     EXPECT_NE(page.find(text), std::string::npos) << text;
   EXPECT_EQ(page.find("lv_ejection_fraction"), std::string::npos);  // a column that no case has
 }
