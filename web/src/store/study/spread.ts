@@ -1,0 +1,50 @@
+/** How the values of a column spread, and which of them lie far outside. */
+import type { Histogram } from '../../engine/contract';
+
+/** The median, and the standard deviation that a normal distribution with this median absolute deviation has. */
+export interface Spread {
+  median: number;
+  deviation: number;
+}
+
+/** Values further than so many robust standard deviations from the median are outliers. */
+export const outlierLimit = 3;
+
+function medianOf(values: readonly number[]): number {
+  const sorted = [...values].sort((a, b) => a - b);
+  const middle = sorted.length >> 1;
+  return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+}
+
+/** Of at least one value. */
+export function spreadOf(values: readonly number[]): Spread {
+  const median = medianOf(values);
+  return { median, deviation: 1.4826 * medianOf(values.map((value) => Math.abs(value - median))) };
+}
+
+/**
+ * How many robust standard deviations a value lies above the median, below it where negative. Where more than half of
+ * all values are the same, any other value is infinitely far.
+ */
+export function deviationsOf(value: number, { median, deviation }: Spread): number {
+  return value === median ? 0 : (value - median) / deviation;
+}
+
+export const isOutlying = (value: number, spread: Spread): boolean =>
+  Math.abs(deviationsOf(value, spread)) > outlierLimit;
+
+/** The values outside of it are outliers. */
+export function usualRange({ median, deviation }: Spread): [number, number] {
+  return [median - outlierLimit * deviation, median + outlierLimit * deviation];
+}
+
+/** In so few bins that bars say something; each is a whole number of those that a chart draws. */
+export function histogramOf(values: readonly number[]): Histogram {
+  const least = values.reduce((known, value) => Math.min(known, value), Infinity);
+  const most = values.reduce((known, value) => Math.max(known, value), -Infinity);
+  const [lo, hi] = most > least ? [least, most] : [least - 0.5, least + 0.5];
+  const bins = [56, 28, 14].find((count) => count <= 2 * Math.sqrt(values.length)) ?? 7;
+  const counts = new Array<number>(bins).fill(0);
+  for (const value of values) counts[Math.min(bins - 1, Math.floor((bins * (value - lo)) / (hi - lo)))]++;
+  return { lo, hi, counts };
+}
