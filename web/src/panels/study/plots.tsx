@@ -47,6 +47,7 @@ function Distribution({ of, selected, onSelect, name }: PlotProps & { name: stri
         of="cases"
         series={chart.series}
         range={chart.range}
+        bins={chart.series[0].histogram.counts.length}
         band={spread ? usualRange(spread) : undefined}
         selected={typeof value === 'number' ? [value, value] : null}
       />
