@@ -38,12 +38,12 @@ export function usualRange({ median, deviation }: Spread): [number, number] {
   return [median - outlierLimit * deviation, median + outlierLimit * deviation];
 }
 
-/** In twice as many bins as the cube root of the count (Rice's rule), at least five. */
+/** In twice as many bins as the root of the count, 5 to 56: what lies among outliers keeps its shape. */
 export function histogramOf(values: readonly number[]): Histogram {
   const least = values.reduce((known, value) => Math.min(known, value), Infinity);
   const most = values.reduce((known, value) => Math.max(known, value), -Infinity);
   const [lo, hi] = most > least ? [least, most] : [least - 0.5, least + 0.5];
-  const bins = Math.max(5, Math.ceil(2 * Math.cbrt(values.length)));
+  const bins = Math.max(5, Math.min(56, Math.ceil(2 * Math.sqrt(values.length))));
   const counts = new Array<number>(bins).fill(0);
   for (const value of values) counts[Math.min(bins - 1, Math.floor((bins * (value - lo)) / (hi - lo)))]++;
   return { lo, hi, counts };
