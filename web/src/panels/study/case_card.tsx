@@ -12,8 +12,8 @@ function outlierWords(row: StudyRow, { columns }: Study, name: string): string {
   if (!spread || typeof value !== 'number') return '';
   const far = deviationsOf(value, spread);
   const side = far < 0 ? 'below' : 'above';
-  const distance = Number.isFinite(far) ? `${short(Math.abs(far))} robust deviations ${side}` : side;
-  return `${columnWords(name)} ${withUnit(value, name)}, ${distance} the median ${withUnit(spread.median, name)}`;
+  const distance = `${short(Math.abs(far))} robust deviations ${side} the median`;
+  return `${columnWords(name)} ${withUnit(value, name)}, ${distance} ${withUnit(spread.median, name)}`;
 }
 
 /** The case that is selected: what came of it, and the way to it. */

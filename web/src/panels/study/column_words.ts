@@ -65,7 +65,7 @@ export function withUnit(value: Value, name: string): string {
 }
 
 const mainFigures = new Set([
-  ...['tets', 'smallest_dihedral_deg', 'median_quality', 'mean_distance_mm', 'worst_volume_error_percent'],
+  ...['tets', 'smallest_dihedral_deg', 'median_mean_ratio', 'mean_distance_mm', 'worst_volume_error_percent'],
   ...['passed', 'eikonal_last_ms', 'monodomain_last_ms', 'lv_ejection_fraction', 'seconds', 'peak_mb'],
 ]);
 

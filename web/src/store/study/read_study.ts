@@ -29,7 +29,7 @@ export interface StudyColumn {
   numeric: boolean;
   /** So many decimals give each of its numbers three digits that count, up to four decimals. */
   decimals: number;
-  /** Of numbers that were found. */
+  /** Of numbers that were found, where they differ. */
   spread: Spread | null;
 }
 
@@ -57,8 +57,10 @@ function shown(value: unknown): string {
 }
 
 const isTextOrNull = (value: Value) => value === null || typeof value === 'string';
-const isPlain = (value: unknown) =>
-  isTextOrNull(value as Value) || typeof value === 'boolean' || Number.isFinite(value);
+
+/** What a case was given may be a list or a group: it stands in the table as its JSON. */
+const asValue = (entry: unknown): Value =>
+  entry !== null && typeof entry === 'object' ? JSON.stringify(entry) : (entry as Value);
 
 /** The fields of every row, what is expected of them, and whether it holds. */
 const rowFields: Record<string, [expected: string, holds: (value: Value) => boolean]> = {
@@ -91,10 +93,7 @@ function fieldsOfLine(file: string, line: number, text: string): Fields {
     if (!Object.hasOwn(fields, name)) throw fault(file, line, `no field "${name}"`, expected);
     if (!holds(fields[name])) throw fault(file, line, `${shown(fields[name])} in "${name}"`, expected);
   }
-  for (const [name, entry] of Object.entries(fields))
-    if (!isPlain(entry))
-      throw fault(file, line, `${shown(entry)} in "${name}"`, 'a number, a text, true, false or null');
-  return fields;
+  return Object.fromEntries(Object.entries(fields).map(([name, entry]) => [name, asValue(entry)]));
 }
 
 /** Lines with something in them, numbered from 1. */

@@ -16,18 +16,16 @@ function medianOf(values: readonly number[]): number {
   return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
-/** Of at least one value. */
-export function spreadOf(values: readonly number[]): Spread {
+/** Of at least one value; null where at least half of them are the same, by which no other can be judged. */
+export function spreadOf(values: readonly number[]): Spread | null {
   const median = medianOf(values);
-  return { median, deviation: 1.4826 * medianOf(values.map((value) => Math.abs(value - median))) };
+  const deviation = 1.4826 * medianOf(values.map((value) => Math.abs(value - median)));
+  return deviation > 0 ? { median, deviation } : null;
 }
 
-/**
- * How many robust standard deviations a value lies above the median, below it where negative. Where more than half of
- * all values are the same, any other value is infinitely far.
- */
+/** How many robust standard deviations a value lies above the median, below it where negative. */
 export function deviationsOf(value: number, { median, deviation }: Spread): number {
-  return value === median ? 0 : (value - median) / deviation;
+  return (value - median) / deviation;
 }
 
 export const isOutlying = (value: number, spread: Spread): boolean =>
