@@ -29,7 +29,11 @@ const maySee = {
     ...['engine', 'geometry', 'link', 'store/view', 'store/notices'],
     ...['store/case/recipe', 'store/case/input', 'store/case/side_files'],
   ],
-  'store/case': ['engine', 'geometry', 'link', 'report', 'dicom', 'store/run', 'store/view', 'store/notices'],
+  'store/study': ['engine/contract', 'link', 'store/notices'],
+  'store/case': [
+    ...['engine', 'geometry', 'link', 'report', 'dicom'],
+    ...['store/run', 'store/study', 'store/view', 'store/notices'],
+  ],
   'store/embed': [...['engine/contract', 'link', 'store/case', 'store/run', 'store/view', 'store/notices']],
   lessons: [...engineAndShapes, 'link', 'store'],
   scene: [...engineAndShapes, 'store', 'scene'],
@@ -45,6 +49,7 @@ const maySee = {
   'panels/lessons': [...aroundPanels, 'lessons', 'panels/controls'],
   'panels/embed': [...aroundPanels, 'panels/controls', 'panels/view'],
   'panels/evidence': [...aroundPanels, 'panels/controls'],
+  'panels/study': [...aroundPanels, 'panels/controls'],
   'panels/dialogs': [
     ...aroundPanels,
     ...['panels/controls', 'panels/run', 'panels/case', 'panels/view', 'panels/lessons'],

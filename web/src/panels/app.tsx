@@ -3,6 +3,7 @@ import { allowedControls, lessonAsked, mayUse } from '../store/case/keep/lesson_
 import { dropFiles } from '../store/case/open_files';
 import { announcement, dismiss, notices } from '../store/notices';
 import { activity, lastCancelMs } from '../store/run/stages';
+import { study, studyShown } from '../store/study/study';
 import { CasePanel } from './case/case_panel';
 import { Dialogs } from './dialogs/dialogs';
 import { EvidencePanel } from './evidence/evidence_panel';
@@ -18,6 +19,7 @@ import { useShortcuts } from './view/shortcuts';
 import { ViewPanel } from './view/view_panel';
 
 const AskedLesson = fetched(() => import('./lessons/lesson_panel').then((part) => part.AskedLesson));
+const StudyResults = fetched(() => import('./study/study_panel').then((part) => part.StudyResults));
 
 /** A lesson stands above the case, or in its place where a step leaves nothing of it. */
 function lessonPlace(): 'beside' | 'alone' | undefined {
@@ -107,6 +109,7 @@ export function App() {
       data-shape={pageShape.value}
       data-tab={tabbed.value ? pageTab.value : undefined}
       data-lesson={lessonPlace()}
+      data-front={studyShown.value ? 'study' : undefined}
     >
       <Header />
       {lessonAsked.value && (
@@ -119,6 +122,7 @@ export function App() {
       {mayUse('evidence') ? <EvidencePanel /> : <Panel part="evidence" class="right" label="Evidence" />}
       <Pipeline />
       {tabbed.value && <TabBar />}
+      {study.value && <StudyResults />}
       <Notices />
       <Dialogs />
       <Explanation />

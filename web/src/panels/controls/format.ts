@@ -14,6 +14,7 @@ export function seconds(value: number): string {
   if (value < 0.0995) return `${Math.max(1, Math.round(value * 1000))}\u00a0ms`;
   if (value < 59.95) return `${value.toFixed(1)}\u00a0s`;
   const all = Math.round(value);
+  if (all >= 3600) return `${Math.floor(all / 3600)} h ${Math.floor((all % 3600) / 60)} min`;
   return `${Math.floor(all / 60)} min ${all % 60} s`;
 }
 

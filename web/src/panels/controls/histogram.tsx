@@ -14,6 +14,8 @@ interface HistogramProps {
   of: string;
   series: Series[];
   range?: [number, number];
+  /** How many bins there are across it. */
+  bins?: number;
   /** What is good, shown behind the bars. */
   band?: [number, number];
   /** Values of the axis as text. */
@@ -22,7 +24,6 @@ interface HistogramProps {
   onSelect?(lo: number, hi: number): void;
 }
 
-const bins = 56;
 const height = 118;
 /** What is narrower is no selection, px. */
 const least = 3;
@@ -72,6 +73,7 @@ export function HistogramChart(props: HistogramProps) {
   const [isDark, isLarge] = [dark.value, largeType.value];
 
   const draw = (element: HTMLElement): (() => void) => {
+    const { bins = 56 } = props;
     const [lo, hi] = props.range ?? coveringRange(series.map((one) => one.histogram));
     const width = (hi - lo) / bins;
     // Edges of the bins, the last one repeated, so that the steps close.

@@ -1,6 +1,8 @@
 /** How the page is laid out: by its size, and by that of its type. */
 import { computed, effect, signal } from '@preact/signals';
 import { lessonAsked } from '../../store/case/keep/lesson_asked';
+import { caseId } from '../../store/case/recipe';
+import { studyShown } from '../../store/study/study';
 import { largeType, marked } from '../../store/view';
 
 /** What large type multiplies all lengths of the page by; `--type` in the styles. */
@@ -49,5 +51,10 @@ export function followPageSize(): void {
   effect(() => {
     if (lessonAsked.value) pageTab.value = 'lesson';
     else if (pageTab.peek() === 'lesson') pageTab.value = 'view';
+  });
+  // Another case, or a lesson, comes before the study.
+  effect(() => {
+    void [caseId.value, lessonAsked.value];
+    studyShown.value = false;
   });
 }

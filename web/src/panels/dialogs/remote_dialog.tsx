@@ -2,15 +2,22 @@
 import { useEffect, useState } from 'preact/hooks';
 import { dropFiles, openFiles } from '../../store/case/open_files';
 import { amendRecipe, recipe } from '../../store/case/recipe';
-import { addressFault, fetchRemote, remoteAsked, type RemoteFile } from '../../store/case/remote';
+import {
+  addressFault,
+  fetchRemote,
+  remoteAsked,
+  remoteKinds,
+  type RemoteFile,
+} from '../../store/case/remote';
 import { volume } from '../../store/case/input';
+import { openStudy } from '../../store/study/study';
 import { Dialog } from '../controls/dialog';
 import { short } from '../controls/format';
 
 /** The page's address asks no more for what has been opened. */
 function forgetParameters(): void {
   const url = new URL(location.href);
-  for (const name of ['case', 'volume']) url.searchParams.delete(name);
+  for (const name of remoteKinds) url.searchParams.delete(name);
   if (url.href !== location.href) history.replaceState(history.state, '', url);
 }
 
@@ -20,6 +27,7 @@ async function open(asked: RemoteFile, file: File): Promise<void> {
     await openFiles([new File([file], file.name.endsWith('.json') ? file.name : `${file.name}.json`)]);
     return;
   }
+  if (asked.kind === 'study') return openStudy({ table: file, costs: undefined, rest: [] });
   const before = volume.value;
   await (asked.name ? dropFiles([file]) : openFiles([file]));
   // Whoever gets a link of this case can fetch it as well.

@@ -4,6 +4,7 @@ import { caseName, recipe, redoLabel, undoLabel } from '../../store/case/recipe'
 import { report } from '../../store/run/report';
 import { mayUse } from '../../store/case/keep/lesson_asked';
 import { activity } from '../../store/run/stages';
+import { study, studyShown } from '../../store/study/study';
 import { dialogShown } from '../controls/dialog_shown';
 import { Icon } from '../controls/icons';
 import { pageShape, tabbed } from '../controls/page_shape';
@@ -11,29 +12,9 @@ import { Appearance } from './appearance';
 import { ForecastNote } from './forecast_note';
 import { RunButton } from './run_button';
 
-export function Header() {
-  const hasCase = recipe.value !== null && volume.value !== null;
+function History() {
   return (
-    <header class="header">
-      <button
-        type="button"
-        class="brand"
-        aria-label="About voxtet"
-        title="About voxtet"
-        onClick={() => (dialogShown.value = 'about')}
-      >
-        <svg viewBox="0 0 32 32" width="26" height="26" aria-hidden="true">
-          <path class="brand-face" d="M16 4 28 25 4 25Z" />
-          <path class="brand-line" d="M16 4 18.5 18.5 28 25M18.5 18.5 4 25" />
-        </svg>
-        <span class="brand-name">voxtet</span>
-      </button>
-      {hasCase && (
-        <span class="case-name" title={caseName()}>
-          {caseName()}
-        </span>
-      )}
-      <span class="spacer" />
+    <>
       {!tabbed.value && <ForecastNote />}
       <div class="group">
         <button
@@ -57,6 +38,74 @@ export function Header() {
           <Icon name="redo" />
         </button>
       </div>
+    </>
+  );
+}
+
+function CaseActions({ hasCase }: { hasCase: boolean }) {
+  return (
+    <>
+      <button
+        type="button"
+        class="button"
+        aria-label="Share"
+        disabled={!hasCase}
+        onClick={() => (dialogShown.value = 'share')}
+      >
+        <Icon name="share" /> <span class="button-text">Share</span>
+      </button>
+      <button
+        type="button"
+        class="button"
+        aria-label="Export"
+        disabled={report.value === null || activity.value !== 'idle' || !mayUse('export')}
+        onClick={() => (dialogShown.value = 'export')}
+      >
+        <Icon name="download" /> <span class="button-text">Export</span>
+      </button>
+      {!tabbed.value && <RunButton />}
+    </>
+  );
+}
+
+/** Above a study, which stands in front of the case, it has nothing that changes the case. */
+export function Header() {
+  const hasCase = recipe.value !== null && volume.value !== null;
+  const inFront = studyShown.value;
+  return (
+    <header class="header">
+      <button
+        type="button"
+        class="brand"
+        aria-label="About voxtet"
+        title="About voxtet"
+        onClick={() => (dialogShown.value = 'about')}
+      >
+        <svg viewBox="0 0 32 32" width="26" height="26" aria-hidden="true">
+          <path class="brand-face" d="M16 4 28 25 4 25Z" />
+          <path class="brand-line" d="M16 4 18.5 18.5 28 25M18.5 18.5 4 25" />
+        </svg>
+        <span class="brand-name">voxtet</span>
+      </button>
+      {study.value && (
+        <button
+          type="button"
+          class="button study-button"
+          aria-label="Study"
+          title={inFront ? 'Back to the case' : 'Back to the results of the study'}
+          aria-pressed={inFront}
+          onClick={() => (studyShown.value = !inFront)}
+        >
+          <Icon name="table" /> <span class="button-text">Study</span>
+        </button>
+      )}
+      {hasCase && !inFront && (
+        <span class="case-name" title={caseName()}>
+          {caseName()}
+        </span>
+      )}
+      <span class="spacer" />
+      {!inFront && <History />}
       <Appearance />
       {pageShape.value !== 'phone' && (
         <button
@@ -78,25 +127,7 @@ export function Header() {
       >
         <Icon name="keys" />
       </button>
-      <button
-        type="button"
-        class="button"
-        aria-label="Share"
-        disabled={!hasCase}
-        onClick={() => (dialogShown.value = 'share')}
-      >
-        <Icon name="share" /> <span class="button-text">Share</span>
-      </button>
-      <button
-        type="button"
-        class="button"
-        aria-label="Export"
-        disabled={report.value === null || activity.value !== 'idle' || !mayUse('export')}
-        onClick={() => (dialogShown.value = 'export')}
-      >
-        <Icon name="download" /> <span class="button-text">Export</span>
-      </button>
-      {!tabbed.value && <RunButton />}
+      {!inFront && <CaseActions hasCase={hasCase} />}
     </header>
   );
 }

@@ -8,6 +8,7 @@ import { volume } from '../../store/case/input';
 import { shownKeys } from '../../store/run/results';
 import { mayUse } from '../../store/case/keep/lesson_asked';
 import { activity } from '../../store/run/stages';
+import { studyShown } from '../../store/study/study';
 import { dialogShown } from '../controls/dialog_shown';
 import { extraKeys } from '../controls/extra_keys';
 import { brush, chooseLayout, command, cut, focusTet, picked, showEdges, stageShown } from '../../store/view';
@@ -49,8 +50,8 @@ function escape(): boolean {
 
 /** Whether the key meant something. */
 function obeyKey(event: KeyboardEvent): boolean {
-  // What is behind a dialog stays as it is.
-  if (document.querySelector('dialog[open]')) return false;
+  // What is behind a dialog, or a study, stays as it is.
+  if (studyShown.value || document.querySelector('dialog[open]')) return false;
   const held = event.ctrlKey || event.metaKey;
   const { target } = event;
   const writes = target instanceof HTMLInputElement && (target.type === 'text' || target.type === 'number');

@@ -1,4 +1,4 @@
-/** Files that the user opens or drops: volumes, cases, zips, what sizes come from, and values on the mesh. */
+/** Files that the user opens or drops: volumes, cases, zips, studies, what sizes come from, and values on the mesh. */
 import { signal } from '@preact/signals';
 import type { Labels, SideKind, VolumeFile, VolumeSummary } from '../../engine/contract';
 import { parseCase } from '../../link/codec';
@@ -7,6 +7,7 @@ import { engine, takeTurn, tellError } from '../run/engine';
 import { awaitedFile, fileRead, volume } from './input';
 import { lessonAsked } from './keep/lesson_asked';
 import { announcement, tell } from '../notices';
+import { findStudy, openStudy } from '../study/study';
 import { activity, endStages } from '../run/stages';
 import { previewSoon } from '../run/run_stages';
 import { recipe } from './recipe';
@@ -90,7 +91,7 @@ export async function dropFiles(files: File[]): Promise<void> {
   if (areValues(files)) return openValues(files);
   if (volume.value && files.length === 1 && legendSuffix.test(files[0].name)) return openLegend(files[0]);
   const opens = volume.value === null || files.some((file) => /\.(json|zip)$/i.test(file.name));
-  if (opens) return openFiles(files);
+  if (opens || (await findStudy(files))) return openFiles(files);
   droppedFiles.value = files;
 }
 
@@ -127,6 +128,11 @@ async function openSide(kind: SideKind, files: readonly File[]): Promise<void> {
 /** A file to be meshed, with the raw file that its header may name. A case file opens like a link. */
 export async function openFiles(files: File[]): Promise<void> {
   if (areValues(files)) return openValues(files);
+  const study = await findStudy(files);
+  if (study) {
+    tellLeftOut(study.table.name, study.rest);
+    return openStudy(study);
+  }
   const caseFile = files.find((file) => /\.json$/i.test(file.name));
   const zip = files.find((file) => /\.zip$/i.test(file.name));
   const whole = caseFile ?? zip;

@@ -39,6 +39,10 @@ describe('an address', () => {
       url: 'https://a.org/x.case.json',
     });
     expect(remoteInAddress('?volume=https://a.org/x.nii.gz&developer')?.kind).toBe('volume');
+    expect(remoteInAddress('?study=hearts/table.jsonl')).toEqual({
+      kind: 'study',
+      url: 'hearts/table.jsonl',
+    });
     expect(remoteInAddress('?developer')).toBeNull();
   });
 });

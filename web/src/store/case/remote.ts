@@ -1,9 +1,11 @@
 /** Files at an address: what may be asked for, and what came of it. Nothing is fetched before the user says so. */
 import { signal } from '@preact/signals';
 
-/** What a file is fetched for. */
+/** What a file can be fetched for; each is a parameter of the page's address. */
+export const remoteKinds = ['case', 'volume', 'study'] as const;
+
 export interface RemoteFile {
-  kind: 'case' | 'volume';
+  kind: (typeof remoteKinds)[number];
   url: string;
   /** What the file is to be called; else as its address ends. */
   name?: string;
@@ -33,10 +35,10 @@ export function addressFault(text: string, page: string): string {
   return '';
 }
 
-/** The file that the page's own address asks for: ?case=https://… or ?volume=https://… */
+/** The file that the page's own address asks for: ?case=https://…, ?volume=https://… or ?study=https://… */
 export function remoteInAddress(search: string): RemoteFile | null {
   const given = new URLSearchParams(search);
-  for (const kind of ['case', 'volume'] as const) {
+  for (const kind of remoteKinds) {
     const url = given.get(kind);
     if (url) return { kind, url };
   }
