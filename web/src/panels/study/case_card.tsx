@@ -1,7 +1,5 @@
-import { deviationsOf } from '../../store/study/spread';
 import type { Study, StudyRow } from '../../store/study/read_study';
 import { Icon } from '../controls/icons';
-import { short } from '../controls/format';
 import { columnWords, withUnit } from './column_words';
 import { StatusMark } from './status_mark';
 
@@ -10,10 +8,8 @@ function outlierWords(row: StudyRow, { columns }: Study, name: string): string {
   const spread = columns.find((column) => column.name === name)?.spread;
   const value = row.values[name];
   if (!spread || typeof value !== 'number') return '';
-  const far = deviationsOf(value, spread);
-  const side = far < 0 ? 'below' : 'above';
-  const distance = `${short(Math.abs(far))} robust deviations ${side} the median`;
-  return `${columnWords(name)} ${withUnit(value, name)}, ${distance} ${withUnit(spread.median, name)}`;
+  const side = value < spread.median ? 'below' : 'above';
+  return `${columnWords(name)} ${withUnit(value, name)}, far ${side} the median ${withUnit(spread.median, name)}`;
 }
 
 /** The case that is selected: what came of it, and the way to it. */

@@ -53,11 +53,11 @@ function Distribution({ of, selected, onSelect, name }: PlotProps & { name: stri
       />
       {spread && (
         <p class="brush-hint">
-          Median {withUnit(spread.median, name)}, robust standard deviation {withUnit(spread.deviation, name)}
-          .{' '}
+          Median {withUnit(spread.median, name)}, half of the cases from {withUnit(spread.low, name)} to{' '}
+          {withUnit(spread.high, name)}.{' '}
           {outliers.length === 0
-            ? 'No case lies more than three of them away.'
-            : 'More than three of them away, outside of the band: '}
+            ? 'No case lies outside of the band.'
+            : 'Farther out than three times their distance, outside of the band: '}
           {outliers.slice(0, mostNamed).map(({ row }, i) => (
             <span key={row.case}>
               {i > 0 && ', '}

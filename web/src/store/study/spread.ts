@@ -1,39 +1,33 @@
 /** How the values of a column spread, and which of them lie far outside. */
 import type { Histogram } from '../../engine/contract';
 
-/** The median, and the standard deviation that a normal distribution with this median absolute deviation has. */
+/** The values below which a quarter, half and three quarters of all lie. */
 export interface Spread {
+  low: number;
   median: number;
-  deviation: number;
+  high: number;
 }
 
-/** Values further than so many robust standard deviations from the median are outliers. */
-export const outlierLimit = 3;
+/** Outliers lie farther from the quartiles than so many distances between them: beyond the outer fences of Tukey (1977). */
+const fence = 3;
 
-function medianOf(values: readonly number[]): number {
-  const sorted = [...values].sort((a, b) => a - b);
-  const middle = sorted.length >> 1;
-  return sorted.length % 2 === 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
-}
-
-/** Of at least one value; null where at least half of them are the same, by which no other can be judged. */
+/** Of at least one value; null where both quartiles are the same, by which no other can be judged. */
 export function spreadOf(values: readonly number[]): Spread | null {
-  const median = medianOf(values);
-  const deviation = 1.4826 * medianOf(values.map((value) => Math.abs(value - median)));
-  return deviation > 0 ? { median, deviation } : null;
+  const sorted = [...values].sort((a, b) => a - b);
+  const [low, median, high] = [1, 2, 3].map(
+    (quarters) => sorted[Math.min(sorted.length - 1, Math.floor((sorted.length * quarters) / 4))],
+  );
+  return high > low ? { low, median, high } : null;
 }
-
-/** How many robust standard deviations a value lies above the median, below it where negative. */
-export function deviationsOf(value: number, { median, deviation }: Spread): number {
-  return (value - median) / deviation;
-}
-
-export const isOutlying = (value: number, spread: Spread): boolean =>
-  Math.abs(deviationsOf(value, spread)) > outlierLimit;
 
 /** The values outside of it are outliers. */
-export function usualRange({ median, deviation }: Spread): [number, number] {
-  return [median - outlierLimit * deviation, median + outlierLimit * deviation];
+export function usualRange({ low, high }: Spread): [number, number] {
+  return [low - fence * (high - low), high + fence * (high - low)];
+}
+
+export function isOutlying(value: number, spread: Spread): boolean {
+  const [least, most] = usualRange(spread);
+  return value < least || value > most;
 }
 
 /** In twice as many bins as the root of the count, 5 to 56: what lies among outliers keeps its shape. */
