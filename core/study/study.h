@@ -40,7 +40,7 @@ struct Study {
   std::vector<StudyCase> cases;
 };
 
-/// Reads a study (README.md: its fields) and forms its cases: each volume or heart, with each change of the
+/// Reads a study (docs/share/studies.md: its fields) and forms its cases: each volume or heart, with each change of the
 /// list and each combination of the grid. Relative paths are beside the study's file; those of a case file
 /// beside that. Errors: kBadInput for a file that cannot be read and a pattern without a match; kUsage naming
 /// the field and, where a recipe is wrong, the case.

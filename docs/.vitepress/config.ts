@@ -74,6 +74,7 @@ export default defineConfig({
       part('Share and teach', 'share', [
         ['Share a case by link', 'links'],
         ['Lessons for teachers', 'lessons'],
+        ['Studies of many cases', 'studies'],
         ['How to cite', 'cite'],
       ]),
       part('About', 'about', [
