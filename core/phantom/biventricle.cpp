@@ -49,6 +49,7 @@ class Biventricle {
   explicit Biventricle(const PhantomParams& params)
       : scale_(params.scale),
         length_scale_(params.length_scale),
+        wall_share_(std::min(params.wall_scale, 1.0)),
         roughness_(params.roughness_mm / params.scale),
         blood_pools_(params.blood_pools),
         scar_(params.scar),
@@ -92,7 +93,7 @@ class Biventricle {
     double papillary = 0;
     for (const Eigen::Vector2d& direction : {Eigen::Vector2d(-0.28, 0.96), Eigen::Vector2d(-0.6, -0.8)})
       papillary += bump(arc_from(direction, p, 22) / 9) * bump((p.z() / length_scale_ + 14) / 22);
-    return roughness_ * (3 * noise(p, 0) - 1.5 + 6 * papillary);
+    return roughness_ * (wall_share_ * (3 * noise(p, 0) - 1.5) + 6 * papillary);
   }
 
   /// The RV pool. Roughness only thickens the free wall; the septal side stays smooth.
@@ -125,7 +126,9 @@ class Biventricle {
     return core < 0 ? 5 : 6;
   }
 
-  double scale_, length_scale_, roughness_;
+  double scale_, length_scale_;
+  double wall_share_;  // roughness is less in a thinner wall, or else it would go through at the apex
+  double roughness_;
   bool blood_pools_, scar_;
   double scar_depth_, border_width_, isthmus_width_;
   std::uint32_t seed_;

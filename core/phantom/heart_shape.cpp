@@ -14,6 +14,7 @@ const Ellipsoid kRvOutside{{16, 1, 6}, {41, 35.5, 47}};
 const Ellipsoid kInfundibulumOutside{{21, 23, 21}, {22, 17, 24}};
 constexpr double kRvWall = 3.8;
 constexpr double kRvDepth = 19.7;  // of the RV cavity, from the septum to the free wall where it is deepest
+constexpr double kRvDepthForWidth = 27.5;  // that makes up for width in the RV cavity's volume
 constexpr double kBaseHeight = 22;
 const Vector3d kLow(-36, -39, -57), kHigh(60, 43, 29);
 
@@ -23,10 +24,15 @@ constexpr double kScarHeight = -9;
 constexpr double kMidWallRadius = 28;
 constexpr double kRadians = 3.14159265358979323846 / 180;
 
-/// With lengths along the axis times `factor`.
-Ellipsoid stretched(Ellipsoid ellipsoid, double factor) {
-  ellipsoid.centre.z() *= factor;
-  ellipsoid.semi_axes.z() *= factor;
+/// With x, y and z times `factors`.
+Ellipsoid stretched(const Ellipsoid& ellipsoid, const Vector3d& factors) {
+  return {ellipsoid.centre.cwiseProduct(factors), ellipsoid.semi_axes.cwiseProduct(factors)};
+}
+
+/// Longer by `towards_x` at the end that lies towards +x, and by `y` and `z` at both ends of the other axes.
+Ellipsoid grown(Ellipsoid ellipsoid, double towards_x, double y, double z) {
+  ellipsoid.centre.x() += towards_x / 2;
+  ellipsoid.semi_axes += Vector3d(towards_x / 2, y, z);
   return ellipsoid;
 }
 
@@ -35,42 +41,41 @@ Ellipsoid stretched(Ellipsoid ellipsoid, double factor) {
 HeartShape heart_shape(const PhantomParams& params) {
   const double length = params.length_scale;
   const Vector3d lv_growth = (params.wall_scale - 1) * kLvWall;
-  const double rv_growth = params.rv_wall_mm - kRvWall;
-
-  // The septum's right side moves by `moved`, and the right ventricle with it: so much wider that its cavity
-  // stays as large. A dilated one moves its free wall out by `deeper` where it is deepest, less in front and
-  // behind, and least at the apex.
-  const double moved = lv_growth.x();
-  const double deeper = (params.rv_dilation - 1) * kRvDepth;
-  Ellipsoid rv = stretched(kRvOutside, length);
-  rv.centre.x() += moved + deeper / 2;
-  rv.semi_axes += Vector3d(deeper / 2, 0.2 * moved + 0.25 * deeper, 0.15 * deeper);
-  Ellipsoid infundibulum = stretched(kInfundibulumOutside, length);
-  infundibulum.centre += Vector3d(0.7 * moved + 0.5 * deeper, 0.7 * moved + 0.3 * deeper, 0);
-  infundibulum.semi_axes += Vector3d(0.15 * deeper, 0.15 * deeper, 0);
-
   HeartShape shape;
-  shape.lv_cavity = stretched({Vector3d::Zero(), kLvCavity}, length);
+  shape.lv_cavity = stretched({Vector3d::Zero(), kLvCavity}, {1, 1, length});
   shape.lv_outside = shape.lv_cavity;
   shape.lv_outside.semi_axes += kLvWall + lv_growth;
+
+  // The right ventricle is wider by the factor by which the left one is that it sits on, or else it would
+  // stand out on the left one's other side. Its free wall moves by `deeper`: by what it is dilated, and by
+  // what keeps its cavity as large as it was; in front and behind it moves less, and least at the apex.
+  const double wider = 1 + lv_growth.x() / (kLvCavity.x() + kLvWall.x());
+  const double deeper = (params.rv_dilation - 1) * kRvDepth + (1 - wider) * kRvDepthForWidth;
+  const Ellipsoid rv =
+      grown(stretched(kRvOutside, {wider, wider, length}), deeper, 0.25 * deeper, 0.15 * deeper);
+  Ellipsoid infundibulum = stretched(kInfundibulumOutside, {wider, wider, length});
+  infundibulum.centre += Vector3d(0.5 * deeper, 0.3 * deeper, 0);
+  infundibulum.semi_axes += Vector3d(0.15 * deeper, 0.15 * deeper, 0);
   shape.rv_cavity = rv.shrunk(kRvWall);
-  shape.rv_outside = rv.shrunk(-rv_growth);
   shape.infundibulum_cavity = infundibulum.shrunk(kRvWall);
+
+  const double rv_growth = params.rv_wall_mm - kRvWall;
+  shape.rv_outside = grown(rv, rv_growth, rv_growth, rv_growth);
   shape.infundibulum_outside = infundibulum.shrunk(-rv_growth);
   shape.base_height = kBaseHeight * length;
 
-  // The base plane is tilted, so that what grows to the sides grows a little upwards too.
+  // The base plane is tilted: what grows to the sides there grows a little upwards too.
   const auto more = [](double growth) { return std::max(growth, 0.0); };
-  const double wider = more(moved) + more(deeper) + more(rv_growth);
-  shape.low = kLow - Vector3d(wider, wider, more(kLvCavity.z() * (length - 1)) + wider);
-  shape.high = kHigh + Vector3d(wider, wider, more(kBaseHeight * (length - 1)) + 0.15 * wider);
+  const double sideways = more(lv_growth.x()) + more(deeper) + more(rv_growth);
+  shape.low = kLow - Vector3d(sideways, sideways, sideways + more(kLvCavity.z() * (length - 1)));
+  shape.high = kHigh + Vector3d(sideways, sideways, 0.15 * sideways + more(kBaseHeight * (length - 1)));
 
   const auto [cosine, sine] = cos_sin(params.scar_angle_deg * kRadians);
   shape.scar_direction = {cosine * kScarDirection.x() - sine * kScarDirection.y(),
                           sine * kScarDirection.x() + cosine * kScarDirection.y()};
   shape.scar_height = kScarHeight * length + params.scar_height_mm;
   shape.scar_outline = {Vector3d::Zero(), {kArcShare * params.scar_arc_mm / 2, params.scar_length_mm / 2, 1}};
-  shape.mid_wall_radius = kMidWallRadius + moved / 2;
+  shape.mid_wall_radius = kMidWallRadius + lv_growth.x() / 2;
   return shape;
 }
 

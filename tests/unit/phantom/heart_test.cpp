@@ -4,7 +4,7 @@
 #include <map>
 
 #include "geometry/grid/distance_transform.h"
-#include "phantom/make_phantom.h"
+#include "heart.h"
 
 namespace voxtet {
 namespace {
@@ -41,12 +41,6 @@ std::map<Label, std::vector<Voxels>> components(const LabelVolume& volume) {
     std::sort(parts.begin(), parts.end(),
               [](const Voxels& a, const Voxels& b) { return a.size() > b.size(); });
   return found;
-}
-
-LabelVolume heart(const PhantomParams& params) {
-  const Result<LabelVolume> volume = make_phantom(params);
-  EXPECT_TRUE(volume.ok()) << (volume ? "" : volume.error().message);
-  return volume ? *volume : LabelVolume{};
 }
 
 /// Least distance (mm) from a voxel of `from` to one where `is_target(label, z_mm)`.

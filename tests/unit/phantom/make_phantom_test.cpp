@@ -179,6 +179,15 @@ TEST(MakePhantom, NamesTheParameterThatIsOutOfRange) {
   expect_error(PhantomKind::kBiventricle, "scale", [](P& p) { p.scale = 0; });
   expect_error(PhantomKind::kBiventricle, "roughness_mm", [](P& p) { p.roughness_mm = -0.1; });
   expect_error(PhantomKind::kBiventricle, "roughness_mm", [](P& p) { p.roughness_mm = 3; });
+  expect_error(PhantomKind::kBiventricle, "wall_scale", [](P& p) { p.wall_scale = 0.4; });
+  expect_error(PhantomKind::kBiventricle, "wall_scale", [&](P& p) { p.wall_scale = nan; });
+  expect_error(PhantomKind::kBiventricle, "length_scale", [](P& p) { p.length_scale = 1.4; });
+  expect_error(PhantomKind::kBiventricle, "rv_dilation", [](P& p) { p.rv_dilation = 0; });
+  expect_error(PhantomKind::kBiventricle, "rv_wall_mm", [](P& p) { p.rv_wall_mm = 2.9; });
+  expect_error(PhantomKind::kBiventricle, "scar_angle_deg", [](P& p) { p.scar_angle_deg = 181; });
+  expect_error(PhantomKind::kBiventricle, "scar_height_mm", [](P& p) { p.scar_height_mm = -21; });
+  expect_error(PhantomKind::kBiventricle, "scar_arc_mm", [](P& p) { p.scar_arc_mm = 73; });
+  expect_error(PhantomKind::kBiventricle, "scar_length_mm", [](P& p) { p.scar_length_mm = 15; });
   expect_error(PhantomKind::kBiventricle, "scar_depth", [](P& p) { p.scar_depth = 0; });
   expect_error(PhantomKind::kBiventricle, "scar_depth", [](P& p) { p.scar_depth = 1.1; });
   expect_error(PhantomKind::kBiventricle, "border_mm", [](P& p) { p.border_mm = -1; });
@@ -222,6 +231,15 @@ TEST(MakePhantom, GivesTheSameBytesOnEveryPlatform) {
   heart.scar_depth = 1;
   heart.isthmus_mm = 5;
   add("oblique heart with transmural scar", heart);
+  heart.wall_scale = 0.7;
+  heart.length_scale = 1.1;
+  heart.rv_dilation = 2.5;
+  heart.rv_wall_mm = 4.5;
+  heart.scar_angle_deg = -77;
+  heart.scar_height_mm = 7;
+  heart.scar_arc_mm = 37;
+  heart.scar_length_mm = 33;
+  add("oblique heart with a dilated right ventricle", heart);
   add("oblique torus", oblique(PhantomKind::kTorus, 1.3));
   add("oblique tube", oblique(PhantomKind::kBranchingTube, 1.3));
   EXPECT_EQ(digests["heart"], "e0eb08284fe089d6abddc3b8f8bc6d18a42f703b09fe9f1f2c9ae23561faa679");
@@ -229,6 +247,8 @@ TEST(MakePhantom, GivesTheSameBytesOnEveryPlatform) {
             "97e1254e189f8c4974c995b852da73edfebd46ce0cfa4d69465ffff19f014107");
   EXPECT_EQ(digests["oblique heart with transmural scar"],
             "92753774b96c91678793f9697db17ef7f6ebd19c5c6a19259a529d2f802babca");
+  EXPECT_EQ(digests["oblique heart with a dilated right ventricle"],
+            "7e2a2ed94c94b5179dec77fe98176a1c6e1d114a52e70b44fd9377d37ba76394");
   EXPECT_EQ(digests["oblique torus"], "ee3073071c7b25e32bc6e9d79e612a589bb05ee40e9b8a9072f99cce091358aa");
   EXPECT_EQ(digests["oblique tube"], "5c4e5553e6175275e73d2ba4050804e99c334b035469a23b5c06112c193c622f");
 }
