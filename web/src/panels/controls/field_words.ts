@@ -46,6 +46,11 @@ const words: Record<string, string> = {
 };
 
 const units: Record<string, string> = { deg: '°', voxel: 'vx' };
+/** Numbers without a unit that something is multiplied by. */
+const factors = new Set([
+  'volume.slice_ratio',
+  ...['scale', 'wall_scale', 'length_scale', 'rv_dilation'].map((name) => `source.phantom.${name}`),
+]);
 
 export function fieldWords(path: string): string {
   return words[path] ?? sentence(path.slice(path.lastIndexOf('.') + 1));
@@ -56,7 +61,7 @@ export function choiceWords(path: string, value: string): string {
 }
 
 export function fieldUnit(path: string, unit = ''): string {
-  return path === 'volume.slice_ratio' ? '×' : (units[unit] ?? unit);
+  return factors.has(path) ? '×' : (units[unit] ?? unit);
 }
 
 /** What parts of the recipe are called on the page. */
