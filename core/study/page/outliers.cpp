@@ -15,6 +15,7 @@ double at_part(const std::vector<double>& values, std::size_t quarters) {
 std::vector<std::optional<double>> numbers_of(const std::vector<nlohmann::ordered_json>& rows,
                                               const std::string& column) {
   std::vector<std::optional<double>> numbers;
+  numbers.reserve(rows.size());
   for (const nlohmann::ordered_json& row : rows)
     numbers.push_back(row.contains(column) && row[column].is_number()
                           ? std::optional(row[column].get<double>())

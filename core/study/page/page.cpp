@@ -196,6 +196,7 @@ std::string whole_table(const StudyTable& table, const std::string& base) {
 
 std::string study_page(const Study& study, const StudyTable& table, const std::string& base) {
   std::vector<std::string> judged;
+  judged.reserve(kShown.size());
   for (const Shown& shown : kShown) judged.emplace_back(shown.column);
   const std::vector<Outlier> outliers = find_outliers(table.rows, judged);
   std::vector<bool> marked(table.rows.size());
