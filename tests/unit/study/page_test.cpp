@@ -12,6 +12,7 @@ using Json = nlohmann::ordered_json;
 
 std::vector<Json> rows_of(const std::vector<double>& values) {
   std::vector<Json> rows;
+  rows.reserve(values.size() + 1);
   for (const double value : values) rows.push_back({{"x", value}});
   rows.push_back({{"x", nullptr}});
   return rows;

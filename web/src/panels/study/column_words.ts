@@ -69,11 +69,14 @@ const mainFigures = new Set([
   ...['passed', 'eikonal_last_ms', 'monodomain_last_ms', 'lv_ejection_fraction', 'seconds', 'peak_mb'],
 ]);
 
+const mostGiven = 4;
+
 /** What differs between the cases, and the main figures. */
 export function startingColumns({ columns }: Study): ReadonlySet<string> {
-  const isMain = ({ name, kind }: StudyColumn) =>
-    kind === 'given' ? name !== 'case' : mainFigures.has(name);
-  return new Set(columns.filter(isMain).map(({ name }) => name));
+  // Of a cohort so much is drawn that its figures would be out of sight.
+  const given = columns.filter(({ name, kind }) => kind === 'given' && name !== 'case').slice(0, mostGiven);
+  const figures = columns.filter(({ name, kind }) => kind !== 'given' && mainFigures.has(name));
+  return new Set([...given, ...figures].map(({ name }) => name));
 }
 
 /** Columns of numbers as the options of a select. */
