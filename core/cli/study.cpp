@@ -118,8 +118,10 @@ void add_study_command(CLI::App& command, StudyOptions& options, Output& output)
       .add_option("-o,--output", options.out, "folder of the results; what is done there is not done again")
       ->required()
       ->check(kNotEmpty);
-  command.add_option("--chunk", options.chunk,
-                     "run these cases only, as 2/5: the second of five parts; no table");
+  command
+      .add_option("--chunk", options.chunk,
+                  "run these cases only, as 2/5: the second of five parts; no table")
+      ->check(kNotEmpty);
   command.add_flag("--table", options.table_only, "run nothing, write the table of what is there");
   command
       .add_option("--plan", options.plan,

@@ -180,7 +180,7 @@ CaseOutcome run_case(const StudyCase& one, const StudyPlan& plan, const std::str
     cost["seconds"] = seconds_since(start);
     cost["peak_mb"] = peak_memory_mb();
     if (session.mesh()) outcome.files.push_back({"pictures/" + key + ".png", picture_of(session)});
-    if (done && session.mesh()) done = add_kept(session, plan, key, outcome.files);
+    if (done) done = add_kept(session, plan, key, outcome.files);
   } catch (const std::bad_alloc&) {
     done = Error{ErrorCode::kOutOfMemory, "study", "out of memory", {}};
   }

@@ -191,6 +191,12 @@ Status read_plan(const Json& object, StudyPlan& plan) {
     if (ending != "report")
       if (const Result<MeshFormat> format = mesh_format_of("mesh." + ending); !format)
         return wrong("keep: " + format.error().message + "; or report");
+    const auto gives_mesh = [](Stage stage) {
+      return stage == Stage::kOptimise || needs(stage, Stage::kOptimise);
+    };
+    if (ending != "report" && std::none_of(plan.stages.begin(), plan.stages.end(), gives_mesh))
+      return wrong("keep: found " + ending +
+                   ", a mesh, which none of the stages makes; expected quality among them");
     plan.keep.push_back(ending);
   }
   return std::monostate{};

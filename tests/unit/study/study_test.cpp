@@ -66,6 +66,7 @@ TEST_F(StudyTest, SaysWhichFieldIsWrong) {
       {R"("stages":["mesh"])", "stages: "},
       {R"("stages":"quality")", "stages: found \"quality\", expected a list of texts"},
       {R"("keep":["jpg"])", "keep: "},
+      {R"("keep":["vtu"],"stages":["sizing"])", "keep: found vtu, a mesh"},
       {R"("title":3)", "title: found 3"},
   };
   for (const auto& [fields, message] : wrong) {
