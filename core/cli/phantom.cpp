@@ -62,7 +62,8 @@ Status write_body(const Recipe& recipe, const std::string& path) {
 }
 
 Status write_cohort(const Recipe& recipe, const PhantomOptions& options) {
-  Cohort cohort{.hearts = static_cast<std::size_t>(options.hearts), .seed = options.seed, .draws = {}};
+  Cohort cohort{
+      .hearts = static_cast<std::size_t>(options.hearts), .seed = options.seed.value_or(1), .draws = {}};
   for (const std::string& text : options.draw) {
     Result<Draw> draw = to_draw(text);
     if (!draw) return draw.error();
@@ -109,6 +110,9 @@ int run_phantom(const PhantomOptions& options) {
     const Status written = write_cohort(*recipe, options);
     return written ? kExitOk : fail(written.error());
   }
+  if (options.seed)
+    return fail(usage_error(
+        "cli", "--seed " + std::to_string(*options.seed) + ": expected --hearts too, which are drawn by it"));
   if (!options.draw.empty())
     return fail(usage_error(
         "cli", "--draw " + options.draw[0] + ": expected --hearts too, of which it is drawn for each"));

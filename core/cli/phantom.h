@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,10 @@ namespace voxtet {
 
 struct PhantomOptions {
   std::string kind, out;
-  std::vector<std::string> set;   ///< NAME=VALUE
-  std::vector<std::string> draw;  ///< NAME=FROM:TO or NAME=A,B,...
-  int hearts = 0;                 ///< 0: one body, `out` is a file; else a cohort, `out` is a folder
-  std::uint32_t seed = 1;         ///< of the cohort
+  std::vector<std::string> set;       ///< NAME=VALUE
+  std::vector<std::string> draw;      ///< NAME=FROM:TO or NAME=A,B,...
+  int hearts = 0;                     ///< 0: one body, `out` is a file; else a cohort, `out` is a folder
+  std::optional<std::uint32_t> seed;  ///< of the cohort; 1 if absent
 };
 
 void add_phantom_command(CLI::App& command, PhantomOptions& options);

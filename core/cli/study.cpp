@@ -23,12 +23,14 @@ using nlohmann::json;
 /// "2/5". Errors: kUsage.
 Result<Chunk> to_chunk(const std::string& text) {
   if (text.empty()) return Chunk{};
-  Chunk chunk;
-  int end = 0;
-  const int read = std::sscanf(text.c_str(), "%zu/%zu%n", &chunk.index, &chunk.of, &end);
-  const bool fits = read == 2 && static_cast<std::size_t>(end) == text.size() && text[0] != '-' &&
-                    text.find("/-") == std::string::npos && chunk.index >= 1 && chunk.index <= chunk.of;
-  if (fits) return chunk;
+  const std::vector<std::string> parts = split(text, '/');
+  const auto is_number = [](const std::string& part) {
+    return !part.empty() && part.size() <= 9 && part.find_first_not_of("0123456789") == std::string::npos;
+  };
+  if (parts.size() == 2 && is_number(parts[0]) && is_number(parts[1])) {
+    const Chunk chunk{std::stoul(parts[0]), std::stoul(parts[1])};
+    if (chunk.index >= 1 && chunk.index <= chunk.of) return chunk;
+  }
   return usage_error("cli", "--chunk: found '" + text + "', expected one of so many, as 2/5");
 }
 
@@ -41,6 +43,13 @@ Status check_options(const StudyOptions& options) {
 
 std::string in(const StudyOptions& options, const char* name) {
   return (std::filesystem::path(options.out) / name).string();
+}
+
+Status make_folder(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (!failed) return std::monostate{};
+  return Error{ErrorCode::kBadInput, "cli", path + ": cannot be made: " + failed.message(), {}};
 }
 
 /// Memory and time of each chunk, by the forecasts of its cases.
@@ -64,16 +73,14 @@ Status write_plan(const Study& study, const StudyOptions& options, const CaseLim
                       {"memory_mb", memory_mb},
                       {"seconds", seconds}});
   }
-  std::error_code failed;
-  std::filesystem::create_directories(options.out, failed);
+  if (Status made = make_folder(options.out); !made) return made;
   return write_text_file(in(options, "plan.json"),
                          text_of({{"cases", study.cases.size()}, {"chunks", chunks}}) + "\n");
 }
 
 Status write_table(const Study& study, const StudyOptions& options) {
+  if (Status made = make_folder(options.out); !made) return made;
   const StudyTable table = read_table(study, options.out);
-  std::error_code failed;
-  std::filesystem::create_directories(options.out, failed);
   const std::vector<std::pair<const char*, std::string>> files{
       {"table.csv", csv_of(table.rows)},
       {"table.jsonl", json_lines_of(table.rows)},
@@ -81,12 +88,9 @@ Status write_table(const Study& study, const StudyOptions& options) {
       {"index.html", study_page(study, table, options.base)}};
   for (const auto& [name, text] : files)
     if (Status written = write_text_file(in(options, name), text); !written) return written;
-  const auto count = [&](const char* status) {
-    return std::count_if(table.rows.begin(), table.rows.end(),
-                         [&](const auto& row) { return row["status"] == status; });
-  };
-  std::printf("%zu cases: %td done, %td failed, %td not run; see %s\n", table.rows.size(), count("done"),
-              count("failed"), count("missing"), in(options, "index.html").c_str());
+  std::printf("%zu cases: %zu done, %zu failed, %zu not run; see %s\n", table.rows.size(),
+              count_of(table.rows, "done"), count_of(table.rows, "failed"), count_of(table.rows, "missing"),
+              in(options, "index.html").c_str());
   return std::monostate{};
 }
 
@@ -130,7 +134,9 @@ void add_study_command(CLI::App& command, StudyOptions& options, Output& output)
           number_as("a number of chunks as 5", [](double n) { return n >= 1 && n <= 1e5 && is_whole(n); }));
   command.add_option("--jobs", options.jobs, "cases at once, 1 if absent")
       ->check(number_as("a whole number as 2", [](double n) { return n >= 1 && n <= 1e4 && is_whole(n); }));
-  command.add_option("--threads", output.threads, "threads of a case, 0 (as if absent) for one a core")
+  command
+      .add_option("--threads", output.threads,
+                  "threads of a case; 0, as if absent, for as many as there are cores, divided by the jobs")
       ->check(number_as("a whole number as 2; 0 for one a core",
                         [](double n) { return n >= 0 && n <= 1e6 && is_whole(n); }));
   command
@@ -148,9 +154,10 @@ int run_study_command(const StudyOptions& options, const Output& output) {
   if (!chunk) return fail(chunk.error(), output);
   const Result<Study> study = read_study(options.input);
   if (!study) return fail(study.error(), output);
-  const CaseLimits limits{.threads = output.threads > 0 ? output.threads : hardware_threads(),
-                          .memory_mb = options.memory_mb,
-                          .time_limit_s = output.time_limit_s};
+  const CaseLimits limits{
+      .threads = output.threads > 0 ? output.threads : std::max(1, hardware_threads() / options.jobs),
+      .memory_mb = options.memory_mb,
+      .time_limit_s = output.time_limit_s};
   if (options.plan > 0) {
     const Status planned = write_plan(*study, options, limits);
     return planned ? kExitOk : fail(planned.error(), output);

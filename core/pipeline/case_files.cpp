@@ -20,6 +20,15 @@ Result<Recipe> read_case_file(const std::string& path) {
   return error;
 }
 
+Result<Bytes> read_case_bytes(const std::string& path) {
+  std::error_code failed;
+  const fs::file_status found = fs::status(path, failed);
+  if (fs::exists(found) && !fs::is_regular_file(found))
+    return Error{
+        ErrorCode::kBadInput, "files", path + ": found a folder, pipe or device, expected a file", {}};
+  return read_file(path);
+}
+
 VolumeFile file_at(const std::string& path, std::span<const std::uint8_t> bytes) {
   return {fs::path(path).filename().string(), bytes,
           [folder = fs::path(path).parent_path()](const std::string& name) {
@@ -39,7 +48,7 @@ SidePaths side_paths(const Recipe& recipe, const std::string& folder) {
 Status load_side_files(const SidePaths& paths, Session& session) {
   const auto load = [&](const std::vector<std::string>& files, Status (Session::*take)(const VolumeFile&)) {
     for (const std::string& path : files) {
-      const Result<Bytes> bytes = read_file(path);
+      const Result<Bytes> bytes = read_case_bytes(path);
       if (!bytes) return Status(bytes.error());
       if (Status loaded = (session.*take)(file_at(path, *bytes)); !loaded) return loaded;
     }

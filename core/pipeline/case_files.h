@@ -16,6 +16,10 @@ namespace voxtet {
 /// the file.
 Result<Recipe> read_case_file(const std::string& path);
 
+/// The bytes of a file that a case names. Errors: kBadInput if it is no file, as a folder or a pipe, or
+/// cannot be read.
+Result<Bytes> read_case_bytes(const std::string& path);
+
 /// A file of which the bytes are at hand, with those beside it.
 VolumeFile file_at(const std::string& path, std::span<const std::uint8_t> bytes);
 

@@ -19,11 +19,11 @@ namespace voxtet {
 
 #ifdef __EMSCRIPTEN__
 
-std::optional<int> start_process(const std::function<int()>&, double) {
-  return std::nullopt;
+Result<int> start_process(const std::function<int()>&, double) {
+  return Error{ErrorCode::kInternal, "study", "there are no processes on WebAssembly", {}};
 }
-ProcessEnd wait_for_process() {
-  return {};
+std::optional<ProcessEnd> wait_for_process() {
+  return std::nullopt;
 }
 void relax_memory_limit() {}
 std::string name_of_signal(int signal) {
@@ -44,10 +44,15 @@ void limit_memory(rlim_t bytes) {
 
 }  // namespace
 
-std::optional<int> start_process(const std::function<int()>& work, double memory_mb) {
-  std::fflush(nullptr);  // or both would write it
+Result<int> start_process(const std::function<int()>& work, double memory_mb) {
+  std::signal(SIGCHLD, SIG_DFL);  // where the caller of this program ignores it, no end would be told
+  std::fflush(nullptr);           // or both would write it
   const pid_t parent = getpid(), id = fork();
-  if (id < 0) return std::nullopt;
+  if (id < 0)
+    return Error{ErrorCode::kOutOfMemory,
+                 "study",
+                 std::string("no process could be started: ") + std::strerror(errno),
+                 {}};
   if (id > 0) return static_cast<int>(id);
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -59,12 +64,13 @@ std::optional<int> start_process(const std::function<int()>& work, double memory
   _exit(code);
 }
 
-ProcessEnd wait_for_process() {
+std::optional<ProcessEnd> wait_for_process() {
   int status = 0;
   pid_t id = 0;
   do {
     id = wait(&status);
   } while (id < 0 && errno == EINTR);
+  if (id < 0) return std::nullopt;
   ProcessEnd end{.id = static_cast<int>(id)};
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
   if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);

@@ -34,7 +34,7 @@ Result<Draw> parse_draw(const std::string& field, const json& value) {
     return draw;
   }
   return usage_error("study",
-                     "draw." + field + ": found " + value.dump() +
+                     "the draw of " + field + ": found " + value.dump() +
                          R"(, expected {"from": 0.8, "to": 1.2}, the lesser first, or {"among": [1, 2]})");
 }
 

@@ -1,13 +1,9 @@
 #include "study/run_case.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <new>
 
-#include "base/digest.h"
-#include "io/bytes/files.h"
 #include "io/mesh/write_mesh.h"
 #include "pipeline/case_files.h"
 #include "pipeline/exports/exported_fields.h"
@@ -22,7 +18,6 @@
 namespace voxtet {
 namespace {
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
@@ -38,27 +33,10 @@ RunContext context_of(const CaseLimits& limits, Clock::time_point start) {
   return ctx;
 }
 
-/// Files whose name differs in the ending only: of a header that has its voxels elsewhere, these are among
-/// them.
-std::vector<std::string> files_beside(const std::string& path) {
-  const auto stem = [](const fs::path& file) {
-    const std::string name = file.filename().string();
-    return name.substr(0, name.find('.', 1));
-  };
-  std::vector<std::string> found;
-  std::error_code failed;
-  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed))
-    if (stem(entry.path()) == stem(path) && entry.is_regular_file(failed))
-      found.push_back(entry.path().string());
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
 Status open(const StudyCase& one, const StudyPlan& plan, Session& session) {
   Recipe recipe = one.recipe;
   if (!one.volume_path.empty()) {
-    const Result<Bytes> bytes = read_file(one.volume_path);
+    const Result<Bytes> bytes = read_case_bytes(one.volume_path);
     if (!bytes) return bytes.error();
     if (Status loaded = session.load_volume(file_at(one.volume_path, *bytes), recipe.source.read); !loaded)
       return loaded;
@@ -74,25 +52,37 @@ bool is_of_machine(const Error& error) {
   return error.code == ErrorCode::kOutOfMemory && error.stage != "forecast";
 }
 
+/// A text in which no path begins with a folder any more.
+std::string without(std::string text, const std::string& folder) {
+  const std::string beginning = folder + "/";
+  for (std::size_t at = 0; !folder.empty() && (at = text.find(beginning, at)) != std::string::npos; ++at)
+    if (at == 0 || text[at - 1] == ' ') text.erase(at, beginning.size());
+  return text;
+}
+
 std::string number_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
 
-std::string reason_of(const Error& error, const CaseLimits& limits) {
+/// Why a case failed. Where the study lies is nothing that its table depends on.
+std::string reason_of(const Error& error, const StudyPlan& plan, const CaseLimits& limits) {
   if (error.code == ErrorCode::kCancelled)
     return "given up after the " + number_text(limits.time_limit_s) + " s of --time-limit";
   if (is_of_machine(error) && limits.memory_mb > 0)
     return error.message + ", with the " + number_text(limits.memory_mb) + " MB of --memory-mb";
-  return error.message;
+  return without(without(error.message, plan.folder), plan.study_folder);
+}
+
+Json unknown_cost() {
+  return {
+      {"seconds", nullptr}, {"peak_mb", nullptr}, {"forecast_seconds", nullptr}, {"forecast_mb", nullptr}};
 }
 
 Json record_of(const Recipe& recipe, const std::string& key, const Json& figures) {
-  const Json none{
-      {"seconds", nullptr}, {"peak_mb", nullptr}, {"forecast_seconds", nullptr}, {"forecast_mb", nullptr}};
-  return {{"key", key},     {"status", "done"},   {"stage", nullptr}, {"reason", nullptr},
-          {"again", false}, {"figures", figures}, {"cost", none},     {"link", link_fragment(recipe)}};
+  return {{"key", key},     {"status", "done"},   {"stage", nullptr},       {"reason", nullptr},
+          {"again", false}, {"figures", figures}, {"cost", unknown_cost()}, {"link", link_fragment(recipe)}};
 }
 
 void put_failure(Json& record, const std::string& stage, const std::string& reason, bool again) {
@@ -137,26 +127,6 @@ Status run_stages(const StudyPlan& plan, Session& session, RunContext& ctx, Json
 
 }  // namespace
 
-std::string key_of(const StudyCase& one, const StudyPlan& plan) {
-  Sha256 sha;
-  sha.update("study 1\n" + engine_version() + "\n" + physics_version() + "\n" +
-             recipe_to_json(one.recipe, true).dump() + "\n");
-  for (const Stage stage : plan.stages) sha.update(name_of(stage) + "\n");
-  for (const std::string& ending : plan.keep) sha.update("keep " + ending + "\n");
-  std::vector<std::string> paths;
-  if (!one.volume_path.empty()) paths = files_beside(one.volume_path);
-  const auto [masks, images] = side_paths(one.recipe, plan.folder);
-  paths.insert(paths.end(), masks.begin(), masks.end());
-  paths.insert(paths.end(), images.begin(), images.end());
-  for (const std::string& path : paths) {
-    const Result<Bytes> bytes = read_file(path);
-    sha.update(fs::path(path).filename().string() + (bytes ? " " + std::to_string(bytes->size()) : "") +
-               "\n");
-    if (bytes) sha.update(*bytes);
-  }
-  return sha.hex();
-}
-
 Json failed_record(const StudyCase& one, const std::string& key, const std::string& stage,
                    const std::string& reason) {
   Json record = record_of(one.recipe, key, no_figures());
@@ -188,7 +158,7 @@ CaseOutcome run_case(const StudyCase& one, const StudyPlan& plan, const std::str
     // How far a machine came that failed is by chance.
     const bool of_machine = is_of_machine(done.error());
     outcome.record = record_of(one.recipe, key, of_machine ? no_figures() : figures_of(session));
-    put_failure(outcome.record, done.error().stage, reason_of(done.error(), limits), of_machine);
+    put_failure(outcome.record, done.error().stage, reason_of(done.error(), plan, limits), of_machine);
     if (of_machine) outcome.files.clear();
   } else {
     Recipe recipe = session.recipe();

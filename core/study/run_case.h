@@ -18,18 +18,13 @@ struct CaseLimits {
   double time_limit_s = 0;  ///< 0: as long as it takes
 };
 
-/// By what the record of a case is known: a digest of the engine, the recipe, the stages, what is kept, and
-/// of the bytes of its files and of those beside the volume that differ in their ending only. A file that
-/// cannot be read counts as one without bytes.
-std::string key_of(const StudyCase& one, const StudyPlan& plan);
-
 /// A file of a case, below the folder of the study.
 struct CaseFile {
   std::string path;  ///< as "pictures/KEY.png"
   Bytes bytes;
 };
 
-/// {key, status, stage, reason, again, figures, link, cost}. `status` is "done" or "failed". A failure that
+/// {key, status, stage, reason, again, figures, cost, link}. `status` is "done" or "failed". A failure that
 /// is the machine's and not the case's (memory, time, a full disk) shall be tried `again`. `cost`: seconds,
 /// peak_mb, forecast_seconds, forecast_mb; null where unknown.
 struct CaseOutcome {

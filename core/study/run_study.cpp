@@ -1,14 +1,16 @@
 #include "study/run_study.h"
 
-#include <deque>
+#include <chrono>
+#include <exception>
 #include <filesystem>
 #include <map>
-#include <new>
 #include <optional>
 #include <utility>
 
 #include "io/bytes/files.h"
+#include "study/case_key.h"
 #include "study/child_process.h"
+#include "study/figures.h"
 
 namespace voxtet {
 namespace {
@@ -48,21 +50,28 @@ Status write_record(const std::string& out, const Json& record) {
                          record.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
+bool is_done(const Json& record) {
+  return record.is_object() && record["status"] == "done";
+}
+
 /// Writes the files of a case, then its record: where that is, all of them are. Where there is no place for
-/// them, the record says so.
+/// them, the record says so. What another run has done meanwhile stays.
 Status write_outcome(const std::string& out, const Reserve& reserve, CaseOutcome& outcome) {
+  const std::string key = outcome.record["key"];
+  if (!is_done(outcome.record) && is_done(record_at(out, key))) return std::monostate{};
   std::vector<std::string> paths;
-  for (const CaseFile& file : outcome.files) paths.push_back((fs::path(out) / file.path).string());
   std::vector<TargetFile> targets;
+  for (const CaseFile& file : outcome.files) paths.push_back((fs::path(out) / file.path).string());
   for (std::size_t i = 0; i < paths.size(); ++i) targets.push_back({paths[i], outcome.files[i].bytes});
   Status written = place_files(targets);
   if (written) written = write_record(out, outcome.record);
   if (written) return written;
   reserve.give_up();
-  for (const auto& [column, value] : outcome.record["figures"].items())
-    outcome.record["figures"][column] = nullptr;
-  outcome.record.update(
-      {{"status", "failed"}, {"stage", "study"}, {"reason", written.error().message}, {"again", true}});
+  const std::string beginning = out + "/";
+  std::string reason = written.error().message;
+  if (reason.starts_with(beginning)) reason.erase(0, beginning.size());
+  outcome.record["figures"] = no_figures();
+  outcome.record.update({{"status", "failed"}, {"stage", "study"}, {"reason", reason}, {"again", true}});
   return write_record(out, outcome.record);
 }
 
@@ -71,8 +80,8 @@ struct Job {
   std::string key;
 };
 
-/// Runs a case and writes what it gave; the exit code of its process.
-int work(const Job& job, const Study& study, const StudyRun& run, const Reserve& reserve) {
+/// Runs a case and writes what it gave.
+Status work(const Job& job, const Study& study, const StudyRun& run, const Reserve& reserve) {
   CaseOutcome outcome;
   try {
     outcome = run_case(*job.one, study.plan, job.key, run.limits);
@@ -81,15 +90,25 @@ int work(const Job& job, const Study& study, const StudyRun& run, const Reserve&
     outcome.record = failed_record(*job.one, job.key, "study", error.what());
   }
   relax_memory_limit();
-  return write_outcome(run.out, reserve, outcome) ? 0 : kNotWritten;
+  return write_outcome(run.out, reserve, outcome);
 }
 
-/// A process that died has not written why.
-Status write_death(const Job& job, const ProcessEnd& end, const StudyRun& run, const Reserve& reserve) {
+/// The record of a case whose process has not written any.
+Status write_failure(const Job& job, const std::string& reason, const StudyRun& run, const Reserve& reserve) {
   CaseOutcome outcome;
-  outcome.record =
-      failed_record(*job.one, job.key, "study", "its process was ended by " + name_of_signal(end.signal));
+  outcome.record = failed_record(*job.one, job.key, "study", reason);
   return write_outcome(run.out, reserve, outcome);
+}
+
+/// Files that a run began to write before it was killed. Other runs may be writing now, but not for an hour.
+void remove_litter(const std::string& folder) {
+  constexpr std::chrono::hours kOld{1};
+  std::error_code failed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed)) {
+    const bool is_part = entry.path().filename().string().find(".part") != std::string::npos;
+    if (is_part && fs::file_time_type::clock::now() - entry.last_write_time(failed) > kOld)
+      fs::remove(entry.path(), failed);
+  }
 }
 
 }  // namespace
@@ -105,9 +124,14 @@ Json record_at(const std::string& out, const std::string& key) {
   const Result<Bytes> bytes = read_file(record_path(out, key));
   if (!bytes) return nullptr;
   Json record = Json::parse(bytes->begin(), bytes->end(), nullptr, false);
-  const auto has = [&](const char* field) { return record.contains(field); };
-  const bool whole = record.is_object() && has("status") && has("stage") && has("reason") && has("again") &&
-                     has("figures") && has("cost") && has("link");
+  if (!record.is_object()) return nullptr;
+  const auto is = [&](const char* field, bool (Json::*kind)() const noexcept) {
+    return record.contains(field) && (record[field].*kind)();
+  };
+  const bool whole = is("key", &Json::is_string) && is("status", &Json::is_string) &&
+                     is("again", &Json::is_boolean) && is("figures", &Json::is_object) &&
+                     is("cost", &Json::is_object) && is("link", &Json::is_string) &&
+                     record.contains("stage") && record.contains("reason");
   return whole && record["key"] == key ? record : Json(nullptr);
 }
 
@@ -119,44 +143,62 @@ Status run_study(const Study& study, const StudyRun& run) {
       return Error{
           ErrorCode::kBadInput, "study", (fs::path(run.out) / folder).string() + ": " + failed.message(), {}};
   }
+  for (const char* folder : {"cases", "files", "pictures"})
+    remove_litter((fs::path(run.out) / folder).string());
   const Reserve reserve(run.out, run.chunk);
   std::size_t not_written = 0;
-  const auto tell = [&](const Job& job, bool was_there) {
-    const Json record = record_at(run.out, job.key);
-    if (record.is_null()) ++not_written;
-    if (run.on_case) run.on_case(*job.one, record, was_there);
+  std::string why;
+  const auto tell = [&](const Job& job, bool was_there, bool written) {
+    if (!written) {
+      ++not_written;
+      if (const Status place = check_place(record_path(run.out, job.key)); !place)
+        why = place.error().message;
+    }
+    if (run.on_case) run.on_case(*job.one, written ? record_at(run.out, job.key) : Json(nullptr), was_there);
   };
   std::map<int, Job> running;
   const auto finish_one = [&] {
-    const ProcessEnd end = wait_for_process();
-    const auto found = running.find(end.id);
+    const std::optional<ProcessEnd> end = wait_for_process();
+    if (!end) {  // somebody else has waited for them
+      for (const auto& [id, job] : running) tell(job, false, !record_at(run.out, job.key).is_null());
+      running.clear();
+      return;
+    }
+    const auto found = running.find(end->id);
     if (found == running.end()) return;
-    if (end.signal != 0) write_death(found->second, end, run, reserve);
-    tell(found->second, false);
+    bool written = end->exit_code == 0;
+    if (end->signal != 0)
+      written = write_failure(found->second, "its process was ended by " + name_of_signal(end->signal), run,
+                              reserve)
+                    .ok();
+    tell(found->second, false, written);
     running.erase(found);
   };
+  CaseKeys keys(study.plan);
   for (const StudyCase* one : cases_of_chunk(study, run.chunk)) {
-    const Job job{one, key_of(*one, study.plan)};
-    if (const Json record = record_at(run.out, job.key); !record.is_null() && !record.value("again", false)) {
-      tell(job, true);
+    const Job job{one, keys.of(*one)};
+    if (const Json record = record_at(run.out, job.key); !record.is_null() && !record["again"].get<bool>()) {
+      tell(job, true, true);
+      continue;
+    }
+    if (!kHasProcesses) {
+      tell(job, false, work(job, study, run, reserve).ok());
       continue;
     }
     while (static_cast<int>(running.size()) >= run.jobs) finish_one();
-    const std::optional<int> id =
-        start_process([&] { return work(job, study, run, reserve); }, run.limits.memory_mb);
-    if (id) {
+    const Result<int> id =
+        start_process([&] { return work(job, study, run, reserve) ? 0 : kNotWritten; }, run.limits.memory_mb);
+    if (id)
       running.emplace(*id, job);
-    } else {
-      work(job, study, run, reserve);
-      tell(job, false);
-    }
+    else
+      tell(job, false, write_failure(job, id.error().message, run, reserve).ok());
   }
   while (!running.empty()) finish_one();
   if (not_written == 0) return std::monostate{};
   return Error{ErrorCode::kBadInput,
                "study",
-               run.out + ": the records of " + std::to_string(not_written) +
-                   " cases could not be written; make room, and run the study again",
+               "the records of " + std::to_string(not_written) + " cases could not be written" +
+                   (why.empty() ? "" : " (" + why + ")") + "; mend that, and run the study again",
                {}};
 }
 

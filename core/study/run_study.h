@@ -24,7 +24,8 @@ struct StudyRun {
   Chunk chunk;
   int jobs = 1;  ///< cases at once; WebAssembly has one at a time, in the process itself
   CaseLimits limits;
-  /// Is told of each case that has ended, or that was there before.
+  /// Is told of each case that has ended, or that was there before; `record` is null where it could not be
+  /// written.
   std::function<void(const StudyCase&, const nlohmann::ordered_json& record, bool was_there)> on_case;
 };
 

@@ -1,13 +1,13 @@
 #include "study/study.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "io/bytes/files.h"
@@ -32,17 +32,24 @@ json plain(const Json& value) {
   return json::parse(value.dump());
 }
 
+/// A value in a message, cut short.
+std::string shown(const Json& value) {
+  constexpr std::size_t kMost = 80;
+  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return text.size() <= kMost ? text : text.substr(0, kMost) + "...";
+}
+
 /// The study as it is written, before cases are formed.
 struct Draft {
   Recipe recipe;
-  std::vector<std::string> volumes;  ///< paths
+  std::vector<std::string> volumes;  ///< paths from the study's folder
   std::optional<Cohort> cohort;
   std::vector<std::pair<std::string, std::vector<json>>> grid;
   std::vector<NamedChange> list;
 };
 
 Status check_fields(const Json& object, const std::string& where, const std::vector<std::string>& known) {
-  if (!object.is_object()) return wrong(where + ": found " + object.dump() + ", expected an object");
+  if (!object.is_object()) return wrong(where + ": found " + shown(object) + ", expected an object");
   for (const auto& [name, value] : object.items())
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       std::string fields;
@@ -52,21 +59,58 @@ Status check_fields(const Json& object, const std::string& where, const std::vec
   return std::monostate{};
 }
 
-/// The files of a path, whose last part may have * and ?; sorted.
-Result<std::vector<std::string>> matches(const std::string& folder, const std::string& pattern) {
-  const fs::path whole = fs::path(folder) / pattern;
-  const std::string name = whole.filename().string();
-  if (name.find_first_of("*?[") == std::string::npos) return std::vector<std::string>{whole.string()};
-  std::vector<std::string> found;
+bool is_utf8(const std::string& text) {
+  try {
+    (void)Json(text).dump();
+    return true;
+  } catch (const Json::exception&) {
+    return false;
+  }
+}
+
+/// Whether a name is as a pattern says: * stands for any text, ? for one character.
+bool fits(std::string_view name, std::string_view pattern) {
+  if (pattern.empty()) return name.empty();
+  if (pattern[0] == '*')
+    return fits(name, pattern.substr(1)) || (!name.empty() && fits(name.substr(1), pattern));
+  return !name.empty() && (pattern[0] == '?' || pattern[0] == name[0]) &&
+         fits(name.substr(1), pattern.substr(1));
+}
+
+/// The paths from `base` on that begin with `start` and go on as the parts of a pattern say; sorted. Names
+/// that begin with a dot only where the pattern does. A path without * and ? need not be there.
+std::vector<fs::path> paths_like(const fs::path& base, const fs::path& start, fs::path::const_iterator part,
+                                 fs::path::const_iterator end) {
+  if (part == end) return {start};
+  const std::string pattern = part->string();
+  ++part;
+  if (pattern.find_first_of("*?") == std::string::npos) return paths_like(base, start / pattern, part, end);
+  std::vector<fs::path> names, found;
   std::error_code failed;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(whole.has_parent_path() ? whole.parent_path() : fs::path("."), failed))
-    if (fnmatch(name.c_str(), entry.path().filename().c_str(), FNM_PERIOD) == 0)
-      found.push_back((whole.parent_path() / entry.path().filename()).string());
-  if (found.empty())
-    return Error{
-        ErrorCode::kBadInput, "study", "volumes: found no file " + whole.string() + ", expected some", {}};
-  std::sort(found.begin(), found.end());
+  const fs::path folder = base / start;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, failed)) {
+    const std::string name = entry.path().filename().string();
+    if (fits(name, pattern) && (name[0] != '.' || pattern[0] == '.')) names.emplace_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  for (const fs::path& name : names)
+    for (fs::path& path : paths_like(base, start / name, part, end))
+      if (fs::exists(base / path, failed)) found.push_back(std::move(path));
+  return found;
+}
+
+/// The volumes that a pattern means, as paths from the folder. Errors: kBadInput if there is none, and for a
+/// name that no table can hold.
+Result<std::vector<std::string>> matches(const std::string& folder, const std::string& text) {
+  const auto bad = [](const std::string& what) { return Error{ErrorCode::kBadInput, "study", what, {}}; };
+  const fs::path pattern = text;
+  std::vector<std::string> found;
+  for (const fs::path& path : paths_like(folder, {}, pattern.begin(), pattern.end())) {
+    found.push_back(path.string());
+    if (!is_utf8(found.back()))
+      return bad("volumes: found " + shown(found.back()) + ", a name that is no UTF-8; expected one that is");
+  }
+  if (found.empty()) return bad("volumes: found no file " + text + ", expected some");
   return found;
 }
 
@@ -77,7 +121,7 @@ Result<std::vector<std::string>> texts_of(const Json& object, const std::string&
   const bool fits = value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& text) {
                       return text.is_string() && !text.get_ref<const std::string&>().empty();
                     });
-  if (!fits) return wrong(field + ": found " + value.dump() + ", expected a list of texts");
+  if (!fits) return wrong(field + ": found " + shown(value) + ", expected a list of texts");
   for (const Json& text : value) texts.push_back(text);
   return texts;
 }
@@ -122,17 +166,17 @@ Status read_cohort(const Json& object, Draft& draft) {
            value[field] <= most;
   };
   if (!whole("hearts", 1, kMostCases))
-    return wrong("cohort.hearts: found " + (value.contains("hearts") ? value["hearts"].dump() : "none") +
-                 ", expected a whole number from 1");
+    return wrong("cohort.hearts: found " + (value.contains("hearts") ? shown(value["hearts"]) : "none") +
+                 ", expected a whole number from 1 to " + std::to_string(kMostCases));
   Cohort cohort{.hearts = value["hearts"]};
   if (value.contains("seed")) {
     if (!whole("seed", 0, std::numeric_limits<std::uint32_t>::max()))
-      return wrong("cohort.seed: found " + value["seed"].dump() + ", expected a whole number from 0");
+      return wrong("cohort.seed: found " + shown(value["seed"]) + ", expected a whole number from 0");
     cohort.seed = value["seed"];
   }
   if (value.contains("draw")) {
     if (!value["draw"].is_object())
-      return wrong("cohort.draw: found " + value["draw"].dump() +
+      return wrong("cohort.draw: found " + shown(value["draw"]) +
                    R"(, expected {"source.phantom.scale": {...}})");
     for (const auto& [field, from] : value["draw"].items()) {
       Result<Draw> draw = parse_draw(field, plain(from));
@@ -147,10 +191,10 @@ Status read_cohort(const Json& object, Draft& draft) {
 Status read_grid(const Json& object, Draft& draft) {
   if (!object.contains("grid")) return std::monostate{};
   if (!object["grid"].is_object())
-    return wrong("grid: found " + object["grid"].dump() + R"(, expected {"sizing.edge_mm": [2, 3]})");
+    return wrong("grid: found " + shown(object["grid"]) + R"(, expected {"sizing.edge_mm": [2, 3]})");
   for (const auto& [field, values] : object["grid"].items()) {
     if (!values.is_array() || values.empty())
-      return wrong("grid." + field + ": found " + values.dump() + ", expected a list of values");
+      return wrong("grid." + field + ": found " + shown(values) + ", expected a list of values");
     draft.grid.emplace_back(field, plain(values).get<std::vector<json>>());
   }
   return std::monostate{};
@@ -159,14 +203,14 @@ Status read_grid(const Json& object, Draft& draft) {
 Status read_list(const Json& object, Draft& draft) {
   if (!object.contains("list")) return std::monostate{};
   if (!object["list"].is_array() || object["list"].empty())
-    return wrong("list: found " + object["list"].dump() + ", expected a list of changes");
+    return wrong("list: found " + shown(object["list"]) + ", expected a list of changes");
   std::set<std::string> names;
   for (const Json& entry : object["list"]) {
     const std::string where = "list[" + std::to_string(draft.list.size()) + "]";
     if (Status known = check_fields(entry, where, {"name", "set"}); !known) return known;
     if (!entry.contains("name") || !entry["name"].is_string() || !entry.contains("set") ||
         !entry["set"].is_object())
-      return wrong(where + ": found " + entry.dump() +
+      return wrong(where + ": found " + shown(entry) +
                    R"(, expected {"name": "coarse", "set": {"sizing.edge_mm": 3}})");
     NamedChange change{.name = entry["name"]};
     if (!names.insert(change.name).second)
@@ -188,6 +232,10 @@ Status read_plan(const Json& object, StudyPlan& plan) {
   if (plan.stages.empty()) plan.stages = {Stage::kQuality};
   if (!keep) return keep.error();
   for (const std::string& ending : *keep) {
+    const auto is_word = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
+    if (!std::all_of(ending.begin(), ending.end(), is_word))
+      return wrong("keep: found " + shown(ending) +
+                   ", expected an ending without the dot, as vtu, or report");
     if (ending != "report")
       if (const Result<MeshFormat> format = mesh_format_of("mesh." + ending); !format)
         return wrong("keep: " + format.error().message + "; or report");
@@ -206,6 +254,26 @@ std::string text_of_value(const json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+/// Fields that two parts of a study set: one would win in silence.
+Status check_set_once(const Draft& draft) {
+  std::map<std::string, std::string> setters;
+  const auto set = [&](const std::string& field, const std::string& by) {
+    const auto [entry, is_new] = setters.try_emplace(field, by);
+    if (is_new || entry->second == by) return Status(std::monostate{});
+    return Status(
+        wrong(by + ": found " + field + ", which " + entry->second + " sets too; expected one of them"));
+  };
+  if (draft.cohort)
+    for (const Draw& draw : draft.cohort->draws)
+      if (Status once = set(draw.field, "cohort.draw"); !once) return once;
+  for (const NamedChange& change : draft.list)
+    for (const auto& [field, value] : change.set)
+      if (Status once = set(field, "list"); !once) return once;
+  for (const auto& [field, values] : draft.grid)
+    if (Status once = set(field, "grid"); !once) return once;
+  return std::monostate{};
+}
+
 /// A case with one field more.
 Status vary(StudyCase& one, const std::string& field, const json& value) {
   Result<Recipe> changed = with_field(one.recipe, field, value.dump());
@@ -220,14 +288,14 @@ void add_to_name(StudyCase& one, const std::string& text) {
 }
 
 /// A case for each source.
-Result<std::vector<StudyCase>> cases_of_sources(const Draft& draft) {
+Result<std::vector<StudyCase>> cases_of_sources(const Draft& draft, const std::string& study_folder) {
   std::vector<StudyCase> cases;
   for (const std::string& path : draft.volumes) {
-    StudyCase one{.recipe = draft.recipe, .volume_path = path};
+    StudyCase one{.recipe = draft.recipe, .volume_path = (fs::path(study_folder) / path).string()};
     one.recipe.source.phantom.reset();
     one.recipe.source.inlined.reset();
     one.recipe.source.file = FileSource{.name = fs::path(path).filename().string()};
-    one.name = one.recipe.source.file->name;
+    one.name = path;
     one.varied.emplace_back("source.file", one.name);
     cases.push_back(std::move(one));
   }
@@ -242,8 +310,15 @@ Result<std::vector<StudyCase>> cases_of_sources(const Draft& draft) {
   return cases;
 }
 
+/// Whether there may be so many times as many cases.
+Status check_count(std::size_t cases, std::size_t times, const std::string& where) {
+  if (cases <= kMostCases / times) return std::monostate{};
+  return wrong(where + ": found more than " + std::to_string(kMostCases) + " cases in all, expected fewer");
+}
+
 Result<std::vector<StudyCase>> with_list(std::vector<StudyCase> cases, const std::vector<NamedChange>& list) {
   if (list.empty()) return cases;
+  if (Status few = check_count(cases.size(), list.size(), "list"); !few) return few.error();
   std::vector<StudyCase> out;
   for (const StudyCase& one : cases)
     for (const NamedChange& change : list) {
@@ -262,8 +337,7 @@ Result<std::vector<StudyCase>> with_list(std::vector<StudyCase> cases, const std
 
 Result<std::vector<StudyCase>> with_grid(std::vector<StudyCase> cases, const Draft& draft) {
   for (const auto& [field, values] : draft.grid) {
-    if (cases.size() * values.size() > kMostCases)
-      return wrong("grid: found more than " + std::to_string(kMostCases) + " cases, expected fewer");
+    if (Status few = check_count(cases.size(), values.size(), "grid"); !few) return few.error();
     std::vector<StudyCase> out;
     for (const StudyCase& one : cases)
       for (const json& value : values) {
@@ -278,8 +352,9 @@ Result<std::vector<StudyCase>> with_grid(std::vector<StudyCase> cases, const Dra
   return cases;
 }
 
-Result<std::vector<StudyCase>> cases_of(const Draft& draft, const std::string& folder) {
-  Result<std::vector<StudyCase>> cases = cases_of_sources(draft);
+Result<std::vector<StudyCase>> cases_of(const Draft& draft, const StudyPlan& plan) {
+  if (Status once = check_set_once(draft); !once) return once.error();
+  Result<std::vector<StudyCase>> cases = cases_of_sources(draft, plan.study_folder);
   if (cases) cases = with_list(*std::move(cases), draft.list);
   if (cases) cases = with_grid(*std::move(cases), draft);
   if (!cases) return cases;
@@ -291,8 +366,11 @@ Result<std::vector<StudyCase>> cases_of(const Draft& draft, const std::string& f
     const Source& source = one.recipe.source;
     if (!source.phantom && !source.inlined && !source.file)
       return wrong("case.source: found none, expected one, or volumes");
+    const auto simulates = [](Stage stage) { return stage > Stage::kQuality; };
+    if (!one.recipe.physics && std::any_of(plan.stages.begin(), plan.stages.end(), simulates))
+      return wrong("stages: found a simulation, and no physics in the recipe; expected case.physics");
     if (source.file && one.volume_path.empty())
-      one.volume_path = (fs::path(folder) / source.file->name).string();
+      one.volume_path = (fs::path(plan.folder) / source.file->name).string();
   }
   return cases;
 }
@@ -306,20 +384,25 @@ Result<Study> read_study(const std::string& path) {
     error.message = path + ": " + error.message;
     return error;
   };
-  const Json object = Json::parse(bytes->begin(), bytes->end(), nullptr, false);
-  if (object.is_discarded()) return named(wrong("found no JSON, expected a study"));
+  Json object;
+  try {
+    object = Json::parse(bytes->begin(), bytes->end());
+  } catch (const Json::exception& error) {
+    return named(wrong(std::string("found no JSON, expected a study: ") + error.what()));
+  }
   if (Status known = check_fields(
           object, "study", {"study", "title", "case", "volumes", "cohort", "grid", "list", "stages", "keep"});
       !known)
     return named(known.error());
   if (!object.contains("study") || object["study"] != 1)
-    return named(wrong("study: found " + (object.contains("study") ? object["study"].dump() : "none") +
+    return named(wrong("study: found " + (object.contains("study") ? shown(object["study"]) : "none") +
                        ", expected 1, the version of its form"));
   if (object.contains("title") && !object["title"].is_string())
-    return named(wrong("title: found " + object["title"].dump() + ", expected a text"));
+    return named(wrong("title: found " + shown(object["title"]) + ", expected a text"));
   Study study;
   study.title = object.value("title", fs::path(path).stem().string());
   const std::string folder = fs::path(path).parent_path().string();
+  study.plan.study_folder = folder;
   Draft draft;
   Status read = read_case_of(object, folder, draft, study.plan);
   if (read) read = read_volumes(object, folder, draft);
@@ -328,7 +411,7 @@ Result<Study> read_study(const std::string& path) {
   if (read) read = read_grid(object, draft);
   if (read) read = read_plan(object, study.plan);
   if (!read) return named(read.error());
-  Result<std::vector<StudyCase>> cases = cases_of(draft, study.plan.folder);
+  Result<std::vector<StudyCase>> cases = cases_of(draft, study.plan);
   if (!cases) return named(cases.error());
   study.cases = *std::move(cases);
   return study;

@@ -1,5 +1,8 @@
 #include "study/table.h"
 
+#include <algorithm>
+
+#include "study/case_key.h"
 #include "study/figures.h"
 #include "study/run_case.h"
 #include "study/run_study.h"
@@ -38,7 +41,7 @@ Json row_of(const StudyCase& one, const std::string& key, const Json& record) {
 Json cost_of(const StudyCase& one, const Json& record) {
   Json cost{{"case", one.number}};
   for (const char* field : {"seconds", "peak_mb", "forecast_seconds", "forecast_mb"})
-    cost[field] = record.is_null() ? Json(nullptr) : record["cost"][field];
+    cost[field] = record.is_null() ? Json(nullptr) : record["cost"].value(field, Json());
   return cost;
 }
 
@@ -46,13 +49,19 @@ Json cost_of(const StudyCase& one, const Json& record) {
 
 StudyTable read_table(const Study& study, const std::string& out) {
   StudyTable table;
+  CaseKeys keys(study.plan);
   for (const StudyCase& one : study.cases) {
-    const std::string key = key_of(one, study.plan);
+    const std::string key = keys.of(one);
     const Json record = record_at(out, key);
     table.rows.push_back(row_of(one, key, record));
     table.costs.push_back(cost_of(one, record));
   }
   return table;
+}
+
+std::size_t count_of(const std::vector<Json>& rows, const char* status) {
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [&](const Json& row) { return row["status"] == status; }));
 }
 
 std::string csv_of(const std::vector<Json>& rows) {

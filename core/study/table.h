@@ -20,6 +20,9 @@ struct StudyTable {
 /// when and how it was run; costs do.
 StudyTable read_table(const Study& study, const std::string& out);
 
+/// How many have that status.
+std::size_t count_of(const std::vector<nlohmann::ordered_json>& rows, const char* status);
+
 /// A line of names and one for each object, by RFC 4180. Absent values are empty. All have the same fields.
 std::string csv_of(const std::vector<nlohmann::ordered_json>& rows);
 /// An object a line.

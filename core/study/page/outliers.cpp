@@ -35,11 +35,11 @@ std::vector<Outlier> find_outliers(const std::vector<nlohmann::ordered_json>& ro
     if (values.empty()) continue;
     std::sort(values.begin(), values.end());
     const double low = at_part(values, 1), median = at_part(values, 2), high = at_part(values, 3);
-    if (!(high > low)) continue;
     for (std::size_t row = 0; row < numbers.size(); ++row) {
       if (!numbers[row]) continue;
-      const double beyond = std::max(low - *numbers[row], *numbers[row] - high) / (high - low);
-      if (beyond > kFence) found.push_back({row, column, *numbers[row], median, beyond});
+      const double beyond = std::max(low - *numbers[row], *numbers[row] - high);
+      if (beyond > kFence * (high - low))
+        found.push_back({row, column, *numbers[row], median, beyond / (high - low)});
     }
   }
   std::stable_sort(found.begin(), found.end(),

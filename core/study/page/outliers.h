@@ -19,10 +19,11 @@ struct Outlier {
   std::size_t row = 0;
   std::string column;
   double value = 0, median = 0;
-  double beyond = 0;  ///< distance from the nearer quartile, in distances between the quartiles
+  double beyond = 0;  ///< distance from the nearer quartile, in distances between the quartiles; infinite if
+                      ///< these are one
 };
 
-/// Of some columns, the farthest first. A column of which half the values are one has none. Quartiles are the
+/// Of some columns, the farthest first. Quartiles are the
 /// values at n/4 and 3n/4 of n, rounded down, counted from 0 in ascending order.
 std::vector<Outlier> find_outliers(const std::vector<nlohmann::ordered_json>& rows,
                                    const std::vector<std::string>& columns);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <string_view>
 
 #include "base/with_commas.h"
 #include "pipeline/version/engine_version.h"
@@ -18,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 /// A figure that is drawn, and how people call it.
 struct Shown {
-  const char* column;
+  std::string_view column;
   const char* title;
 };
 constexpr std::array<Shown, 10> kShown{{{"tets", "Tetrahedra"},
@@ -43,6 +44,7 @@ h1{font-size:1.6rem;margin:0}h2{font-size:1.15rem;margin:2rem 0 .5rem}
 figure{margin:0;border:1px solid #e2e8f0;border-radius:6px;padding:.6rem}figure img{width:100%;height:auto}
 figcaption{font-size:.85rem}table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums}
 th,td{padding:.2rem .6rem;border-bottom:1px solid #e2e8f0;text-align:right;white-space:nowrap}
+th:nth-child(2),th.reason{text-align:left}
 th{position:sticky;top:0;background:#fff}td:nth-child(2),td.reason{text-align:left}td.reason{white-space:normal}
 .wide{overflow-x:auto;max-height:70vh}a{color:#0b5c8f}.failed{color:#b91c1c}
 @media print{.wide{overflow:visible;max-height:none}})";
@@ -63,16 +65,16 @@ std::string cell_text(const Json& value) {
   return text;
 }
 
-std::size_t count_of(const std::vector<Json>& rows, const char* status) {
-  return static_cast<std::size_t>(
-      std::count_if(rows.begin(), rows.end(), [&](const Json& row) { return row["status"] == status; }));
-}
-
 std::string summary(const StudyTable& table) {
+  const auto unsound =
+      static_cast<std::size_t>(std::count_if(table.rows.begin(), table.rows.end(), [](const Json& row) {
+        return row.value("passed", Json()) == false;
+      }));
   const std::size_t done = count_of(table.rows, "done"), failed = count_of(table.rows, "failed"),
                     missing = count_of(table.rows, "missing");
   std::string out = "<p>" + with_commas(table.rows.size()) + " cases: " + with_commas(done) + " done, " +
-                    with_commas(failed) + " failed, " + with_commas(missing) + " not run. ";
+                    with_commas(failed) + " failed, " + with_commas(missing) + " not run" +
+                    (unsound > 0 ? "; " + with_commas(unsound) + " of the meshes fail a hard check. " : ". ");
   double seconds = 0, most_mb = 0;
   for (const Json& cost : table.costs) {
     if (cost["seconds"].is_number()) seconds += cost["seconds"].get<double>();
@@ -93,7 +95,8 @@ std::string failures(const StudyTable& table, const std::string& base) {
               escaped(cell_text(row["reason"])) + "</td></tr>";
   if (rows.empty()) return "";
   return "<h2>Failures</h2><div "
-         "class=\"wide\"><table><tr><th>case</th><th>name</th><th>stage</th><th>reason</th></tr>" +
+         "class=\"wide\"><table><tr><th>case</th><th>name</th><th>stage</th><th "
+         "class=\"reason\">reason</th></tr>" +
          rows + "</table></div>";
 }
 
@@ -101,8 +104,8 @@ std::string failures(const StudyTable& table, const std::string& base) {
 std::string scatter(const std::vector<Json>& rows, const std::vector<Json>& x_rows,
                     const std::vector<Json>& y_rows, const Shown& x, const Shown& y,
                     const std::vector<bool>& marked, bool diagonal) {
-  const std::vector<std::optional<double>> xs = numbers_of(x_rows, x.column),
-                                           ys = numbers_of(y_rows, y.column);
+  const std::vector<std::optional<double>> xs = numbers_of(x_rows, std::string(x.column)),
+                                           ys = numbers_of(y_rows, std::string(y.column));
   std::vector<PlotPoint> points;
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (xs[i] && ys[i])
@@ -117,7 +120,7 @@ std::string distributions(const StudyTable& table) {
   std::string out;
   for (const Shown& shown : kShown) {
     std::vector<double> values;
-    for (const std::optional<double>& number : numbers_of(table.rows, shown.column))
+    for (const std::optional<double>& number : numbers_of(table.rows, std::string(shown.column)))
       if (number) values.push_back(*number);
     if (values.size() > 1) out += histogram_svg(shown.title, values);
   }

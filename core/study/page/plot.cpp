@@ -21,8 +21,13 @@ constexpr double kLeft = 58, kTop = 30, kWide = 280, kTall = 170;
 }
 
 std::string number(double value) {
-  if (std::abs(value) >= 1e4) return format("%.4gk", value / 1000);
-  return format("%.5g", value);
+  return format("%.6g", value);
+}
+
+/// The numbers at the ticks of an axis, in thousands where the last has five digits.
+std::string tick_text(double tick, const std::vector<double>& ticks) {
+  const double most = std::max(std::abs(ticks.front()), std::abs(ticks.back()));
+  return most < 1e4 || tick == 0 ? number(tick) : number(tick / 1000) + "k";
 }
 
 std::string words(double x, double y, const char* anchor, const std::string& text) {
@@ -47,10 +52,10 @@ class Axes {
     out += "<title>" + escaped(title) + "</title>" + words(kLeft, 14, "start", title);
     for (const double tick : x_ticks_)
       out += format("<path d=\"M%.1f %.1fv%.1f\"/>", x(tick), kTop, kTall) +
-             words(x(tick), kTop + kTall + 14, "middle", number(tick));
+             words(x(tick), kTop + kTall + 14, "middle", tick_text(tick, x_ticks_));
     for (const double tick : y_ticks_)
       out += format("<path d=\"M%.1f %.1fh%.1f\"/>", kLeft, y(tick), kWide) +
-             words(kLeft - 6, y(tick) + 4, "end", number(tick));
+             words(kLeft - 6, y(tick) + 4, "end", tick_text(tick, y_ticks_));
     out += words(kLeft + kWide / 2, kTop + kTall + 32, "middle", x_title);
     return out + words(kLeft - 50, kTop - 8, "start", y_title);
   }
@@ -80,7 +85,9 @@ std::string escaped(const std::string& text) {
 
 std::vector<double> round_ticks(double low, double high, double least) {
   constexpr double kFewest = 2;
-  if (!(high > low)) {
+  // Closer values could not be told apart by the numbers at the ticks.
+  constexpr double kLeastRange = 1e-4;
+  if (!(high - low > kLeastRange * std::max(std::abs(low), std::abs(high)))) {
     const double margin = low != 0 ? 0.5 * std::abs(low) : 1;
     low -= margin;
     high += margin;

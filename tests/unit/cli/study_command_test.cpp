@@ -46,7 +46,8 @@ TEST_F(CliTest, StudyPlansItsChunks) {
 
 TEST_F(CliTest, StudyRefusesWhatMakesNoSense) {
   write("study.json", kTwoBalls);
-  for (const char* chunk : {"3/2", "0/2", "2", "2/2x", "-1/2", "1/-2", "a/b", ""})
+  for (const char* chunk :
+       {"3/2", "0/2", "2", "2/2x", "-1/2", "1/-2", "a/b", "", " 1/2", "+1/2", "1/2/2", "1/99999999999"})
     EXPECT_EQ(run({"study", at("study.json"), "--chunk", chunk, "-o", at("out")}), kExitUsage) << chunk;
   EXPECT_EQ(run({"study", at("study.json"), "--chunk", "1/2", "--table", "-o", at("out")}), kExitUsage);
   EXPECT_EQ(run({"study", at("study.json"), "--plan", "0", "-o", at("out")}), kExitUsage);
@@ -82,6 +83,7 @@ TEST_F(CliTest, PhantomDrawsTheHeartsOfAStudy) {
 
 TEST_F(CliTest, PhantomRefusesDrawsThatItCannotMake) {
   EXPECT_EQ(run({"phantom", "biventricle", "--draw", "scale=0.9:1.1", "-o", at("a.nii.gz")}), kExitUsage);
+  EXPECT_EQ(run({"phantom", "biventricle", "--seed", "3", "-o", at("a.nii.gz")}), kExitUsage);
   for (const char* draw : {"scale", "scale=", "scale=1.1:0.9", "scale=a:b", "size=1:2", "scale=50:60"})
     EXPECT_EQ(run({"phantom", "biventricle", "--hearts", "1", "--draw", draw, "-o", at("hearts")}),
               kExitUsage)

@@ -75,7 +75,8 @@ TEST(Cohort, RefusesWhatNothingCanBeDrawnFrom) {
                            json{{"among", json::array()}}, json{{"from", "a"}, {"to", 1}}}) {
     const Result<Draw> draw = parse_draw("sizing.edge_mm", from);
     ASSERT_FALSE(draw.ok()) << from;
-    EXPECT_NE(draw.error().message.find("draw.sizing.edge_mm: found " + from.dump()), std::string::npos);
+    EXPECT_NE(draw.error().message.find("the draw of sizing.edge_mm: found " + from.dump()),
+              std::string::npos);
   }
 }
 

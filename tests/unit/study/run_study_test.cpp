@@ -3,6 +3,7 @@
 #include <csignal>
 
 #include "recipe/link.h"
+#include "study/case_key.h"
 #include "study/child_process.h"
 #include "study/table.h"
 #include "study_folder.h"
@@ -72,12 +73,19 @@ TEST_F(StudyTest, WhatIsDoneIsNotDoneAgain) {
   run(study, at("out"));
   const std::string table = csv_of(read_table(study, at("out")).rows);
   EXPECT_EQ(run(study, at("out")).were_there, 4U);
-  // A record that is damaged counts as none.
-  const std::string record = "out/cases/" + key_of(study.cases[2], study.plan) + ".json";
+  // A record that is damaged counts as none, however it is damaged.
+  const std::string record = "out/cases/" + CaseKeys(study.plan).of(study.cases[2]) + ".json";
   write(record, text_of(record).substr(0, 100));
   EXPECT_EQ(read_table(study, at("out")).rows[2]["status"], "missing");
   EXPECT_EQ(run(study, at("out")).were_there, 3U);
   EXPECT_EQ(csv_of(read_table(study, at("out")).rows), table);
+  for (const char* field : {"figures", "link", "again", "cost", "status", "key"}) {
+    Json damaged = Json::parse(text_of(record));
+    damaged[field] = nullptr;
+    write(record, damaged.dump());
+    EXPECT_EQ(read_table(study, at("out")).rows[2]["status"], "missing") << field;
+    EXPECT_EQ(run(study, at("out")).were_there, 3U) << field;
+  }
   // Another recipe is another case.
   const Study other = study_with(R"("grid":{"sizing.edge_mm":[3,7]},"keep":["vtu","report"])").value();
   EXPECT_EQ(run(other, at("out")).were_there, 1U);
@@ -112,6 +120,77 @@ TEST_F(StudyTest, FailuresAreRowsAndTheRestIsDone) {
   EXPECT_EQ(run(study, at("out")).were_there, 4U);
 }
 
+// What a header names is in the key, and nothing else that lies beside it.
+TEST_F(StudyTest, AnotherVoxelFileIsAnotherCase) {
+  const std::string header =
+      "ObjectType = Image\nNDims = 3\nDimSize = 6 6 6\nElementSpacing = 2 2 2\nElementType = MET_UCHAR\n"
+      "ElementDataFile = voxels.raw\n";
+  std::string voxels(216, '\0');
+  for (const std::size_t k : {2U, 3U})
+    for (const std::size_t j : {2U, 3U})
+      for (const std::size_t i : {2U, 3U}) voxels[36 * k + 6 * j + i] = 1;
+  write("ball.1.mhd", header);
+  write("voxels.raw", voxels);
+  const auto keys = [&] {
+    const Study study = study_with(R"("volumes":["ball.1.mhd"])", R"({"sizing":{"edge_mm":4}})").value();
+    return CaseKeys(study.plan).of(study.cases[0]);
+  };
+  const std::string key = keys();
+  write("ball.2.mhd", header);
+  EXPECT_EQ(keys(), key);
+  voxels[36] = 1;
+  write("voxels.raw", voxels);
+  EXPECT_NE(keys(), key);
+}
+
+TEST_F(StudyTest, AnotherVoxelFileOfAMaskIsAnotherCase) {
+  write("mask.mhd",
+        "ObjectType = Image\nNDims = 3\nDimSize = 2 2 2\nElementSpacing = 2 2 2\nElementType = MET_UCHAR\n"
+        "ElementDataFile = mask.bytes\n");
+  write("mask.bytes", std::string(8, '\1'));
+  const Study study =
+      study_with(
+          "",
+          R"({"source":{"phantom":{"kind":"sphere"}},"sizing":{"masks":[{"name":"mask.mhd","edges":[]}]}})")
+          .value();
+  const std::string key = CaseKeys(study.plan).of(study.cases[0]);
+  write("mask.bytes", std::string(8, '\2'));
+  EXPECT_NE(CaseKeys(study.plan).of(study.cases[0]), key);
+}
+
+TEST_F(StudyTest, WhatAnotherRunHasDoneIsNotUndoneByAFailure) {
+  const Study study = study_with(R"("grid":{"sizing.edge_mm":[4,5]})").value();
+  run(study, at("other"));
+  const std::string record = "/cases/" + CaseKeys(study.plan).of(study.cases[1]) + ".json";
+  const std::string done = text_of("other" + record);
+  // When the first case has failed, the second has been looked for and not found.
+  const auto another_run = [&](const StudyCase& one, const Json&, bool) {
+    if (one.number == 1) write("out" + record, done);
+  };
+  const Status ended =
+      run_study(study, {.out = at("out"), .limits = {.time_limit_s = 1e-9}, .on_case = another_run});
+  EXPECT_TRUE(ended.ok());
+  const std::vector<Json> rows = read_table(study, at("out")).rows;
+  EXPECT_EQ(rows[0]["status"], "failed");
+  EXPECT_EQ(rows[1]["status"], kHasProcesses ? "done" : "failed");
+}
+
+// Where the study lies, and from where it is called, is not in its table.
+TEST_F(StudyTest, TheTableIsTheSameFromEverywhere) {
+  const std::string text = R"({"study":1,"case":{"sizing":{"edge_mm":4}},"volumes":["none.nii"]})";
+  std::filesystem::create_directories(at("here"));
+  std::filesystem::create_directories(at("there/deep"));
+  std::string first;
+  for (const char* folder : {"here", "there/deep"}) {
+    const Study study = read_study(write(std::string(folder) + "/study.json", text)).value();
+    run(study, at(std::string(folder) + "/out"));
+    const StudyTable table = read_table(study, at(std::string(folder) + "/out"));
+    EXPECT_EQ(table.rows[0]["reason"], "none.nii: cannot be opened: No such file or directory");
+    if (first.empty()) first = csv_of(table.rows);
+    EXPECT_EQ(csv_of(table.rows), first);
+  }
+}
+
 TEST_F(StudyTest, FailuresOfTheMachineAreTriedAgain) {
   const Study study = study_with("").value();
   EXPECT_EQ(run(study, at("out"), {}, 1, {.time_limit_s = 1e-9}).failed, 1U);
@@ -132,6 +211,20 @@ TEST_F(StudyTest, ALinkPromisesWhatTheCaseGave) {
   EXPECT_EQ(recipe->source.phantom->radius_mm, 8);
 }
 
+TEST_F(StudyTest, ARecordThatCannotBeWrittenIsSaid) {
+  const Study study = study_with("").value();
+  run(study, at("out"), {}, 1, {.time_limit_s = 1e-9});
+  const std::string record = at("out/cases/" + CaseKeys(study.plan).of(study.cases[0]) + ".json");
+  std::filesystem::remove(record);
+  std::filesystem::create_directories(record);
+  EXPECT_EQ(run(study, at("out")).not_written, 1U);
+  const Status done = run_study(study, {.out = at("out"), .on_case = {}});
+  ASSERT_FALSE(done.ok());
+  EXPECT_NE(done.error().message.find("the records of 1 cases could not be written (" + record),
+            std::string::npos)
+      << done.error().message;
+}
+
 TEST_F(StudyTest, AFolderThatCannotBeMadeIsSaid) {
   const Study study = study_with("").value();
   write("file", "");
@@ -145,26 +238,30 @@ TEST_F(StudyTest, AFolderThatCannotBeMadeIsSaid) {
 TEST_F(StudyTest, APlaceThatIsFullIsSaidInTheRow) {
   const Study study = study_with(R"("keep":["vtu"])").value();
   run(study, at("out"));
-  const std::string key = key_of(study.cases[0], study.plan), mesh = at("out/files/" + key + ".vtu");
+  const std::string key = CaseKeys(study.plan).of(study.cases[0]), mesh = at("out/files/" + key + ".vtu");
   // A folder where the mesh should be: it cannot be placed there, but the record can.
   std::filesystem::remove(at("out/cases/" + key + ".json"));
   std::filesystem::remove(mesh);
   std::filesystem::create_directories(mesh);
   EXPECT_EQ(run(study, at("out")).failed, 1U);
   const Json row = read_table(study, at("out")).rows[0];
-  EXPECT_NE(row["reason"].get<std::string>().find(mesh), std::string::npos) << row["reason"];
+  EXPECT_NE(row["reason"].get<std::string>().find("files/" + key + ".vtu: "), std::string::npos)
+      << row["reason"];
   EXPECT_TRUE(row["tets"].is_null());
   std::filesystem::remove(mesh);
   EXPECT_EQ(run(study, at("out")).done, 1U);
 }
 
 TEST_F(StudyTest, ADeadProcessIsSaid) {
-  const std::optional<int> id = start_process([] { return raise(SIGKILL); }, 0);
-  ASSERT_TRUE(id);
-  const ProcessEnd end = wait_for_process();
-  EXPECT_EQ(end.id, *id);
-  EXPECT_EQ(end.signal, SIGKILL);
-  EXPECT_EQ(name_of_signal(end.signal), "signal 9 (Killed)");
+  std::signal(SIGCHLD, SIG_IGN);  // as a caller may have left it
+  const Result<int> id = start_process([] { return raise(SIGKILL); }, 0);
+  ASSERT_TRUE(id.ok());
+  const std::optional<ProcessEnd> end = wait_for_process();
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->id, *id);
+  EXPECT_EQ(end->signal, SIGKILL);
+  EXPECT_EQ(name_of_signal(end->signal), "signal 9 (Killed)");
+  EXPECT_FALSE(wait_for_process());
 }
 
 // The address sanitizer's own memory would count.

@@ -37,6 +37,21 @@ TEST_F(StudyTest, TakesVolumesByPattern) {
   EXPECT_NE(none.error().message.find("volumes: found no file"), std::string::npos);
 }
 
+TEST_F(StudyTest, TellsVolumesOfOneNameApart) {
+  for (const char* patient : {"v1", "v2", "w"}) {
+    std::filesystem::create_directories(at(patient));
+    write(std::string(patient) + "/seg[1].nii", "");
+  }
+  const Result<Study> study =
+      study_with(R"("volumes":["v*/seg*.nii","w/seg[1].nii"])", R"({"sizing":{"edge_mm":4}})");
+  ASSERT_TRUE(study.ok()) << study.error().message;
+  ASSERT_EQ(study->cases.size(), 3U);
+  EXPECT_EQ(study->cases[0].name, "v1/seg[1].nii");
+  EXPECT_EQ(study->cases[1].varied, (FieldValues{{"source.file", "v2/seg[1].nii"}}));
+  EXPECT_EQ(study->cases[1].recipe.source.file->name, "seg[1].nii");
+  EXPECT_EQ(study->cases[2].volume_path, at("w/seg[1].nii"));
+}
+
 TEST_F(StudyTest, TakesACaseFileFromElsewhere) {
   std::filesystem::create_directories(at("cases"));
   write("cases/ball.json", kSphere);
@@ -63,6 +78,13 @@ TEST_F(StudyTest, SaysWhichFieldIsWrong) {
       {R"("cohort":{"hearts":2,"draw":[]})", "cohort.draw: found []"},
       {R"("cohort":{"hearts":2,"draw":{"source.phantom.scale":{"from":100,"to":200}}})",
        "cohort, heart 1: source.phantom.scale"},
+      {R"("cohort":{"hearts":200000})", "expected a whole number from 1 to 100000"},
+      {R"("list":[{"name":"a","set":{"sizing.edge_mm":3}}],"grid":{"sizing.edge_mm":[2]})",
+       "grid: found sizing.edge_mm, which list sets too"},
+      {R"("cohort":{"hearts":2,"draw":{"sizing.edge_mm":{"from":2,"to":3}}},"grid":{"sizing.edge_mm":[2]})",
+       "which cohort.draw sets too"},
+      {R"("stages":["eikonal"])", "stages: found a simulation"},
+      {R"("keep":["../vtu"])", "keep: found \"../vtu\", expected an ending"},
       {R"("stages":["mesh"])", "stages: "},
       {R"("stages":"quality")", "stages: found \"quality\", expected a list of texts"},
       {R"("keep":["jpg"])", "keep: "},
@@ -77,6 +99,7 @@ TEST_F(StudyTest, SaysWhichFieldIsWrong) {
   }
   for (const auto& [text, message] : {std::pair{"{", "found no JSON"},
                                       {"{}", "study: found none, expected 1"},
+                                      {R"({"study":1,})", "column 12"},
                                       {R"({"study":2})", "study: found 2"},
                                       {R"({"study":1})", "case: found none"},
                                       {R"({"study":1,"case":{}})", "case.source: found none"},

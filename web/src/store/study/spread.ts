@@ -11,13 +11,13 @@ export interface Spread {
 /** Outliers lie farther from the quartiles than so many distances between them: beyond the outer fences of Tukey (1977). */
 const fence = 3;
 
-/** Of at least one value; null where both quartiles are the same, by which no other can be judged. */
-export function spreadOf(values: readonly number[]): Spread | null {
+/** Of at least one value. */
+export function spreadOf(values: readonly number[]): Spread {
   const sorted = [...values].sort((a, b) => a - b);
   const [low, median, high] = [1, 2, 3].map(
     (quarters) => sorted[Math.min(sorted.length - 1, Math.floor((sorted.length * quarters) / 4))],
   );
-  return high > low ? { low, median, high } : null;
+  return { low, median, high };
 }
 
 /** The values outside of it are outliers. */
