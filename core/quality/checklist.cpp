@@ -163,7 +163,11 @@ std::string listed(const std::vector<std::string>& items, const char* none) {
 
 /// With what brings the volume nearer: edges that the label has room for, or no such label.
 void warn_of_volume(const LabelFidelity& f, double limit_percent, const RunContext& ctx) {
-  const double edge_mm = std::min(f.median_edge_mm, std::cbrt(f.voxel_mm3)) / 2;
+  // Of a label of a voxel the edges stay longer than asked for: its corners are as far apart as they are.
+  double edge_mm = std::cbrt(f.voxel_mm3);
+  for (const double length : {f.median_edge_mm, f.target_edge_mm})
+    if (length > 0) edge_mm = std::min(edge_mm, length);
+  edge_mm /= 2;
   char text[320];
   std::snprintf(text, sizeof text,
                 "label %d of %llu voxels (%.3g mm3) has %.1f %% %s volume in the mesh, allowed are %g %%: a "

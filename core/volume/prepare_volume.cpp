@@ -71,6 +71,8 @@ void clean_labels(PreparedVolume& out, const CleanLimits& limits, RunContext& ct
   auto cleaned = std::make_shared<LabelVolume>(*out.prepared);
   for (const Flaw& flaw : clean_volume(*cleaned, limits))
     ctx.note(kVolumeStage, "cleaned: " + in_words(flaw));
+  // What was taken away on purpose is nothing that the mesh lacks.
+  if (out.selected == out.prepared) out.selected = cleaned;
   out.prepared = std::move(cleaned);
 }
 

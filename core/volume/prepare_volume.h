@@ -30,7 +30,7 @@ struct VolumeParams {
 
 /// `placed` is the source with its slices where they belong (align_slices.h), which all else is made of.
 /// `selected` and `prepared` hold the labels to be meshed: `selected` on the source's voxels, `prepared` on
-/// those to be meshed. They are the same object if nothing was interpolated, removed or added. `anatomy`
+/// those to be meshed. They are the same object if nothing was interpolated or added. `anatomy`
 /// holds all labels on the grid of `prepared`. Where the image cuts a body off, both go on beyond its border,
 /// and `meshed` is `prepared` with the labels `beyond` of `cuts` there; else the two are the same. What
 /// planes of volume.cut take away is in neither `selected` nor `prepared`; in `meshed` it has labels `beyond`

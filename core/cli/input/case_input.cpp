@@ -272,7 +272,7 @@ Status open_case(const CaseOptions& options, Session& session) {
     path = (std::filesystem::path(folder_of(options)) / path).string();
   }
   const bool is_volume = !path.empty() && !recipe->source.file;
-  if (is_volume) recipe->source.file = FileSource{file_name(path), {}};
+  if (is_volume) recipe->source.file = FileSource{file_name(path), {}, {}};
   Result<Recipe> changed = with_options(*recipe, options, nullptr);
   if (!changed) return changed.error();
   if (!path.empty()) {

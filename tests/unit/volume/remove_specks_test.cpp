@@ -126,6 +126,19 @@ TEST(PrepareVolume, SharesOneVolumeWhereNothingIsChanged) {
   EXPECT_EQ(out->selected, out->prepared);
 }
 
+// The mesh is held against what cleaning has left, or it would lack what was taken away on purpose.
+TEST(PrepareVolume, TheReferenceIsTheCleanedOne) {
+  RunContext ctx;
+  VolumeParams params;
+  params.flat_border = false;
+  params.speck_voxels = 3;
+  const auto volume = std::make_shared<const LabelVolume>(halves());
+  const Result<PreparedVolume> out = prepare_volume(volume, {}, {}, params, ctx);
+  ASSERT_TRUE(out.ok());
+  EXPECT_EQ(out->selected, out->prepared);
+  EXPECT_NE(out->selected->labels, volume->labels);
+}
+
 TEST(PrepareVolume, InterpolatesAllLabelsBeforeItSelects) {
   RunContext ctx;
   const auto volume = std::make_shared<LabelVolume>(test::heart_volume(30, 30, 6));
