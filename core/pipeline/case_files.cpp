@@ -45,17 +45,21 @@ SidePaths side_paths(const Recipe& recipe, const std::string& folder) {
   return paths;
 }
 
-Status load_side_files(const SidePaths& paths, Session& session) {
-  const auto load = [&](const std::vector<std::string>& files, Status (Session::*take)(const VolumeFile&)) {
-    for (const std::string& path : files) {
-      const Result<Bytes> bytes = read_case_bytes(path);
-      if (!bytes) return Status(bytes.error());
-      if (Status loaded = (session.*take)(file_at(path, *bytes)); !loaded) return loaded;
-    }
-    return Status(std::monostate{});
-  };
-  if (Status loaded = load(paths.masks, &Session::load_mask); !loaded) return loaded;
-  return load(paths.images, &Session::load_size_image);
+Status open_case_file(const std::string& path, const LoadFile& load) {
+  const Result<Bytes> bytes = read_case_bytes(path);
+  if (!bytes) return bytes.error();
+  return load(file_at(path, *bytes));
+}
+
+Status load_side_files(const SidePaths& paths, Session& session, const OpenFile& open) {
+  for (const std::string& path : paths.masks)
+    if (Status loaded = open(path, [&](const VolumeFile& file) { return session.load_mask(file); }); !loaded)
+      return loaded;
+  for (const std::string& path : paths.images)
+    if (Status loaded = open(path, [&](const VolumeFile& file) { return session.load_size_image(file); });
+        !loaded)
+      return loaded;
+  return std::monostate{};
 }
 
 }  // namespace voxtet

@@ -36,10 +36,8 @@ RunContext context_of(const CaseLimits& limits, Clock::time_point start) {
 Status open(const StudyCase& one, const StudyPlan& plan, Session& session) {
   Recipe recipe = one.recipe;
   if (!one.volume_path.empty()) {
-    const Result<Bytes> bytes = read_case_bytes(one.volume_path);
-    if (!bytes) return bytes.error();
-    if (Status loaded = session.load_volume(file_at(one.volume_path, *bytes), recipe.source.read); !loaded)
-      return loaded;
+    const auto load = [&](const VolumeFile& file) { return session.load_volume(file, recipe.source.read); };
+    if (Status loaded = open_case_file(one.volume_path, load); !loaded) return loaded;
     if (recipe.source.file->sha256.empty()) recipe.source.file->sha256 = session.files().digest;
   }
   if (Status loaded = load_side_files(side_paths(recipe, plan.folder), session); !loaded) return loaded;
@@ -141,8 +139,7 @@ CaseOutcome run_case(const StudyCase& one, const StudyPlan& plan, const std::str
   reset_peak_memory();
   CaseOutcome outcome;
   Session session(0);
-  Json cost{
-      {"seconds", nullptr}, {"peak_mb", nullptr}, {"forecast_seconds", nullptr}, {"forecast_mb", nullptr}};
+  Json cost = unknown_cost();
   Status done = std::monostate{};
   try {
     done = open(one, plan, session);

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "io/bytes/files.h"
 #include "io/mesh/write_mesh.h"
 #include "pipeline/case_files.h"
+#include "study/volume_paths.h"
 
 namespace voxtet {
 namespace {
@@ -59,61 +59,6 @@ Status check_fields(const Json& object, const std::string& where, const std::vec
   return std::monostate{};
 }
 
-bool is_utf8(const std::string& text) {
-  try {
-    (void)Json(text).dump();
-    return true;
-  } catch (const Json::exception&) {
-    return false;
-  }
-}
-
-/// Whether a name is as a pattern says: * stands for any text, ? for one character.
-bool fits(std::string_view name, std::string_view pattern) {
-  if (pattern.empty()) return name.empty();
-  if (pattern[0] == '*')
-    return fits(name, pattern.substr(1)) || (!name.empty() && fits(name.substr(1), pattern));
-  return !name.empty() && (pattern[0] == '?' || pattern[0] == name[0]) &&
-         fits(name.substr(1), pattern.substr(1));
-}
-
-/// The paths from `base` on that begin with `start` and go on as the parts of a pattern say; sorted. Names
-/// that begin with a dot only where the pattern does. A path without * and ? need not be there.
-std::vector<fs::path> paths_like(const fs::path& base, const fs::path& start, fs::path::const_iterator part,
-                                 fs::path::const_iterator end) {
-  if (part == end) return {start};
-  const std::string pattern = part->string();
-  ++part;
-  if (pattern.find_first_of("*?") == std::string::npos) return paths_like(base, start / pattern, part, end);
-  std::vector<fs::path> names, found;
-  std::error_code failed;
-  const fs::path folder = base / start;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, failed)) {
-    const std::string name = entry.path().filename().string();
-    if (fits(name, pattern) && (name[0] != '.' || pattern[0] == '.')) names.emplace_back(name);
-  }
-  std::sort(names.begin(), names.end());
-  for (const fs::path& name : names)
-    for (fs::path& path : paths_like(base, start / name, part, end))
-      if (fs::exists(base / path, failed)) found.push_back(std::move(path));
-  return found;
-}
-
-/// The volumes that a pattern means, as paths from the folder. Errors: kBadInput if there is none, and for a
-/// name that no table can hold.
-Result<std::vector<std::string>> matches(const std::string& folder, const std::string& text) {
-  const auto bad = [](const std::string& what) { return Error{ErrorCode::kBadInput, "study", what, {}}; };
-  const fs::path pattern = text;
-  std::vector<std::string> found;
-  for (const fs::path& path : paths_like(folder, {}, pattern.begin(), pattern.end())) {
-    found.push_back(path.string());
-    if (!is_utf8(found.back()))
-      return bad("volumes: found " + shown(found.back()) + ", a name that is no UTF-8; expected one that is");
-  }
-  if (found.empty()) return bad("volumes: found no file " + text + ", expected some");
-  return found;
-}
-
 Result<std::vector<std::string>> texts_of(const Json& object, const std::string& field) {
   std::vector<std::string> texts;
   if (!object.contains(field)) return texts;
@@ -149,7 +94,7 @@ Status read_volumes(const Json& object, const std::string& folder, Draft& draft)
   const Result<std::vector<std::string>> patterns = texts_of(object, "volumes");
   if (!patterns) return patterns.error();
   for (const std::string& pattern : *patterns) {
-    const Result<std::vector<std::string>> paths = matches(folder, pattern);
+    const Result<std::vector<std::string>> paths = volumes_like(folder, pattern);
     if (!paths) return paths.error();
     draft.volumes.insert(draft.volumes.end(), paths->begin(), paths->end());
   }

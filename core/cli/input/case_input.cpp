@@ -98,7 +98,17 @@ Result<nlohmann::json> to_cut(const std::string& text, const LabelWords& words) 
   return cut;
 }
 
-/// The masks and images of the case, beside it, and those of the options. Standard input is none of them.
+/// Reads a file, or standard input for "-", and gives it to `load`. `format`: the ending of one without a
+/// name.
+Status open_input(const std::string& path, const std::string& format, const LoadFile& load) {
+  const Result<Bytes> bytes = read_input(path);
+  if (!bytes) return bytes.error();
+  VolumeFile file = file_at(path, *bytes);
+  file.name = file_name(path) + (format.empty() ? "" : "." + format);
+  return load(file);
+}
+
+/// The masks and images of the case, beside it, and those of the options.
 SidePaths side_paths_of(const Recipe& recipe, const CaseOptions& options) {
   SidePaths paths{options.masks, options.size_images};
   const auto [masks, images] = side_paths(recipe, folder_of(options));
@@ -268,8 +278,7 @@ Status open_case(const CaseOptions& options, Session& session) {
   if (!is_link(options.input) && !is_case_file(options.input)) {
     path = options.input;
   } else if (recipe->source.file) {
-    path = recipe->source.file->name;
-    path = (std::filesystem::path(folder_of(options)) / path).string();
+    path = (std::filesystem::path(folder_of(options)) / recipe->source.file->name).string();
   }
   const bool is_volume = !path.empty() && !recipe->source.file;
   if (is_volume) recipe->source.file = FileSource{file_name(path), {}, {}};
@@ -277,15 +286,12 @@ Status open_case(const CaseOptions& options, Session& session) {
   if (!changed) return changed.error();
   if (!path.empty()) {
     const ReadOptions& read = changed->source.read;
-    const Result<Bytes> bytes = read_input(path);
-    if (!bytes) return bytes.error();
-    VolumeFile file = file_at(path, *bytes);
-    file.name = file_name(path);
-    if (!options.input_format.empty()) file.name += "." + options.input_format;
-    if (Status loaded = session.load_volume(file, read); !loaded) return loaded;
+    const auto load = [&](const VolumeFile& file) { return session.load_volume(file, read); };
+    if (Status loaded = open_input(path, options.input_format, load); !loaded) return loaded;
     if (is_volume) recipe->source = session.recipe().source;
   }
-  if (Status loaded = load_side_files(side_paths_of(*recipe, options), session); !loaded) return loaded;
+  const auto open = [](const std::string& side, const LoadFile& load) { return open_input(side, "", load); };
+  if (Status loaded = load_side_files(side_paths_of(*recipe, options), session, open); !loaded) return loaded;
   Result<std::shared_ptr<const LabelVolume>> volume = std::shared_ptr<const LabelVolume>();
   if (names_labels(options)) volume = volume_of(*changed, session);
   if (!volume) return volume.error();

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/with_commas.h"
+#include "io/bytes/xml_escaped.h"
 #include "pipeline/version/engine_version.h"
 #include "study/page/outliers.h"
 #include "study/page/plot.h"
@@ -50,8 +51,8 @@ th{position:sticky;top:0;background:#fff}td:nth-child(2),td.reason{text-align:le
 @media print{.wide{overflow:visible;max-height:none}})";
 
 std::string link_of(const Json& row, const std::string& base) {
-  return "<a href=\"" + escaped(base + row["link"].get<std::string>()) + "\">" +
-         escaped(row["name"].get<std::string>()) + "</a>";
+  return "<a href=\"" + xml_escaped(base + row["link"].get<std::string>()) + "\">" +
+         xml_escaped(row["name"].get<std::string>()) + "</a>";
 }
 
 std::string cell_text(const Json& value) {
@@ -81,7 +82,7 @@ std::string summary(const StudyTable& table) {
     if (cost["peak_mb"].is_number()) most_mb = std::max(most_mb, cost["peak_mb"].get<double>());
   }
   return out + cell_text(seconds) + " s in all, at most " + cell_text(most_mb) + " MB a case. Engine " +
-         escaped(engine_version()) + ". The same table: <a href=\"table.csv\">table.csv</a>, " +
+         xml_escaped(engine_version()) + ". The same table: <a href=\"table.csv\">table.csv</a>, " +
          "<a href=\"table.jsonl\">table.jsonl</a>, which the app opens; times and memory: <a "
          "href=\"costs.csv\">costs.csv</a>.</p>";
 }
@@ -91,8 +92,8 @@ std::string failures(const StudyTable& table, const std::string& base) {
   for (const Json& row : table.rows)
     if (row["status"] == "failed")
       rows += "<tr><td>" + cell_text(row["case"]) + "</td><td>" + link_of(row, base) + "</td><td>" +
-              escaped(cell_text(row["stage"])) + "</td><td class=\"reason failed\">" +
-              escaped(cell_text(row["reason"])) + "</td></tr>";
+              xml_escaped(cell_text(row["stage"])) + "</td><td class=\"reason failed\">" +
+              xml_escaped(cell_text(row["reason"])) + "</td></tr>";
   if (rows.empty()) return "";
   return "<h2>Failures</h2><div "
          "class=\"wide\"><table><tr><th>case</th><th>name</th><th>stage</th><th "
@@ -150,7 +151,7 @@ std::string outlier_figures(const StudyTable& table, const std::vector<Outlier>&
     if (!lines.contains(outlier.row)) order.push_back(outlier.row);
     const auto shown = std::find_if(kShown.begin(), kShown.end(),
                                     [&](const Shown& s) { return s.column == outlier.column; });
-    lines[outlier.row] += "<br>" + escaped(shown->title) + ": " + cell_text(outlier.value) + " (median " +
+    lines[outlier.row] += "<br>" + xml_escaped(shown->title) + ": " + cell_text(outlier.value) + " (median " +
                           cell_text(outlier.median) + ")";
   }
   if (order.empty()) return "";
@@ -183,13 +184,14 @@ std::string whole_table(const StudyTable& table, const std::string& base) {
   for (const auto& [column, value] : table.rows.front().items()) {
     if (left_out(column) || is_empty(column)) continue;
     columns.push_back(column);
-    out += "<th title=\"" + escaped(column) + "\">" + escaped(column.substr(column.rfind('.') + 1)) + "</th>";
+    out += "<th title=\"" + xml_escaped(column) + "\">" + xml_escaped(column.substr(column.rfind('.') + 1)) +
+           "</th>";
   }
   out += "</tr>";
   for (const Json& row : table.rows) {
     out += "<tr>";
     for (const std::string& column : columns)
-      out += "<td>" + (column == "name" ? link_of(row, base) : escaped(cell_text(row[column]))) + "</td>";
+      out += "<td>" + (column == "name" ? link_of(row, base) : xml_escaped(cell_text(row[column]))) + "</td>";
     out += "</tr>\n";
   }
   return out + "</table></div>";
@@ -206,7 +208,7 @@ std::string study_page(const Study& study, const StudyTable& table, const std::s
   for (const Outlier& outlier : outliers) marked[outlier.row] = true;
   return "<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\"><meta name=\"viewport\" "
          "content=\"width=device-width\"><title>" +
-         escaped(study.title) + "</title><style>" + kStyle + "</style>\n<h1>" + escaped(study.title) +
+         xml_escaped(study.title) + "</title><style>" + kStyle + "</style>\n<h1>" + xml_escaped(study.title) +
          "</h1>\n" + summary(table) + failures(table, base) + distributions(table) +
          against_cost(table, marked) + outlier_figures(table, outliers, base) + whole_table(table, base) +
          "</html>\n";

@@ -6,6 +6,8 @@
 
 #include <cstdio>
 
+#include "io/bytes/xml_escaped.h"
+
 namespace voxtet {
 namespace {
 
@@ -31,7 +33,8 @@ std::string tick_text(double tick, const std::vector<double>& ticks) {
 }
 
 std::string words(double x, double y, const char* anchor, const std::string& text) {
-  return format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) + escaped(text) + "</text>";
+  return format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", x, y, anchor) + xml_escaped(text) +
+         "</text>";
 }
 
 /// Axes and their place for the values between the first and last tick.
@@ -49,7 +52,7 @@ class Axes {
   std::string frame(const std::string& title, const std::string& x_title, const std::string& y_title) const {
     std::string out = format("<svg class=\"plot\" viewBox=\"0 0 %.0f %.0f\" role=\"img\">",
                              kLeft + kWide + 16, kTop + kTall + 42);
-    out += "<title>" + escaped(title) + "</title>" + words(kLeft, 14, "start", title);
+    out += "<title>" + xml_escaped(title) + "</title>" + words(kLeft, 14, "start", title);
     for (const double tick : x_ticks_)
       out += format("<path d=\"M%.1f %.1fv%.1f\"/>", x(tick), kTop, kTall) +
              words(x(tick), kTop + kTall + 14, "middle", tick_text(tick, x_ticks_));
@@ -65,23 +68,6 @@ class Axes {
 };
 
 }  // namespace
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 std::vector<double> round_ticks(double low, double high, double least) {
   constexpr double kFewest = 2;
@@ -145,7 +131,7 @@ std::string scatter_svg(const std::string& title, const std::string& x_title, co
   for (const PlotPoint& point : points)
     out += format("<circle%s cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\"><title>",
                   point.marked ? " class=\"marked\"" : "", axes.x(point.x), axes.y(point.y)) +
-           escaped(point.title) + "</title></circle>";
+           xml_escaped(point.title) + "</title></circle>";
   return out + "</svg>";
 }
 

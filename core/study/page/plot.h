@@ -7,9 +7,6 @@
 
 namespace voxtet {
 
-/// Text within HTML and SVG.
-std::string escaped(const std::string& text);
-
 /// Round numbers from at most `low` to at least `high`, two to seven steps apart, each step no less than
 /// `least`.
 std::vector<double> round_ticks(double low, double high, double least = 0);

@@ -1,8 +1,6 @@
 // Commands of the command line, run in a folder of their own.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -10,20 +8,12 @@
 
 #include "cli/cli.h"
 #include "io/bytes/files.h"
+#include "support/test_folder.h"
 
 namespace voxtet {
 
-class CliTest : public testing::Test {
+class CliTest : public test::FolderTest {
  protected:
-  void SetUp() override {
-    const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() / ("voxtet_cli_" + std::string(info->name()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string at(const std::string& name) const { return (folder_ / name).string(); }
   static int run(const std::vector<std::string>& words) {
     std::vector<const char*> argv{"voxtet"};
     for (const std::string& word : words) argv.push_back(word.c_str());
@@ -33,15 +23,10 @@ class CliTest : public testing::Test {
     const Result<Bytes> bytes = read_file(at(name));
     return bytes.ok() ? nlohmann::json::parse(bytes->begin(), bytes->end()) : nlohmann::json();
   }
-  void write(const std::string& name, const std::string& text) const {
-    ASSERT_TRUE(write_text_file(at(name), text).ok());
-  }
   std::size_t files() const {
     return static_cast<std::size_t>(
         std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator{}));
   }
-
-  std::filesystem::path folder_;
 };
 
 inline constexpr const char* kSphere =

@@ -227,6 +227,14 @@ TEST_F(CliTest, ReadsStandardInputAndWritesStandardOutput) {
   EXPECT_NE(with_input("a.vtu", {"check", "-"}).find("tetrahedra"), std::string::npos);
   EXPECT_NE(with_input("a.vtu", {"mesh", "-", "--input-format", "vtu"}).find("tetrahedra"),
             std::string::npos);
+  // A mask too, and what is no plain file.
+  with_input("ball.nii.gz", {"mesh", at("ball.nii.gz"), "--mask", "-", "--mask-edge", "1=1.5", "--edge-mm",
+                             "3", "--report", at("c.json")});
+  EXPECT_EQ(read_json("c.json")["recipe"]["sizing"]["masks"][0]["name"], "stdin");
+  with_input("ball.nii.gz", {"mesh", at("ball.nii.gz"), "--mask", "/dev/stdin", "--mask-edge", "1=1.5",
+                             "--edge-mm", "3", "--report", at("d.json")});
+  EXPECT_EQ(read_json("c.json")["digest"], read_json("d.json")["digest"]);
+  EXPECT_NE(read_json("c.json")["digest"], read_json("b.json")["digest"]);
 }
 #endif
 

@@ -4,30 +4,13 @@
 #include <string>
 
 #include "io/bytes/text_numbers.h"
+#include "io/bytes/xml_escaped.h"
 
 namespace voxtet {
 
 inline std::string xml_number(double value) {
   char text[kRealChars];
   return {text, format_real(text, value)};
-}
-
-/// As text, or as an attribute between double quotes.
-inline std::string xml_escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += c;
-  }
-  return result;
 }
 
 /// Values are written as they are: xml_escaped() is the caller's.
