@@ -150,3 +150,15 @@ test('the table of a study is fetched once the user says so', async ({ page }) =
   await expect(page.getByRole('heading', { level: 1 })).toContainText('30 cases');
   expect(asked).toBe(1);
 });
+
+test('a study that is dropped before the engine is up stays in front', async ({ page }) => {
+  await page.route('**/*.wasm', async (route) => {
+    await new Promise((later) => setTimeout(later, 2000));
+    await route.continue();
+  });
+  await page.goto('./');
+  await dropFile(page, ...studyFiles(test.info()));
+  await expect(page.getByRole('heading', { level: 1 })).toContainText('30 cases');
+  await idle(page);
+  await expect(page.getByRole('heading', { level: 1 })).toContainText('30 cases');
+});

@@ -1,7 +1,7 @@
 /** How the page is laid out: by its size, and by that of its type. */
 import { computed, effect, signal } from '@preact/signals';
 import { lessonAsked } from '../../store/case/keep/lesson_asked';
-import { caseId } from '../../store/case/recipe';
+import { caseId, hasSource, recipe } from '../../store/case/recipe';
 import { studyShown } from '../../store/study/study';
 import { largeType, marked } from '../../store/view';
 
@@ -52,9 +52,10 @@ export function followPageSize(): void {
     if (lessonAsked.value) pageTab.value = 'lesson';
     else if (pageTab.peek() === 'lesson') pageTab.value = 'view';
   });
-  // Another case, or a lesson, comes before the study.
+  // Another case, or a lesson, comes before the study; the empty page that the app begins with is no case.
+  const casePresent = computed(() => (recipe.value && hasSource(recipe.value) ? caseId.value : ''));
   effect(() => {
-    void [caseId.value, lessonAsked.value];
+    void [casePresent.value, lessonAsked.value];
     studyShown.value = false;
   });
 }
