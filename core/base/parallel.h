@@ -1,5 +1,5 @@
-// The only place that starts threads. A loop is cut into contiguous parts, one per thread, and each part into
-// stretches.
+// Loops on threads, which only parallel.cpp starts. A loop is cut into contiguous parts, one per thread, and
+// each part into stretches.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include <exception>
 #include <functional>
 #include <limits>
-#include <system_error>
 #include <thread>
 #include <type_traits>
 #include <vector>
@@ -56,11 +55,17 @@ void for_indices(std::size_t first, std::size_t last, Visit&& visit) {
   });
 }
 
+/// Calls run(part) once for each part below `parts`, at least 1, and returns after the last has ended. The
+/// caller's thread runs part 0, and then those that no other thread has begun. The other threads are kept
+/// from call to call, asleep while there is nothing to do; all callers share them, parts may call this again,
+/// and a child of fork() starts its own. `run` must not throw.
+void run_parts(std::size_t parts, const std::function<void(std::size_t)>& run);
+
 /// Cuts [0, count) into contiguous parts, one per thread, and calls body(first, last) for the stretches of
-/// each. The caller's thread runs the first part, and every part for which no thread could be started. `body`
-/// must write only to places that belong to its own indices, so that the result is that of body(0, count). If
-/// parts throw, the exception of the lowest such part is rethrown after all have ended. For `threads` < 2,
-/// and in WebAssembly built without threads, there is one part.
+/// each, the first part on the caller's thread. `body` must write only to places that belong to its own
+/// indices, so that the result is that of body(0, count). If parts throw, the exception of the lowest such
+/// part is rethrown after all have ended. For `threads` < 2, and in WebAssembly built without threads, there
+/// is one part.
 template <class Body>
 void parallel_for(int threads, std::size_t count, Body&& body) {
   const std::size_t parts = std::min(count, static_cast<std::size_t>(std::clamp(threads, 1, kMostThreads)));
@@ -76,31 +81,24 @@ void parallel_for(int threads, std::size_t count, Body&& body) {
       failures[part] = std::current_exception();
     }
   };
-  std::vector<std::thread> others;
-  others.reserve(parts - 1);
-  std::size_t started = 1;
-  try {
-    for (; started < parts; ++started)
-      others.emplace_back([&run, part = started] {
-        is_helper_thread = true;
-        run(part);
-      });
-  } catch (const std::system_error&) {
-    for (std::size_t part = started; part < parts; ++part) run(part);
-  }
-  run(0);
-  for (std::thread& other : others) other.join();
+  run_parts(parts, std::ref(run));
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);
 }
 
-/// Runs every task once, each on whichever thread is free, the first ones first. No task may write what
-/// another one reads or writes.
-inline void run_tasks(int threads, const std::vector<std::function<void()>>& tasks) {
+/// Calls task(i) once for each i below `count`, each on whichever thread is free, the first ones first. No
+/// task may write what another one reads or writes.
+template <class Task>
+void run_tasks(int threads, std::size_t count, const Task& task) {
   std::atomic<std::size_t> next = 0;
-  parallel_for(threads, tasks.size(), [&](std::size_t, std::size_t) {
-    for (std::size_t task = next++; task < tasks.size(); task = next++) tasks[task]();
+  parallel_for(threads, count, [&](std::size_t, std::size_t) {
+    for (std::size_t i = next++; i < count; i = next++) task(i);
   });
+}
+
+/// The same for tasks that have nothing in common.
+inline void run_tasks(int threads, const std::vector<std::function<void()>>& tasks) {
+  run_tasks(threads, tasks.size(), [&tasks](std::size_t i) { tasks[i](); });
 }
 
 /// How many threads are worth asking for on this machine, at least 1.

@@ -5,13 +5,28 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
+#ifndef __EMSCRIPTEN__
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
+
 namespace voxtet {
 namespace {
+
+/// The sum of what `count` loops of 100 indices on these threads visit.
+std::size_t visits_of_loops(int threads, int count) {
+  std::atomic<std::size_t> visits = 0;
+  for (int loop = 0; loop < count; ++loop)
+    parallel_for(threads, 100, [&](std::size_t first, std::size_t last) { visits += last - first; });
+  return visits;
+}
 
 TEST(ParallelFor, VisitsEveryIndexOnce) {
   for (const int threads : {-1, 0, 1, 2, 7})
@@ -89,11 +104,60 @@ TEST(ParallelFor, OnlyTheCallersThreadCallsBack) {
   }
 }
 
+TEST(ParallelFor, UsesTheSameThreadsAgain) {
+  std::mutex mutex;
+  std::set<std::thread::id> ids;
+  for (int loop = 0; loop < 200; ++loop)
+    parallel_for(4, 4, [&](std::size_t, std::size_t) {
+      const std::lock_guard lock(mutex);
+      ids.insert(std::this_thread::get_id());
+    });
+  // Loops of other cases may have left more of them.
+  EXPECT_LE(ids.size(), 9U);
+}
+
+TEST(ParallelFor, RunsInsideOfItself) {
+  for (const int threads : {1, 2, 5}) {
+    std::vector<int> visits(40, 0);
+    parallel_for(threads, 8, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        parallel_for(threads, 5, [&](std::size_t begin, std::size_t end) {
+          for (std::size_t j = begin; j < end; ++j) ++visits[5 * i + j];
+        });
+    });
+    EXPECT_EQ(visits, std::vector<int>(40, 1)) << threads;
+  }
+}
+
+#ifndef __EMSCRIPTEN__
+TEST(ParallelFor, ServesSeveralCallersAtOnce) {
+  std::vector<std::size_t> visits(4, 0);
+  std::vector<std::thread> callers;
+  callers.reserve(visits.size());
+  for (std::size_t& of_caller : visits)
+    callers.emplace_back([&of_caller] { of_caller = visits_of_loops(3, 200); });
+  for (std::thread& caller : callers) caller.join();
+  EXPECT_EQ(visits, std::vector<std::size_t>(4, 20'000));
+}
+
+TEST(ParallelFor, RunsInAChildOfFork) {
+  ASSERT_EQ(visits_of_loops(3, 5), 500U);
+  const pid_t child = fork();
+  if (child == 0) _exit(visits_of_loops(3, 5) == 500 ? 7 : 1);
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+  EXPECT_EQ(visits_of_loops(3, 5), 500U);
+}
+#endif
+
 TEST(RunTasks, RunsEveryTaskOnce) {
   for (const int threads : {0, 1, 2, 9})
     for (const std::size_t count : {0U, 1U, 5U}) {
       std::vector<int> runs(count, 0);
       std::vector<std::function<void()>> tasks;
+      tasks.reserve(count);
       for (int& run : runs) tasks.emplace_back([&run] { ++run; });
       run_tasks(threads, tasks);
       EXPECT_EQ(runs, std::vector<int>(count, 1)) << threads;
