@@ -7,6 +7,7 @@
 
 #include "io/volume/read_volume.h"
 #include "sweep/load_labels.h"
+#include "volume/clean/clean_volume.h"
 
 namespace voxtet::sweep {
 
@@ -15,6 +16,7 @@ struct TableCase {
   std::vector<Label> labels;
   bool merge = false;
   std::vector<LabelSize> sizes{};  ///< instead of twice the smallest spacing
+  bool clean = false;              ///< as the command line's --clean
 };
 
 inline std::vector<TableCase> table_cases() {
@@ -46,6 +48,11 @@ inline Status open_case(const TableCase& c, const std::string& path, const std::
   if (c.merge) recipe->merge = {c.labels};
   recipe->sizing.edge_mm = 2 * volume->smallest_spacing_mm();
   recipe->sizing.labels = c.sizes;
+  if (c.clean) {
+    recipe->volume.speck_voxels = kUsualCleaning.speck_voxels;
+    recipe->volume.hole_voxels = kUsualCleaning.hole_voxels;
+    recipe->volume.handle_voxels = kUsualCleaning.handle_voxels;
+  }
   return session.set_recipe(*recipe);
 }
 
