@@ -1,5 +1,5 @@
 // Memory in huge pages, where the system grants them to programs that ask (Linux: transparent_hugepage =
-// madvise), and kept once it is there.
+// madvise).
 #pragma once
 
 #if defined(__linux__)
@@ -13,19 +13,14 @@
 namespace voxtet {
 
 /// Starts the program once more with a malloc that asks for huge pages (a page fault then maps 2 MB instead
-/// of 4 kB), and that keeps freed memory for what comes next instead of giving it back (a tenth of the page
-/// faults); glibc offers the first in no other way. Does nothing if GLIBC_TUNABLES is already set. Call it
-/// first.
+/// of 4 kB); glibc offers this in no other way. Does nothing if GLIBC_TUNABLES is already set. Call it first.
 inline void use_huge_pages([[maybe_unused]] char** argv) {
 #if defined(__linux__)
   constexpr const char* kName = "GLIBC_TUNABLES";
-  constexpr const char* kTunables =
-      "glibc.malloc.hugetlb=1:glibc.malloc.trim_threshold=4294967296:"
-      "glibc.malloc.mmap_threshold=1073741824:glibc.malloc.top_pad=33554432";
   if (std::getenv(kName)) return;
   std::error_code failed;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failed);
-  if (!failed && setenv(kName, kTunables, 0) == 0) execv(self.c_str(), argv);
+  if (!failed && setenv(kName, "glibc.malloc.hugetlb=1", 0) == 0) execv(self.c_str(), argv);
 #endif
 }
 
