@@ -28,11 +28,13 @@ struct Loop {
   std::atomic<std::size_t> running = 0;  ///< parts that workers have begun and not ended
 };
 
-/// The threads that all callers share, as many as the longest loop so far had use for.
+/// The threads that all callers share: as many as all loops at once had use for so far, without loops inside
+/// of a worker's part.
 class Workers {
  public:
   void run(Loop& loop) {
-    post(loop);
+    const std::size_t wanted = is_helper_thread ? 0 : loop.parts - 1;
+    post(loop, wanted);
     loop.run(0);
     std::unique_lock lock(mutex_);
     while (loop.next < loop.parts) run_next(loop, lock);
@@ -40,13 +42,15 @@ class Workers {
     look_for([&loop] { return loop.running == 0; });
     lock.lock();
     ended_.wait(lock, [&loop] { return loop.running == 0; });
+    wanted_ -= wanted;
   }
 
  private:
-  void post(Loop& loop) {
+  void post(Loop& loop, std::size_t wanted) {
     {
       const std::lock_guard lock(mutex_);
-      while (may_start_ && workers_ + 1 < loop.parts) start_worker();
+      wanted_ += wanted;
+      while (may_start_ && workers_ < wanted_) start_worker();
       loops_.push_back(&loop);
       ++posted_;
     }
@@ -90,7 +94,7 @@ class Workers {
   std::condition_variable wake_, ended_;
   std::vector<Loop*> loops_;  ///< those with parts that nobody has begun
   std::atomic<std::size_t> posted_ = 0;
-  std::size_t workers_ = 0;
+  std::size_t workers_ = 0, wanted_ = 0;
   bool may_start_ = true;
 };
 

@@ -7,7 +7,6 @@
 
 #include "io/volume/read_volume.h"
 #include "sweep/load_labels.h"
-#include "volume/clean/clean_volume.h"
 
 namespace voxtet::sweep {
 
@@ -49,9 +48,10 @@ inline Status open_case(const TableCase& c, const std::string& path, const std::
   recipe->sizing.edge_mm = 2 * volume->smallest_spacing_mm();
   recipe->sizing.labels = c.sizes;
   if (c.clean) {
-    recipe->volume.speck_voxels = kUsualCleaning.speck_voxels;
-    recipe->volume.hole_voxels = kUsualCleaning.hole_voxels;
-    recipe->volume.handle_voxels = kUsualCleaning.handle_voxels;
+    nlohmann::json cleaned = recipe_to_json(*recipe);
+    cleaned.merge_patch(cleaning_preset());
+    recipe = parse_recipe(cleaned);
+    if (!recipe) return recipe.error();
   }
   return session.set_recipe(*recipe);
 }

@@ -193,8 +193,7 @@ int main(int argc, char** argv) {
   Findings findings;
   std::printf(
       "Distances in voxels (smallest spacing) between the mesh's boundaries and the reference: the surface "
-      "as "
-      "extracted from the voxels, and smoothed.\n\n");
+      "as extracted from the voxels, and smoothed.\n\n");
   print_fidelity_heading();
   for (const std::string& method : line.methods) {
     asked.method = method;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <set>
@@ -138,6 +139,24 @@ TEST(ParallelFor, ServesSeveralCallersAtOnce) {
     callers.emplace_back([&of_caller] { of_caller = visits_of_loops(3, 200); });
   for (std::thread& caller : callers) caller.join();
   EXPECT_EQ(visits, std::vector<std::size_t>(4, 20'000));
+}
+
+// Each of three loops waits for its other part, on a thread that nobody else may hold back.
+TEST(ParallelFor, GivesCallersAtOnceThreadsOfTheirOwn) {
+  constexpr int kCallers = 3;
+  std::atomic<int> parts = 0;
+  std::atomic<bool> all_began = true;
+  const auto wait_for_all = [&](std::size_t, std::size_t) {
+    ++parts;
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (parts < 2 * kCallers && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    if (parts < 2 * kCallers) all_began = false;
+  };
+  std::vector<std::thread> callers;
+  callers.reserve(kCallers);
+  for (int i = 0; i < kCallers; ++i) callers.emplace_back([&] { parallel_for(2, 2, wait_for_all); });
+  for (std::thread& caller : callers) caller.join();
+  EXPECT_TRUE(all_began);
 }
 
 TEST(ParallelFor, RunsInAChildOfFork) {
