@@ -2,7 +2,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import { readFile } from 'node:fs/promises';
 import type { Page } from '@playwright/test';
-import { dropFile, expect, idle, meshed, test } from './support';
+import { dropFile, expect, idle, meshed, stage, test } from './support';
 
 const panel = (page: Page) => page.locator('.panel.lesson');
 async function next(page: Page): Promise<void> {
@@ -56,8 +56,9 @@ test('a wrong answer is told so, hints help, and a reload goes on with the step'
   await panel(page).getByRole('button', { name: 'Leave the lesson' }).click();
   expect(new URL(page.url()).search).toBe('');
   await page.reload();
-  await idle(page);
   await expect(panel(page)).toHaveCount(0);
+  // A page that is left while the engine is at work asks next time whether to go on.
+  await expect(stage(page, 'smooth')).toHaveAttribute('data-state', 'done');
   await idle(page);
   await page.goto('./?lesson=surface');
   await panel(page).getByRole('button', { name: 'Go on at step 3' }).click();
