@@ -133,8 +133,10 @@ void find_base(const Points& points, const WallSurface& surface, int threads, Fa
   even_out(points.size(), surface, kinds);
   const SurfaceParts parts = surface_parts(surface, kinds);
   std::vector<Fate> fates = largest_stay(parts);
-  for (std::size_t part = 0; part < fates.size(); ++part)
-    if (parts.name[part] == wall::kSide) fates[part] = Fate::kStays;
+  const std::vector<bool> inner = points_of(points.size(), surface, kinds, is_inner);
+  for (std::size_t f = 0; f < kinds.size(); ++f)
+    if (kinds[f] == wall::kSide && touches(surface.faces[f].corners, inner))
+      fates[parts.of[f]] = Fate::kStays;
   give_away(surface, parts, fates, wall::kWall, kinds);
 }
 

@@ -3,10 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "base/parallel.h"
-#include "geometry/elements/half_space.h"
+#include "surface/smooth/voxel_centres.h"
 
 namespace voxtet {
 namespace {
@@ -14,7 +13,6 @@ namespace {
 using Points = std::vector<Eigen::Vector3d>;
 
 constexpr double kSmallestAreaRatio = 0.02;
-constexpr double kCentreDistance = 0.05;  ///< voxels
 
 bool keeps_area(const Points& start, const Points& points, const Triangle& t) {
   const auto cross = [&t](const Points& at) -> Eigen::Vector3d {
@@ -34,23 +32,7 @@ bool passes_held_centre(const VoxelRegions& regions, const Points& start, const 
                         const Triangle& t) {
   const std::array<const Eigen::Vector3d*, 6> hull{&start[t[0]],  &start[t[1]],  &start[t[2]],
                                                    &points[t[0]], &points[t[1]], &points[t[2]]};
-  Eigen::Vector3d low = *hull[0], high = *hull[0];
-  for (const Eigen::Vector3d* corner : hull) {
-    low = low.cwiseMin(*corner);
-    high = high.cwiseMax(*corner);
-  }
-  const Eigen::Vector3d first = (low.array() - kCentreDistance).ceil();
-  const Eigen::Vector3d last = (high.array() + kCentreDistance).floor();
-  Eigen::Vector3d centre;
-  for (centre.z() = first.z(); centre.z() <= last.z(); ++centre.z())
-    for (centre.y() = first.y(); centre.y() <= last.y(); ++centre.y())
-      for (centre.x() = first.x(); centre.x() <= last.x(); ++centre.x()) {
-        if (!is_held(regions, centre)) continue;
-        Vectors<6> to_hull;
-        for (std::size_t i = 0; i < 6; ++i) to_hull.set(i, *hull[i], centre);
-        if (!in_open_half_space(to_hull, kCentreDistance)) return true;
-      }
-  return false;
+  return reaches_centre(hull, [&](const Eigen::Vector3d& centre) { return is_held(regions, centre); });
 }
 
 }  // namespace

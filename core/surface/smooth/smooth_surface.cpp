@@ -13,6 +13,7 @@
 #include "geometry/repair/undo_intersections.h"
 #include "surface/smooth/bilaplacian.h"
 #include "surface/smooth/crossing_limits.h"
+#include "surface/smooth/join_diagonals.h"
 #include "surface/smooth/move_limits.h"
 #include "surface/smooth/shape_guard.h"
 #include "surface/smooth/surface_graph.h"
@@ -202,40 +203,68 @@ Eigen::Vector3d reach_of(const SmoothParams& params, const std::array<int, 3>& p
   return reach;
 }
 
+/// Volumes corrected, points in mm, flat in cuts and without intersections. `x`: in index space.
+Result<SurfaceMesh> finished(const CorrectionProblem& problem, const VoxelRegions& regions,
+                             const SurfaceGraph& graph, const LabelVolume& volume, bool keep_volume,
+                             const CutPlanes& cuts, RunContext& ctx, Points& x) {
+  if (keep_volume && !correct_guarded(problem, regions, graph, ctx, x)) return cancelled_error(kSmoothStage);
+  const SurfaceMesh& surface = problem.surface;
+  SurfaceMesh out{std::move(x), surface.triangles, surface.sides};
+  for (std::size_t v = 0; v < out.points.size(); ++v)
+    out.points[v] = out.points[v] == problem.start[v]
+                        ? surface.points[v]
+                        : Eigen::Vector3d(volume.linear() * out.points[v] + volume.origin());
+  flatten_cuts(out, cuts);
+  if (undo_intersections(out, surface.points, ctx).cancelled) return cancelled_error(kSmoothStage);
+  ctx.progress(kSmoothStage, 1.0);
+  return out;
+}
+
+template <class T>
+std::vector<T> picked(const std::vector<T>& all, const std::vector<std::uint32_t>& which) {
+  std::vector<T> out;
+  out.reserve(which.size());
+  for (const std::uint32_t i : which) out.push_back(all[i]);
+  return out;
+}
+
 Result<SurfaceMesh> smooth_checked(const SurfaceMesh& surface, const LabelVolume& volume,
                                    const SmoothParams& params, RunContext& ctx, const CutPlanes& cuts,
                                    const std::array<int, 3>& planes) {
-  const Eigen::Matrix3d to_mm = volume.linear();
-  const Eigen::Matrix3d to_index = to_mm.inverse();
-  const Eigen::Vector3d origin = volume.origin();
+  const Eigen::Matrix3d to_index = volume.linear().inverse();
   Points start(surface.points.size());
-  for (std::size_t v = 0; v < start.size(); ++v) start[v] = to_index * (surface.points[v] - origin);
+  for (std::size_t v = 0; v < start.size(); ++v) start[v] = to_index * (surface.points[v] - volume.origin());
 
   const Label label = only_label(surface);
   const VoxelRegions regions(volume, label);
   const Result<RegionSides> sides = find_region_sides(surface, start, regions, volume.size, ctx.threads);
   if (!sides) return sides.error();
   const SurfaceGraph graph = build_surface_graph(surface);
-  MoveLimits limits(start, regions, reach_of(params, planes));
-  hold_in_planes(surface, cuts, limits);
-  const double orientation = to_mm.determinant() < 0 ? -1 : 1;
+  const auto limits_of = [&](const SurfaceMesh& of, const Points& at) {
+    MoveLimits limits(at, regions, reach_of(params, planes));
+    hold_in_planes(of, cuts, limits);
+    return limits;
+  };
+  const MoveLimits limits = limits_of(surface, start);
+  const double orientation = volume.linear().determinant() < 0 ? -1 : 1;
   const CorrectionProblem problem{surface, *sides, regions.volumes(), start, limits, orientation};
   Points x = start;
   const bool is_one_label = label != kBackground;
   if (!smooth_guarded(problem, regions, graph, vertices_of_thin(problem, regions, cuts, is_one_label), params,
                       steps_of(params.iterations, is_one_label), ctx, x))
     return cancelled_error(kSmoothStage);
-  if (params.keep_volume && !correct_guarded(problem, regions, graph, ctx, x))
-    return cancelled_error(kSmoothStage);
+  if (is_one_label) return finished(problem, regions, graph, volume, params.keep_volume, cuts, ctx, x);
 
-  SurfaceMesh out{std::move(x), surface.triangles, surface.sides};
-  for (std::size_t v = 0; v < out.points.size(); ++v)
-    out.points[v] =
-        out.points[v] == start[v] ? surface.points[v] : Eigen::Vector3d(to_mm * out.points[v] + origin);
-  flatten_cuts(out, cuts);
-  if (undo_intersections(out, surface.points, ctx).cancelled) return cancelled_error(kSmoothStage);
-  ctx.progress(kSmoothStage, 1.0);
-  return out;
+  const std::optional<JoinedSurface> joined = join_diagonals(volume, surface, start, x, ctx);
+  if (!joined) return cancelled_error(kSmoothStage);
+  const SurfaceMesh fewer{picked(surface.points, joined->vertex_of), joined->triangles,
+                          picked(surface.sides, joined->triangle_of)};
+  const Points fewer_start = picked(start, joined->vertex_of);
+  const RegionSides fewer_sides = picked(*sides, joined->triangle_of);
+  const MoveLimits fewer_limits = limits_of(fewer, fewer_start);
+  x = picked(x, joined->vertex_of);
+  return finished({fewer, fewer_sides, regions.volumes(), fewer_start, fewer_limits, orientation}, regions,
+                  build_surface_graph(fewer), volume, params.keep_volume, cuts, ctx, x);
 }
 
 }  // namespace

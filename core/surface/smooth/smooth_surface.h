@@ -26,8 +26,9 @@ struct SmoothParams {
 /// up to ten vertices stay fixed. Small components and straight wires one voxel thick grow no thinner
 /// (move_limits.h), and take the first third of the steps alone. Surfaces of several labels, whose edges are
 /// half as long, take a third more, except at regions that are thinner than about four voxels, which take a
-/// third. Then the interfaces shift along their normals, within the same clamp, until every connected region
-/// of a label has the volume of its voxels. The interface of regions a and b moves by lambda_a - lambda_b,
+/// third; then they lose about two thirds of their vertices (join_diagonals.h). At last the interfaces shift
+/// along their normals, within the same clamp, until every connected region of a label has the volume of its
+/// voxels. The interface of regions a and b moves by lambda_a - lambda_b,
 /// the distribution of least area-weighted square (volume_correction.h).
 ///
 /// Guarantees, whatever the labels:
@@ -37,9 +38,8 @@ struct SmoothParams {
 ///   than one voxel: those deeper than half a voxel, and those of sheets, wires, gaps and small components
 ///   one voxel thick, are kept (shape_guard.h).
 /// - No vertex moves further than `max_move_voxels` along an index axis. Across slices that were
-/// interpolated, of
-///   which each became `planes` voxels, `slice_share` of a slice counts as one voxel.
-/// - Triangles and sides are those of the input.
+///   interpolated, of which each became `planes` voxels, `slice_share` of a slice counts as one voxel.
+/// - Triangles and sides of one label are those of the input.
 /// Volumes are met to about 1e-4 of a region unless the first three guarantees prevent it.
 ///
 /// Vertices of cuts stay in their planes; `cuts` are in the grid of the volume.

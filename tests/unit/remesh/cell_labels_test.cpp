@@ -170,7 +170,7 @@ TEST(RemoveWedges, AddsNoPinchesAndBluntsWedges) {
   const SizingField sizing = test::uniform_sizing(2);
   double sharpest_before = 180, sharpest_after = 180;
   int manifolds = 0;
-  for (int n = 0; n < 4; ++n) {
+  for (int n = 0; n < 6; ++n) {
     const LabelVolume volume = test::heart_volume(26 + n, 22, 22 + n);
     const LabelField field = field_of(volume);
     LabelledCells cells = refined(volume, field, 2);

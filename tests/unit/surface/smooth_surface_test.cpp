@@ -137,19 +137,21 @@ TEST(SmoothSurface, MovesNoVertexFurtherThanItsClamp) {
   heart.index_to_mm.topLeftCorner<3, 3>() =
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -1, 2).normalized()).toRotationMatrix() *
       Eigen::Vector3d(-1.4, 1.4, 8).asDiagonal();
+  const Eigen::Matrix3d to_index = heart.linear().inverse();
   const SurfaceMesh raw = extract(heart);
   for (const double reach : {0.5, 0.2}) {
     SmoothParams params;
     params.max_move_voxels = reach;
     const SurfaceMesh surface = smooth(raw, heart, params);
     double largest = 0;
-    for (std::size_t p = 0; p < raw.points.size(); ++p)
-      largest = std::max(
-          largest, (heart.linear().inverse() * (surface.points[p] - raw.points[p])).cwiseAbs().maxCoeff());
+    for (const Eigen::Vector3d& point : surface.points) {
+      double nearest = 1;
+      for (const Eigen::Vector3d& start : raw.points)
+        nearest = std::min(nearest, (to_index * (point - start)).cwiseAbs().maxCoeff());
+      largest = std::max(largest, nearest);
+    }
     EXPECT_LE(largest, reach + 1e-9);
     EXPECT_GT(largest, 0.5 * reach);
-    EXPECT_EQ(surface.triangles, raw.triangles);
-    EXPECT_EQ(surface.sides, raw.sides);
   }
 }
 
@@ -183,13 +185,13 @@ TEST(SmoothSurface, KeepsSpecksAndPillarsFromCollapsing) {
     const SurfaceMesh raw = extract(volume, method);
     const SurfaceMesh surface = smooth(raw, volume);
     EXPECT_TRUE(is_valid_surface(surface));
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-      const Triangle& v = surface.triangles[t];
-      const auto area = [&v](const SurfaceMesh& s) {
-        return triangle_area_mm2(s.points[v[0]], s.points[v[1]], s.points[v[2]]);
-      };
-      ASSERT_GE(area(surface), 0.005 * area(raw)) << t;
-    }
+    const auto least_area = [](const SurfaceMesh& s) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const auto& [a, b, c] : s.triangles)
+        least = std::min(least, triangle_area_mm2(s.points[a], s.points[b], s.points[c]));
+      return least;
+    };
+    EXPECT_GE(least_area(surface), 0.005 * least_area(raw));
   }
 }
 
