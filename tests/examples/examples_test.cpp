@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "io/bytes/files.h"
+#include "page_rows.h"
 #include "pipeline/report.h"
 #include "pipeline/session.h"
 #include "support/check_tets.h"
@@ -51,6 +52,8 @@ TEST_P(Example, GivesThePromisedMesh) {
   }
   test::check_tets(*session.mesh());
   json report = report_json(session);
+  SCOPED_TRACE("scripts/update_expected rewrites the rows of README.md");
+  test::expect_mesh_rows(GetParam() + "/README.md", report);
   json by_name = json::object();
   for (const json& metric : report["quality"]["metrics"])
     if (!by_name.contains(metric["name"])) by_name[metric["name"].get<std::string>()] = metric;
