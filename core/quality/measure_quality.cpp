@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -140,8 +141,9 @@ using Tasks = std::vector<std::function<void()>>;
 
 /// The part of the report that needs the mesh alone, its ledger included. `others` are run along with it,
 /// unless a point has no place.
-QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& faces,
-                             const SizingField* sizing, int bins, int threads, Tasks others = {}) {
+Result<QualityReport> report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& faces,
+                                     const SizingField* sizing, int bins, const RunContext& ctx,
+                                     Tasks others = {}) {
   QualityReport report;
   TopologyLedger& ledger = report.topology.after;
   const auto find_ledger = [&] { ledger = label_topology(label_boundary(mesh, faces)); };
@@ -151,7 +153,7 @@ QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& fa
     return report;
   }
   std::vector<float> all_angles;
-  report.fields = measure_tets(mesh, sizing, threads, &all_angles);
+  report.fields = measure_tets(mesh, sizing, ctx.threads, &all_angles);
   std::vector<std::pair<MetricInfo, const std::vector<float>*>> of_tets;
   for (const TetMeasure& row : tet_measures())
     if (row.lo < row.hi)
@@ -165,7 +167,14 @@ QualityReport report_of_mesh(const TetMesh& mesh, const std::vector<TetFace>& fa
   tasks.emplace_back(find_ledger);
   for (std::size_t i = 0; i < of_tets.size(); ++i)
     tasks.emplace_back([&, i] { report.metrics[i] = summarise(of_tets[i].first, *of_tets[i].second, bins); });
-  run_tasks(threads, tasks);
+  std::atomic<bool> cancelled = false;
+  for (std::function<void()>& task : tasks)
+    task = [&cancelled, &ctx, own = std::move(task)] {
+      if (ctx.cancelled()) cancelled = true;
+      if (!cancelled) own();
+    };
+  run_tasks(ctx.threads, tasks);
+  if (cancelled) return cancelled_error(kQualityStage);
   std::move(of_edges.begin(), of_edges.end(), std::back_inserter(report.metrics));
   report.checklist = check_mesh_alone(mesh, faces, ledger, report.metrics.front().min);
   return report;
@@ -177,8 +186,7 @@ Result<QualityReport> measure_mesh(const TetMesh& mesh, const QualityParams& par
   if (Status valid = check_params(params); !valid) return valid.error();
   if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
   if (ctx.cancelled()) return cancelled_error(kQualityStage);
-  return report_of_mesh(mesh, tet_faces(mesh.tets, mesh.points.size()), nullptr, params.histogram_bins,
-                        ctx.threads);
+  return report_of_mesh(mesh, tet_faces(mesh.tets, mesh.points.size()), nullptr, params.histogram_bins, ctx);
 }
 
 Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReference& reference,
@@ -187,7 +195,7 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   if (Status valid = check_mesh_arrays(mesh); !valid) return valid.error();
   const int bins = params.histogram_bins;
   const std::vector<TetFace> faces = tet_faces(mesh.tets, mesh.points.size());
-  if (!has_places(mesh)) return report_of_mesh(mesh, faces, &reference.sizing, bins, ctx.threads);
+  if (!has_places(mesh)) return report_of_mesh(mesh, faces, &reference.sizing, bins, ctx);
   ctx.progress(kQualityStage, 0.1);
   if (ctx.cancelled()) return cancelled_error(kQualityStage);
   const double voxel = reference.volume.smallest_spacing_mm();
@@ -202,15 +210,16 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   TopologyLedger before;
   FoundLayers layers;
   std::vector<Field> distances_of_faces;
-  QualityReport report = report_of_mesh(
-      mesh, faces, &reference.sizing, bins, ctx.threads,
+  Result<QualityReport> of_mesh = report_of_mesh(
+      mesh, faces, &reference.sizing, bins, ctx,
       {[&] { distances.measure(0); }, [&] { distances.measure(1); },
        [&] { labels = measure_labels(mesh, reference.labels, reference.sizing, reference.more_mm3); },
        [&] { layers = count_layers(mesh, reference.walls); },
        [&] { distances_of_faces = distance_fields(mesh, surface, voxel); },
        [&] { before = label_topology(surface); },
        [&] { of_triangles = triangle_metrics(surface, reference.adapted, bins); }});
-  if (ctx.cancelled()) return cancelled_error(kQualityStage);
+  if (!of_mesh) return of_mesh.error();
+  QualityReport report = std::move(of_mesh).value();
   const Result<SurfaceDistances> measured = distances.result();
   if (!measured) return measured.error();
   report.mesh_to_surface = measured->forth;

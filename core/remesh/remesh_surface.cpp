@@ -211,7 +211,7 @@ Result<SurfaceMesh> refine(const LabelVolume& volume, const SurfaceMesh& referen
                            const TopologyLedger& wanted, const SizingField& sizing,
                            const RemeshParams& params, RunContext& ctx, const WallLayers& layers,
                            const CutPlanes& cuts) {
-  const LabelField field(volume, reference, layers);
+  const LabelField field(volume, reference, layers, ctx.threads);
   if (ctx.cancelled()) return cancelled_error(kRemeshStage);
   RunContext refinement = ctx.part(kFieldShare, 1);
   DelaunayParams aims{params.facet_angle_deg, params.max_distance_voxels};

@@ -75,8 +75,13 @@ class AdaptPasses {
     ctx_.progress(kRemeshStage, share);
     return !ctx_.cancelled();
   }
-  /// Whether the run is cancelled, asked every few thousand items of a pass.
-  bool cancelled_at(std::size_t item) const { return item % 4096 == 0 && ctx_.cancelled(); }
+  /// Whether the run is cancelled, asked every few thousand items of a pass or hundred attempts.
+  bool cancelled_at(std::size_t item) {
+    constexpr std::uint32_t kItems = 4096, kAttempts = 512;
+    if (item % kItems != 0 && editor_.attempts() - asked_at_ < kAttempts) return false;
+    asked_at_ = editor_.attempts();
+    return ctx_.cancelled();
+  }
 
   const AdaptParams& params_;
   RunContext& ctx_;
@@ -98,6 +103,7 @@ class AdaptPasses {
   std::vector<Nearest> nearest_;       ///< by vertex; length 0 where it was not looked at
   double cell_mm_ = 0;
   std::uint32_t fitted_at_ = 0;  ///< the number of the editor's attempts at that time
+  std::uint32_t asked_at_ = 0;   ///< the same, when it was last asked whether the run is cancelled
 };
 
 template <class CollapseToOne>

@@ -6,16 +6,19 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
+
 namespace voxtet::remesh {
 namespace {
 
 constexpr double kMendLatticeVoxels = 0.5;
 constexpr double kLeastReachVoxels = 0.4;  ///< nearer than this is near enough
 constexpr std::uint8_t kMostFailures = 2;  ///< to bring a facet nearer
-constexpr double kAimShare = 0.95;         ///< of the envelope: between samples facets may be farther
-constexpr double kNearShare = 0.4;         ///< of the envelope: samples that need no closer look
-constexpr double kNearerShare = 0.97;      ///< of the largest distance, if that is to fall
-constexpr double kLeastWeight = 0.2;  ///< of a corner that is moved to bring a point of its triangle nearer
+constexpr std::uint32_t kLookedAhead = 16384;
+constexpr double kAimShare = 0.95;     ///< of the envelope: between samples facets may be farther
+constexpr double kNearShare = 0.4;     ///< of the envelope: samples that need no closer look
+constexpr double kNearerShare = 0.97;  ///< of the largest distance, if that is to fall
+constexpr double kLeastWeight = 0.2;   ///< of a corner that is moved to bring a point of its triangle nearer
 
 }  // namespace
 
@@ -33,30 +36,65 @@ bool FacetMender::come_nearer() {
   for (int pass = 0; pass < kPasses && any; ++pass) {
     const std::uint32_t now = editor_.attempts();
     any = false;
+    std::uint32_t ahead_at = now;  // after which attempt was looked ahead
     for (std::uint32_t t = 0; t < mesh.slot_count(); ++t) {
       if (cancelled_at(t)) return false;
-      if (!mesh.alive(t) || failures_of(t) >= kMostFailures) continue;
-      const Triangle& corners = mesh.triangle(t);
-      if (looked_at_ > 0 && std::none_of(corners.begin(), corners.end(),
-                                         [&](std::uint32_t v) { return editor_.changed_at(v) > looked_at_; }))
-        continue;
-      any = approach(t, reach_mm) || any;
+      if (t % kLookedAhead == 0) {
+        ahead_at = editor_.attempts();
+        look_ahead(t, reach_mm);
+      }
+      const bool known = t < is_far_.size() && !touched_since(t, ahead_at);
+      if (is_worth_a_look(t) && (!known || is_far_[t] != 0)) any = approach(t, reach_mm) || any;
     }
     looked_at_ = now;
   }
   return true;
 }
 
+bool FacetMender::touched_since(std::uint32_t t, std::uint32_t attempt) const {
+  const Triangle& corners = editor_.mesh().triangle(t);
+  return std::any_of(corners.begin(), corners.end(),
+                     [&](std::uint32_t v) { return editor_.touched_at(v) > attempt; });
+}
+
+bool FacetMender::is_worth_a_look(std::uint32_t t) const {
+  if (!editor_.mesh().alive(t) || (t < failures_.size() && failures_[t] >= kMostFailures)) return false;
+  const Triangle& corners = editor_.mesh().triangle(t);
+  return looked_at_ == 0 || std::any_of(corners.begin(), corners.end(),
+                                        [&](std::uint32_t v) { return editor_.changed_at(v) > looked_at_; });
+}
+
+/// Which of the next triangles are beyond the envelope; holds for those that nothing touches.
+void FacetMender::look_ahead(std::uint32_t from, double reach_mm) {
+  const std::size_t end = std::min<std::size_t>(editor_.mesh().slot_count(), from + kLookedAhead);
+  is_far_.assign(end, 0);
+  editor_.make_room_for_deviations();
+  parallel_for(ctx_.threads, end - from, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto t = static_cast<std::uint32_t>(from + i);
+      is_far_[t] = is_worth_a_look(t) && far_place(t, reach_mm).has_value();
+    }
+  });
+}
+
+/// Where a triangle is beyond the envelope.
+std::optional<ComplexEditor::Deviation> FacetMender::far_place(std::uint32_t t, double reach_mm) const {
+  const double most_mm = 4 * reach_mm;  // beyond, another sheet may have been taken for the triangle's
+  if (editor_.well_sampled(t, kNearShare * reach_mm)) return std::nullopt;
+  const ComplexEditor::Deviation deviation = editor_.farthest(t);
+  if (deviation.distance2 <= reach_mm * reach_mm || deviation.distance2 > most_mm * most_mm)
+    return std::nullopt;
+  return deviation;
+}
+
 /// Step by step; whether there was any.
 bool FacetMender::approach(std::uint32_t t, double reach_mm) {
   constexpr int kMostSteps = 6;
-  const double most_mm = 4 * reach_mm;  // beyond, another sheet may have been taken for the triangle's
   bool any = false;
   for (int step = 0; step < kMostSteps && editor_.mesh().alive(t); ++step) {
-    if (editor_.well_sampled(t, kNearShare * reach_mm)) break;
-    const ComplexEditor::Deviation deviation = editor_.farthest(t);
-    if (deviation.distance2 <= reach_mm * reach_mm || deviation.distance2 > most_mm * most_mm) break;
-    if (!bring_nearer(t, deviation)) {
+    const std::optional<ComplexEditor::Deviation> deviation = far_place(t, reach_mm);
+    if (!deviation) break;
+    if (!bring_nearer(t, *deviation)) {
       ++failures_of(t);
       break;
     }

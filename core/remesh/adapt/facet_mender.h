@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "remesh/adapt/healing_passes.h"
@@ -28,6 +29,10 @@ class FacetMender : public HealingPasses {
   double aim_mm() const;
 
  private:
+  bool touched_since(std::uint32_t t, std::uint32_t attempt) const;
+  bool is_worth_a_look(std::uint32_t t) const;
+  void look_ahead(std::uint32_t from, double reach_mm);
+  std::optional<ComplexEditor::Deviation> far_place(std::uint32_t t, double reach_mm) const;
   bool approach(std::uint32_t t, double reach_mm);
   bool bring_nearer(std::uint32_t t, const ComplexEditor::Deviation& deviation);
   bool split_and_shift(std::uint32_t v, const Eigen::Vector3d& by);
@@ -39,7 +44,7 @@ class FacetMender : public HealingPasses {
     return failures_[t];
   }
 
-  std::vector<std::uint8_t> failures_;
+  std::vector<std::uint8_t> failures_, is_far_;
   std::uint32_t looked_at_ = 0;  ///< the number of attempts when come_nearer() last began a pass
 };
 

@@ -224,8 +224,10 @@ Result<SurfaceMesh> improve_surface(const SurfaceMesh& surface, const SurfaceMes
     for (const SurfaceMesh* part : {&surface, &reference})
       std::unique_copy(part->sides.begin(), part->sides.end(), std::back_inserter(sides));
     const ComplexMesh mesh(surface, sides), other(reference, sides);
-    Improver improver(mesh, other, nearest_parts(mesh, other, kContentVoxels * params.voxel_mm), sizing,
-                      params, ctx);
+    if (ctx.cancelled()) return cancelled_error(kRemeshStage);
+    const Correspondence correspondence = nearest_parts(mesh, other, kContentVoxels * params.voxel_mm);
+    if (ctx.cancelled()) return cancelled_error(kRemeshStage);
+    Improver improver(mesh, other, correspondence, sizing, params, ctx);
     if (!improver.run()) return cancelled_error(kRemeshStage);
     if (record) *record = improver.record();
     return improver.surface();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "remesh/cells/labelled_cells.h"
+#include "types/run_context.h"
 
 namespace voxtet::remesh {
 
@@ -25,8 +26,9 @@ struct LostContact {
 ///
 /// `wanted`: all contacts that are to be, background's too, ascending. `lost`: those of them that are not
 /// there, at the places where they are looked for; contacts that are there and not wanted are found.
-/// `reach_mm`: of the cells that may change, around these places. Returns how many cells changed.
+/// `reach_mm`: of the cells that may change, around these places. Returns how many cells changed. Once
+/// cancelled nothing more changes.
 std::size_t mend_contacts(LabelledCells& cells, const std::vector<Contact>& wanted,
-                          const std::vector<LostContact>& lost, double reach_mm);
+                          const std::vector<LostContact>& lost, double reach_mm, const RunContext& ctx = {});
 
 }  // namespace voxtet::remesh

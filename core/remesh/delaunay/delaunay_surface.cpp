@@ -184,11 +184,11 @@ std::vector<LostContact> lost_contacts(const std::vector<Sides>& lost, const Sur
 
 /// Cells in which the labels of the volume touch as they are to, as far as that succeeds.
 LabelledCells with_contacts(const LabelledCells& cells, const LabelField& field, const TopologyLedger& wanted,
-                            const std::vector<LostContact>& lost) {
+                            const std::vector<LostContact>& lost, const RunContext& ctx) {
   const WallLayers& layers = field.layers();
   LabelledCells merged = cells, out = cells;
   for (Label& label : merged.labels) label = layers.parent(label);
-  mend_contacts(merged, wanted.contacts, lost, kContactReach * field.grid().smallest_spacing_mm());
+  mend_contacts(merged, wanted.contacts, lost, kContactReach * field.grid().smallest_spacing_mm(), ctx);
   for (std::uint32_t c = 0; c < cells.labels.size(); ++c)
     if (merged.labels[c] != layers.parent(cells.labels[c]))
       out.labels[c] = layers.at(merged.labels[c], cells.centroid(c));
@@ -275,7 +275,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
           compare_topology(wanted, topology_before(cuts, label_topology(merged)));
       if (!differences.empty() && (repair == kRepairs.end() || repair->relabels)) {
         LabelledCells mended =
-            with_contacts(cells, field, wanted, lost_contacts(lost_pairs(pairs, merged), reference));
+            with_contacts(cells, field, wanted, lost_contacts(lost_pairs(pairs, merged), reference), ctx);
         SurfaceMesh other = extract_interface(mended), other_merged = merge_layers(other, field.layers());
         std::vector<TopologyDifference> left =
             compare_topology(wanted, topology_before(cuts, label_topology(other_merged)));
@@ -290,7 +290,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       const std::int64_t size = size_of(differences);
       if (!nearest || size <= nearest->differences) nearest = {surface, size};
       if (!broken->empty())
-        suspects = suspect_voxels.of(merged, *broken, places_of(cells, find_pinches(cells)));
+        suspects = suspect_voxels.of(merged, *broken, places_of(cells, find_pinches(cells)), ctx.threads);
     };
     std::size_t added = 0;
     for (; repair != kRepairs.end() && added == 0; ++repair) {
@@ -341,7 +341,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     surface = std::move(nearest->surface);
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
     relax_surface(surface, sizing);
-    fit_surface(surface, field, reference, with_layers_mm3(volumes, surface, field.layers()));
+    fit_surface(surface, field, reference, with_layers_mm3(volumes, surface, field.layers()), ctx.threads);
     if (undo_intersections(surface, unmoved, ctx).cancelled) return cancelled_error(kRemeshStage);
     return surface;
   }

@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "base/parallel.h"
 #include "geometry/elements/surface_measures.h"
 #include "geometry/search/closest_point.h"
 #include "geometry/search/near_triangles.h"
@@ -67,24 +68,6 @@ std::vector<std::uint64_t> names_of(const SurfaceMesh& surface) {
   return names;
 }
 
-/// Triangles by name.
-class NamedTriangles {
- public:
-  explicit NamedTriangles(const std::vector<std::uint64_t>& names) {
-    for (std::uint32_t t = 0; t < names.size(); ++t) sorted_.push_back({names[t], t});
-    std::sort(sorted_.begin(), sorted_.end());
-  }
-
-  std::optional<std::uint32_t> find(std::uint64_t name) const {
-    const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{name, std::uint32_t{0}});
-    if (at == sorted_.end() || at->first != name) return std::nullopt;
-    return at->second;
-  }
-
- private:
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted_;
-};
-
 Eigen::Vector3d cross_of(const SurfaceMesh& surface, const Triangle& t) {
   return triangle_cross(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);
 }
@@ -136,6 +119,24 @@ bool is_narrow(const SurfaceMesh& surface, std::uint32_t t, const LabelField& fi
 
 }  // namespace
 
+/// Triangles by name.
+class MissedPlaces::NamedTriangles {
+ public:
+  explicit NamedTriangles(const std::vector<std::uint64_t>& names) {
+    for (std::uint32_t t = 0; t < names.size(); ++t) sorted_.push_back({names[t], t});
+    std::sort(sorted_.begin(), sorted_.end());
+  }
+
+  std::optional<std::uint32_t> find(std::uint64_t name) const {
+    const auto at = std::lower_bound(sorted_.begin(), sorted_.end(), std::pair{name, std::uint32_t{0}});
+    if (at == sorted_.end() || at->first != name) return std::nullopt;
+    return at->second;
+  }
+
+ private:
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> sorted_;
+};
+
 MissedPlaces::MissedPlaces(const SurfaceMesh& reference, const LabelField& field)
     : reference_(reference), field_(field) {
   const std::size_t stride = stride_of(reference);
@@ -146,69 +147,115 @@ MissedPlaces::MissedPlaces(const SurfaceMesh& reference, const LabelField& field
 
 std::vector<Eigen::Vector3d> MissedPlaces::of(const SurfaceMesh& surface, const MissedCriteria& criteria,
                                               const RunContext& ctx) {
-  constexpr std::size_t kSamplesPerQuestion = 1024;
-  const double separation2 = criteria.separation_mm * criteria.separation_mm;
-  const std::size_t stride = stride_of(reference_);
+  constexpr std::size_t kSamplesPerQuestion = 1024, kWorthThreads = 4096;
   const std::vector<std::uint32_t> ids = by_pair(surface.sides, [](std::uint32_t) { return true; });
   const std::vector<std::uint64_t> names = names_of(surface);
   const NamedTriangles named(names);
-  const std::vector<bool>& suspects = criteria.suspects;
   std::vector<Eigen::Vector3d> missed;
-  std::size_t from = 0;
-  for (std::size_t s = 0; s < samples_.size();) {
-    const Sides& sides = reference_.sides[samples_[s]];
-    const bool broken = beside_any(sides, criteria.thorough);
+  std::size_t from = 0, asked_at = 0;
+  for (std::size_t first = 0, last = 0; first < samples_.size(); first = last) {
+    const Sides& sides = reference_.sides[samples_[first]];
+    while (last < samples_.size() && reference_.sides[samples_[last]] == sides) ++last;
+    if (last >= asked_at + kSamplesPerQuestion) {
+      if (ctx.cancelled()) return missed;
+      asked_at = last;
+    }
     while (from < ids.size() && pair_of(surface.sides[ids[from]]) < pair_of(sides)) ++from;
     std::size_t to = from;
     while (to < ids.size() && surface.sides[ids[to]] == sides) ++to;
-    const auto follows = [&](bool thorough, std::uint32_t sample, double limit, std::uint32_t t,
-                             double distance_mm) {
-      return distance_mm <= limit &&
-             (!thorough || distance_mm <= kTurnedShare * limit ||
-              !is_turned(cross_of(reference_, reference_.triangles[sample]),
-                         cross_of(surface, surface.triangles[t]), criteria.turned_cosine));
-    };
-    const std::size_t known = missed.size();
-    const auto add = [&](std::uint32_t sample, double limit) {
-      const std::optional<Eigen::Vector3d> p =
-          onto_field(reference_, sample, centroid(reference_, sample), field_, limit);
-      const auto close = [&](const Eigen::Vector3d& q) { return (q - *p).squaredNorm() < separation2; };
-      if (p && std::none_of(missed.begin() + static_cast<std::ptrdiff_t>(known), missed.end(), close))
-        missed.push_back(*p);
-    };
-    std::optional<ClosestPointTree> tree;
-    std::uint32_t hint = 0;
-    for (; s < samples_.size() && reference_.sides[samples_[s]] == sides; ++s) {
-      if (s % kSamplesPerQuestion == 0 && ctx.cancelled()) return missed;
-      const std::uint32_t sample = samples_[s];
-      const bool thorough =
-          broken && (suspects.empty() || suspects[field_.nearest_voxel(centroid(reference_, sample))]);
+    const int threads = last - first < kWorthThreads ? 1 : ctx.threads;
+    const std::vector<Question> questions = questions_between(first, last, criteria, threads);
+    add_missed(answered(questions, surface, std::span(ids).subspan(from, to - from), names, named, criteria,
+                        threads),
+               criteria.separation_mm, missed);
+    from = to;
+  }
+  return missed;
+}
+
+/// What is asked of the samples of one pair, those that are not looked at left out.
+std::vector<MissedPlaces::Question> MissedPlaces::questions_between(std::size_t first, std::size_t last,
+                                                                    const MissedCriteria& criteria,
+                                                                    int threads) const {
+  const std::size_t stride = stride_of(reference_);
+  const bool broken = beside_any(reference_.sides[samples_[first]], criteria.thorough);
+  std::vector<Question> all(last - first);
+  parallel_for(threads, all.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t sample = samples_[first + i];
+      const bool thorough = broken && (criteria.suspects.empty() ||
+                                       criteria.suspects[field_.nearest_voxel(centroid(reference_, sample))]);
       if (!thorough && sample % stride != 0) continue;
       const bool narrow =
           thorough && criteria.narrow_share < 1 &&
           is_narrow(reference_, sample, field_, kNarrowVoxels * field_.grid().smallest_spacing_mm());
-      const double limit = (narrow ? criteria.narrow_share : 1) * criteria.limit_mm;
-      if (from == to) {
-        add(sample, limit);
-        continue;
-      }
-      const Eigen::Vector3d middle = centroid(reference_, sample);
-      const std::optional<std::uint32_t> last = named.find(followed_by_[s]);
-      if (last && surface.sides[*last] == sides &&
-          follows(thorough, sample, limit, *last, distance_to(surface, *last, middle)))
-        continue;
-      if (!tree) {
-        tree.emplace(tree_of(surface, std::span(ids).subspan(from, to - from)));
-      }
-      const ClosestPointTree::Hit hit = tree->closest(middle, hint, thorough ? kTurnedShare * limit : limit);
-      hint = hit.triangle;
-      const std::uint32_t closest = ids[from + hit.triangle];
-      followed_by_[s] = names[closest];
-      if (!follows(thorough, sample, limit, closest, hit.distance_mm)) add(sample, limit);
+      all[i] = {first + i, (narrow ? criteria.narrow_share : 1) * criteria.limit_mm, thorough};
     }
-    from = to;
+  });
+  std::erase_if(all, [](const Question& question) { return question.limit_mm == 0; });
+  return all;
+}
+
+/// The questions whose samples the surface does not follow. `ids`: its triangles between the same labels.
+std::vector<MissedPlaces::Question> MissedPlaces::answered(const std::vector<Question>& questions,
+                                                           const SurfaceMesh& surface,
+                                                           std::span<const std::uint32_t> ids,
+                                                           const std::vector<std::uint64_t>& names,
+                                                           const NamedTriangles& named,
+                                                           const MissedCriteria& criteria, int threads) {
+  constexpr std::size_t kOfTask = 1024;  // searches that go on from each other
+  if (ids.empty() || questions.empty()) return questions;
+  const auto follows = [&](const Question& asked, std::uint32_t t, double distance_mm) {
+    return distance_mm <= asked.limit_mm &&
+           (!asked.thorough || distance_mm <= kTurnedShare * asked.limit_mm ||
+            !is_turned(cross_of(reference_, reference_.triangles[samples_[asked.sample]]),
+                       cross_of(surface, surface.triangles[t]), criteria.turned_cosine));
+  };
+  std::vector<std::uint8_t> is_open(questions.size());
+  parallel_for(threads, questions.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t q = begin; q < end; ++q) {
+      const Question& asked = questions[q];
+      const Eigen::Vector3d middle = centroid(reference_, samples_[asked.sample]);
+      const std::optional<std::uint32_t> last = named.find(followed_by_[asked.sample]);
+      is_open[q] = !last || surface.sides[*last] != surface.sides[ids.front()] ||
+                   !follows(asked, *last, distance_to(surface, *last, middle));
+    }
+  });
+  std::vector<Question> open;
+  for (std::size_t q = 0; q < questions.size(); ++q)
+    if (is_open[q] != 0) open.push_back(questions[q]);
+  if (open.empty()) return open;
+  const ClosestPointTree tree = tree_of(surface, ids);
+  run_tasks(threads, (open.size() + kOfTask - 1) / kOfTask, [&](std::size_t task) {
+    std::uint32_t hint = 0;
+    for (std::size_t q = task * kOfTask; q < std::min(open.size(), (task + 1) * kOfTask); ++q) {
+      Question& asked = open[q];
+      const ClosestPointTree::Hit hit =
+          tree.closest(centroid(reference_, samples_[asked.sample]), hint,
+                       asked.thorough ? kTurnedShare * asked.limit_mm : asked.limit_mm);
+      hint = hit.triangle;
+      followed_by_[asked.sample] = names[ids[hit.triangle]];
+      asked.is_missed = !follows(asked, ids[hit.triangle], hit.distance_mm);
+    }
+  });
+  std::erase_if(open, [](const Question& question) { return !question.is_missed; });
+  return open;
+}
+
+/// Where the label field has them, each at some distance from the others of its pair.
+void MissedPlaces::add_missed(const std::vector<Question>& questions, double separation_mm,
+                              std::vector<Eigen::Vector3d>& missed) const {
+  const std::size_t known = missed.size();
+  for (const Question& asked : questions) {
+    const std::uint32_t sample = samples_[asked.sample];
+    const std::optional<Eigen::Vector3d> p =
+        onto_field(reference_, sample, centroid(reference_, sample), field_, asked.limit_mm);
+    const auto close = [&](const Eigen::Vector3d& q) {
+      return (q - *p).squaredNorm() < separation_mm * separation_mm;
+    };
+    if (p && std::none_of(missed.begin() + static_cast<std::ptrdiff_t>(known), missed.end(), close))
+      missed.push_back(*p);
   }
-  return missed;
 }
 
 std::vector<Eigen::Vector3d> points_between(const SurfaceMesh& reference, const LabelField& field,

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "remesh/delaunay/seed_junctions.h"
@@ -40,6 +42,21 @@ class MissedPlaces {
                                   const RunContext& ctx = {});
 
  private:
+  class NamedTriangles;
+  /// Whether the surface follows a sample.
+  struct Question {
+    std::size_t sample = 0;  ///< place in samples_
+    double limit_mm = 0;     ///< 0: not asked
+    bool thorough = false, is_missed = false;
+  };
+  std::vector<Question> questions_between(std::size_t first, std::size_t last, const MissedCriteria& criteria,
+                                          int threads) const;
+  std::vector<Question> answered(const std::vector<Question>& questions, const SurfaceMesh& surface,
+                                 std::span<const std::uint32_t> ids, const std::vector<std::uint64_t>& names,
+                                 const NamedTriangles& named, const MissedCriteria& criteria, int threads);
+  void add_missed(const std::vector<Question>& questions, double separation_mm,
+                  std::vector<Eigen::Vector3d>& missed) const;
+
   const SurfaceMesh& reference_;
   const LabelField& field_;
   std::vector<std::uint32_t> samples_;      ///< triangles that may be samples, by their two labels

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/buckets.h"
+#include "base/parallel.h"
 #include "geometry/elements/surface_measures.h"
 #include "geometry/elements/triangle_measures.h"
 #include "geometry/search/closest_point.h"
@@ -68,20 +69,30 @@ std::vector<Wing> wings_of(const SurfaceMesh& surface) {
 /// By triangle, the mean distance of a facet whose corners lie on the interface: the rule of the edge
 /// midpoints is exact for quadratics. Edges between facets of the same two labels are looked at once.
 std::vector<double> mean_distances(const SurfaceMesh& surface, const std::vector<Wing>& wings,
-                                   const LabelField& field) {
-  std::vector<double> means(surface.triangles.size(), 0);
-  for (auto first = wings.begin(), last = first; first != wings.end(); first = last) {
-    while (last != wings.end() && last->same_edge(*first)) ++last;
-    for (auto wing = first; wing != last; ++wing) {
-      const Sides& sides = surface.sides[wing->triangle];
-      const auto has_sides = [&](const Wing& other) { return surface.sides[other.triangle] == sides; };
-      if (std::any_of(first, wing, has_sides)) continue;
-      const Vector3d middle = 0.5 * (surface.points[wing->a] + surface.points[wing->b]);
-      const double third = field.distance(middle, sides[0], sides[1]).value_or(0) / 3;
-      for (auto other = wing; other != last; ++other)
-        if (has_sides(*other)) means[other->triangle] += third;
+                                   const LabelField& field, int threads) {
+  // A wing stands for those after it at its edge that have its sides, unless one before it does.
+  std::vector<double> thirds(wings.size(), 0);
+  const auto has_sides_of = [&](std::size_t w, std::size_t v) {
+    return surface.sides[wings[v].triangle] == surface.sides[wings[w].triangle];
+  };
+  const auto stands = [&](std::size_t w) {
+    for (std::size_t v = w; v > 0 && wings[v - 1].same_edge(wings[w]); --v)
+      if (has_sides_of(w, v - 1)) return false;
+    return true;
+  };
+  parallel_for(threads, wings.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t w = first; w < last; ++w) {
+      if (!stands(w)) continue;
+      const Sides& sides = surface.sides[wings[w].triangle];
+      const Vector3d middle = 0.5 * (surface.points[wings[w].a] + surface.points[wings[w].b]);
+      thirds[w] = field.distance(middle, sides[0], sides[1]).value_or(0) / 3;
     }
-  }
+  });
+  std::vector<double> means(surface.triangles.size(), 0);
+  for (std::size_t w = 0; w < wings.size(); ++w)
+    if (stands(w))
+      for (std::size_t v = w; v < wings.size() && wings[v].same_edge(wings[w]); ++v)
+        if (has_sides_of(w, v)) means[wings[v].triangle] += thirds[w];
   return means;
 }
 
@@ -223,10 +234,10 @@ std::vector<double> offsets_of(const SurfaceMesh& surface, const std::vector<dou
 
 /// One step of all points. `offsets`: by triangle, what its mean distance is to be besides 0; may be empty.
 void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& offsets, double most,
-              Shifts& shifts) {
+              Shifts& shifts, int threads) {
   std::vector<Matrix3d> normal(surface.points.size(), Matrix3d::Zero());
   std::vector<Vector3d> right(surface.points.size(), Vector3d::Zero());
-  const std::vector<double> distances = mean_distances(surface, shifts.wings(), field);
+  const std::vector<double> distances = mean_distances(surface, shifts.wings(), field, threads);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const Triangle& corners = surface.triangles[t];
     const Vector3d& p = surface.points[corners[0]];
@@ -279,18 +290,18 @@ void widen_thin(SurfaceMesh& surface, Shifts& shifts) {
 }  // namespace
 
 void fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMesh& reference,
-                 const std::vector<double>& volumes_mm3) {
+                 const std::vector<double>& volumes_mm3, int threads) {
   const double unit = (field.layers().empty() ? 1 : kLayerFreedom) * field.grid().smallest_spacing_mm();
   const double most = kMostShiftVoxels * unit, farthest = kFarthestVoxels * unit;
   Shifts shifts(surface, far_points(reference, surface, field.layers(), farthest - 2 * most), farthest);
   std::vector<double> offsets;
-  fit_once(surface, field, offsets, most, shifts);
+  fit_once(surface, field, offsets, most, shifts, threads);
   offsets.assign(surface.triangles.size(), 0);
   for (int step = 1; step < kSteps; ++step) {
     const std::vector<double> more = offsets_of(surface, volumes_mm3, most);
     for (std::size_t t = 0; t < offsets.size(); ++t)
       offsets[t] = std::clamp(offsets[t] + more[t], -most, most);
-    fit_once(surface, field, offsets, most / (1 << step), shifts);
+    fit_once(surface, field, offsets, most / (1 << step), shifts, threads);
   }
   widen_thin(surface, shifts);
 }

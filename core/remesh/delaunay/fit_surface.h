@@ -18,7 +18,7 @@ namespace voxtet::remesh {
 /// labels, unless it was farther. Around layers, whose facets are coarser, both lengths are kLayerFreedom
 /// times as long. Intersections are not checked.
 void fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMesh& reference,
-                 const std::vector<double>& volumes_mm3);
+                 const std::vector<double>& volumes_mm3, int threads = 1);
 
 inline constexpr double kMostShiftVoxels = 0.15;
 inline constexpr double kFarthestVoxels = 0.45;

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/parallel.h"
 #include "geometry/elements/surface_measures.h"
 #include "geometry/elements/triangle_measures.h"
 #include "geometry/topology/simple_points_26.h"
@@ -187,16 +188,18 @@ SuspectVoxels::SuspectVoxels(const SurfaceMesh& reference, const LabelField& fie
   for (int d = 0; d < 3; ++d) last_[d] = field.grid().size[static_cast<std::size_t>(d)] - 1;
 }
 
-template <class Wanted, class Visit>
-void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& wanted,
-                                      const Visit& visit) const {
+template <class Found, class Wanted, class Find>
+std::vector<Found> SuspectVoxels::crossings_of(const SurfaceMesh& surface, int threads, const Wanted& wanted,
+                                               const Find& find) const {
+  constexpr std::size_t kTriangles = 2048;  ///< of a task
   Segments segments;
   for (std::size_t segment = 0; segment < kSegments; ++segment)
     segments[segment] = to_end(segment).cast<double>();
-  std::vector<Vector3d> points;
-  points.reserve(surface.points.size());
-  for (const Vector3d& p : surface.points) points.push_back(field_.to_index(p));
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+  std::vector<Vector3d> points(surface.points.size());
+  parallel_for(threads, points.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) points[v] = field_.to_index(surface.points[v]);
+  });
+  const auto look_at = [&](std::uint32_t t, std::vector<Found>& found) {
     TriangleCorners p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = points[surface.triangles[t][k]];
     const Vector3i low = p[0].cwiseMin(p[1]).cwiseMin(p[2]).array().floor().matrix().cast<int>().cwiseMax(0);
@@ -213,26 +216,42 @@ void SuspectVoxels::for_each_crossing(const SurfaceMesh& surface, const Wanted& 
           if (!through->begin_at(from.cast<double>())) continue;
           for (std::uint8_t segment = 0; segment < segments_; ++segment)
             if (const auto at = through->at(segment); at && inside(from + to_end(segment)))
-              visit(voxel, segment, *at, t);
+              find(voxel, segment, *at, t, found);
         }
+  };
+  const std::size_t count = surface.triangles.size();
+  std::vector<std::vector<Found>> by_task((count + kTriangles - 1) / kTriangles);
+  run_tasks(threads, by_task.size(), [&](std::size_t task) {
+    std::vector<Found>& found = by_task[task];
+    found.reserve(kUsualCrossings * kTriangles);
+    for (std::size_t t = task * kTriangles; t < std::min(count, (task + 1) * kTriangles); ++t)
+      look_at(static_cast<std::uint32_t>(t), found);
+  });
+  std::size_t all = 0;
+  for (const std::vector<Found>& found : by_task) all += found.size();
+  std::vector<Found> crossings;
+  crossings.reserve(all);
+  for (std::vector<Found>& found : by_task) {
+    crossings.insert(crossings.end(), found.begin(), found.end());
+    std::vector<Found>().swap(found);
   }
+  return crossings;
 }
 
 std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vector<Label>& labels,
-                                    const std::vector<Vector3d>& touching) const {
+                                    const std::vector<Vector3d>& touching, int threads) const {
   const std::vector<Label>& centres = field_.centre_labels();
   std::array<Vector3d, kSegments> segments_mm;
   for (std::size_t segment = 0; segment < segments_; ++segment)
     segments_mm[segment] = field_.to_mm(to_end(segment).cast<double>()) - field_.to_mm(Vector3d::Zero());
-  std::vector<WayCrossing> crossings;
-  crossings.reserve(kUsualCrossings * surface.triangles.size());
-  for_each_crossing(
-      surface, [](std::uint64_t) { return true; },
-      [&](std::uint64_t voxel, std::uint8_t segment, double at, std::uint32_t t) {
+  const std::vector<WayCrossing> crossings = crossings_of<WayCrossing>(
+      surface, threads, [](std::uint64_t) { return true; },
+      [&](std::uint64_t voxel, std::uint8_t segment, double at, std::uint32_t t,
+          std::vector<WayCrossing>& found) {
         const auto& [a, b, c] = surface.triangles[t];
         const bool outwards = triangle_cross(surface.points[a], surface.points[b], surface.points[c])
                                   .dot(segments_mm[segment]) > 0;
-        crossings.push_back({voxel, end_of(voxel, segment), at, t, segment, outwards});
+        found.push_back({voxel, end_of(voxel, segment), at, t, segment, outwards});
       });
   const LabelsBySurface by_surface(centres, surface, crossings);
   std::vector<bool> marked;
@@ -252,7 +271,7 @@ std::vector<bool> SuspectVoxels::of(const SurfaceMesh& surface, const std::vecto
     if (centres[c.end] == label && by_surface.at(c.voxel) == label && by_surface.at(c.end) == label)
       closed.push_back(c.voxel * kSegments + c.segment);
   }
-  for (const std::uint64_t segment : not_of_reference(std::move(closed))) {
+  for (const std::uint64_t segment : not_of_reference(std::move(closed), threads)) {
     mark_around(segment / kSegments, marked);
     mark_around(end_of(segment / kSegments, segment % kSegments), marked);
   }
@@ -278,19 +297,22 @@ bool SuspectVoxels::stays_simple(std::uint64_t voxel, Label label, const LabelAt
   return is_simple(around);
 }
 
-std::vector<std::uint64_t> SuspectVoxels::not_of_reference(std::vector<std::uint64_t> segments) const {
+std::vector<std::uint64_t> SuspectVoxels::not_of_reference(std::vector<std::uint64_t> segments,
+                                                           int threads) const {
   std::sort(segments.begin(), segments.end());
   segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
   if (segments.empty()) return segments;
   std::vector<bool> begins(field_.centre_labels().size(), false), crossed(segments.size(), false);
   for (const std::uint64_t segment : segments) begins[segment / kSegments] = true;
-  for_each_crossing(
-      reference_, [&](std::uint64_t voxel) { return begins[voxel]; },
-      [&](std::uint64_t voxel, std::uint8_t segment, double, std::uint32_t) {
-        const auto found = std::lower_bound(segments.begin(), segments.end(), voxel * kSegments + segment);
-        if (found != segments.end() && *found == voxel * kSegments + segment)
-          crossed[static_cast<std::size_t>(found - segments.begin())] = true;
-      });
+  for (const std::size_t w : crossings_of<std::size_t>(
+           reference_, threads, [&](std::uint64_t voxel) { return begins[voxel]; },
+           [&](std::uint64_t voxel, std::uint8_t segment, double, std::uint32_t,
+               std::vector<std::size_t>&found) {
+             const auto at = std::lower_bound(segments.begin(), segments.end(), voxel * kSegments + segment);
+             if (at != segments.end() && *at == voxel * kSegments + segment)
+               found.push_back(static_cast<std::size_t>(at - segments.begin()));
+           }))
+    crossed[w] = true;
   std::vector<std::uint64_t> others;
   for (std::size_t w = 0; w < segments.size(); ++w)
     if (!crossed[w]) others.push_back(segments[w]);

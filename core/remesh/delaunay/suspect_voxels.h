@@ -24,18 +24,19 @@ class SuspectVoxels {
   /// - nearest to one of `touching`, points where the surface touches itself.
   /// Empty if there are none.
   std::vector<bool> of(const SurfaceMesh& surface, const std::vector<Label>& labels,
-                       const std::vector<Eigen::Vector3d>& touching) const;
+                       const std::vector<Eigen::Vector3d>& touching, int threads = 1) const;
 
  private:
-  /// Calls visit(voxel, segment, share of the segment, triangle) for every triangle that crosses a forward
-  /// segment of a voxel for which wanted(voxel) holds.
-  template <class Wanted, class Visit>
-  void for_each_crossing(const SurfaceMesh& surface, const Wanted& wanted, const Visit& visit) const;
+  /// What find(voxel, segment, share of the segment, triangle, found) adds for every triangle that crosses a
+  /// forward segment of a voxel for which wanted(voxel) holds; in the order of the triangles.
+  template <class Found, class Wanted, class Find>
+  std::vector<Found> crossings_of(const SurfaceMesh& surface, int threads, const Wanted& wanted,
+                                  const Find& find) const;
   /// Whether the voxel, whatever its own label, can join or leave `label` without a change of topology.
   template <class LabelAt>
   bool stays_simple(std::uint64_t voxel, Label label, const LabelAt& label_at) const;
   /// The segments (voxel * segments + segment) that no triangle of the reference crosses, ascending.
-  std::vector<std::uint64_t> not_of_reference(std::vector<std::uint64_t> segments) const;
+  std::vector<std::uint64_t> not_of_reference(std::vector<std::uint64_t> segments, int threads) const;
   std::uint64_t end_of(std::uint64_t voxel, std::size_t segment) const;
   Eigen::Vector3i voxel_of(std::uint64_t offset) const;
   bool inside(const Eigen::Vector3i& voxel) const;

@@ -93,6 +93,14 @@ void ComplexEditor::note_changed(const std::vector<std::uint32_t>& triangles) {
   for (const std::uint32_t t : triangles)
     if (mesh_.alive(t))
       for (const std::uint32_t v : mesh_.triangle(t)) changed_at_[v] = attempt_;
+  note_touched(triangles);
+}
+
+void ComplexEditor::note_touched(const std::vector<std::uint32_t>& triangles) {
+  touched_at_.resize(mesh_.vertex_count(), 0);
+  for (const std::uint32_t t : triangles)
+    if (mesh_.alive(t))
+      for (const std::uint32_t v : mesh_.triangle(t)) touched_at_[v] = attempt_;
 }
 
 void ComplexEditor::look_at_old(const Edit& edit) {

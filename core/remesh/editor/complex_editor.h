@@ -92,6 +92,8 @@ class ComplexEditor {
   /// The last attempt that changed triangles of v, or ended a trial that did; 0 if none. Edits that were
   /// taken back do not count.
   std::uint32_t changed_at(std::uint32_t v) const { return v < changed_at_.size() ? changed_at_[v] : 0; }
+  /// The same of edits that were taken back, too: these may leave samples of the reference elsewhere.
+  std::uint32_t touched_at(std::uint32_t v) const { return v < touched_at_.size() ? touched_at_[v] : 0; }
   /// From here on edits can be taken back, until keep_trial() or undo_trial().
   void begin_trial();
   void keep_trial();
@@ -115,7 +117,9 @@ class ComplexEditor {
     Eigen::Vector3d toward = Eigen::Vector3d::Zero();   ///< from the triangle to the reference
     Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< barycentric weights of the place on the triangle
   };
+  /// Of different triangles on different threads after make_room_for_deviations(), while nothing changes.
   Deviation farthest(std::uint32_t t) const;
+  void make_room_for_deviations() const;
   /// Whether the triangle lies inside a sheet that is not folded there and hosts samples for most of its
   /// area, none farther than `reach_mm`.
   bool well_sampled(std::uint32_t t, double reach_mm) const;
@@ -164,6 +168,7 @@ class ComplexEditor {
   void commit(const Edit& edit, bool backwards);
   void place(const Edit& edit, std::size_t i);
   void note_changed(const std::vector<std::uint32_t>& triangles);
+  void note_touched(const std::vector<std::uint32_t>& triangles);
 
   ComplexMesh mesh_;
   ReferenceSurface reference_;
@@ -172,7 +177,7 @@ class ComplexEditor {
   const SizingField& sizing_;
   double floor_ = 0;
   std::vector<double> sizes_;
-  std::vector<std::uint32_t> hints_, changed_at_;
+  std::vector<std::uint32_t> hints_, changed_at_, touched_at_;
   std::vector<Eigen::Vector3d> normals_;
   std::vector<GabrielBalls> balls_;  ///< by slot, before other vertices are considered
   std::array<std::uint64_t, kRefusalCount> refusals_{};

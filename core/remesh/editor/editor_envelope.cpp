@@ -113,14 +113,16 @@ std::vector<std::uint32_t> ComplexEditor::samples_of(std::uint32_t t) const {
   return samples;
 }
 
+void ComplexEditor::make_room_for_deviations() const {
+  if (deviations_lattice_mm_ != limits.lattice_mm) deviations_.clear();
+  deviations_lattice_mm_ = limits.lattice_mm;
+  deviations_.resize(mesh_.slot_count(), kUnknown);
+}
+
 /// Walks may end on the way: what seems to be beyond the envelope is looked at from more places. Remembered,
 /// because the same triangles are to be replaced again and again.
 const ComplexEditor::Deviation& ComplexEditor::farthest_point_of(std::uint32_t t, const Corners& p) const {
-  if (deviations_lattice_mm_ != limits.lattice_mm) {
-    deviations_.clear();
-    deviations_lattice_mm_ = limits.lattice_mm;
-  }
-  if (t >= deviations_.size()) deviations_.resize(mesh_.slot_count(), kUnknown);
+  if (deviations_lattice_mm_ != limits.lattice_mm || t >= deviations_.size()) make_room_for_deviations();
   Deviation& deviation = deviations_[t];
   if (deviation.distance2 < 0) {
     const Facet facet{mesh_.triangle(t), mesh_.pair(t)};

@@ -59,6 +59,7 @@ void ComplexEditor::undo_trial() {
     samples_.try_curves(mesh_, back, kAnywhere, before);
     samples_.try_surface(mesh_, back, kAnywhere, kAnyhow, {old_corners_, old_normals_}, new_normals_);
     commit(back, true);
+    note_touched(slots_);
     for (std::size_t i = 0; i < slots_.size(); ++i)
       if (slots_[i] < deviations_.size()) deviations_[slots_[i]] = step->deviations[i];
   }

@@ -128,11 +128,11 @@ class Scatter {
     });
   }
 
-  void measure(double unit_mm) {
+  void measure(double unit_mm, int threads) {
     out_.values.resize(out_.labels.size());
     const std::size_t sx = static_cast<std::size_t>(grid_.size[0]);
     const std::size_t sy = static_cast<std::size_t>(grid_.size[1]);
-    for_indices(0, grid_.labels.size(), [&](std::size_t v) {
+    const auto measure_at = [&](std::size_t v) {
       if (out_.offsets[v] == out_.offsets[v + 1]) return;
       const Eigen::Vector3d centre =
           origin_ + to_mm_ * Eigen::Vector3d(static_cast<double>(v % sx), static_cast<double>(v / sx % sy),
@@ -145,6 +145,9 @@ class Scatter {
         const float value = std::clamp(static_cast<float>(distance), nearest, LabelDistances::kFarthest);
         out_.values[e] = out_.labels[e] == grid_.labels[v] ? value : -value;
       }
+    };
+    parallel_for(threads, grid_.labels.size(), [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) measure_at(v);
     });
   }
 
@@ -191,12 +194,12 @@ class Scatter {
 
 }  // namespace
 
-LabelDistances label_distances(const LabelVolume& volume, const SurfaceMesh& surface) {
+LabelDistances label_distances(const LabelVolume& volume, const SurfaceMesh& surface, int threads) {
   LabelDistances out;
   list_labels(volume, out);
   Scatter scatter(volume, surface, out);
   scatter.find_nearest_points();
-  scatter.measure(volume.smallest_spacing_mm());
+  scatter.measure(volume.smallest_spacing_mm(), threads);
   return out;
 }
 

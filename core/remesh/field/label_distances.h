@@ -27,6 +27,6 @@ struct LabelDistances {
 /// half a voxel of the voxels' faces; points in mm. The sign follows from the voxel's own label, even where
 /// the surface has passed its centre. Exact if the closest point lies on a triangle of the closest vertex.
 /// Linear time.
-LabelDistances label_distances(const LabelVolume& volume, const SurfaceMesh& surface);
+LabelDistances label_distances(const LabelVolume& volume, const SurfaceMesh& surface, int threads = 1);
 
 }  // namespace voxtet::remesh

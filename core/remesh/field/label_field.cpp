@@ -113,7 +113,8 @@ struct CellTable {
 
 const WallLayers LabelField::kNoLayers;
 
-LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface, const WallLayers& layers)
+LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface, const WallLayers& layers,
+                       int threads)
     : layers_(layers) {
   connectivity_ = connectivity_of(surface);
   LabelVolume grid = padded(volume);
@@ -123,7 +124,7 @@ LabelField::LabelField(const LabelVolume& volume, const SurfaceMesh& surface, co
   const Eigen::Matrix3d inverse = grid.linear().inverse();
   grid_.mm_to_index.topLeftCorner<3, 3>() = inverse;
   grid_.mm_to_index.topRightCorner<3, 1>() = -(inverse * grid.origin());
-  LabelDistances distances = label_distances(grid, surface);
+  LabelDistances distances = label_distances(grid, surface, threads);
   if (connectivity_ == Connectivity::kFaces)
     resolve_face_ambiguity(grid, distances);
   else

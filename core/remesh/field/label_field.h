@@ -36,7 +36,8 @@ class LabelField {
   /// or so of where it was extracted. The labels at voxel centres are those of the volume. Labels that have
   /// `layers` are replaced by these, so that the field also has the sheets inside of walls. `layers` must
   /// outlive this.
-  LabelField(const LabelVolume& volume, const SurfaceMesh& surface, const WallLayers& layers = kNoLayers);
+  LabelField(const LabelVolume& volume, const SurfaceMesh& surface, const WallLayers& layers = kNoLayers,
+             int threads = 1);
 
   /// Label at a patient-space point (mm).
   Label at(const Eigen::Vector3d& mm) const { return layers_.at(at_index(to_index(mm)), mm); }

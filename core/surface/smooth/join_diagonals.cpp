@@ -23,7 +23,7 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 constexpr double kFarthest = 0.1;  ///< of a joined vertex from the planes of its triangles, voxels
 /// Of the angle by which a triangle turns, as it is and at its start.
 constexpr double kLeastCosine = 0.8, kLeastStartCosine = 0.3;
-constexpr double kLeastQuality = 0.25;  ///< of a triangle, see quality_after()
+constexpr double kLeastQuality = 0.2;  ///< of a triangle, see quality_after()
 
 class DiagonalJoiner {
  public:

@@ -312,6 +312,18 @@ TEST(MendContacts, PartsLabelsThatAreNotToTouch) {
   EXPECT_EQ(all_defects(cells), 0U);
 }
 
+TEST(MendContacts, ChangesNothingOnceCancelled) {
+  LabelledCells cells = four_around_a_strip();
+  const std::vector<Label> before = cells.labels;
+  TopologyLedger wanted = label_topology(extract_interface(cells));
+  wanted.contacts.push_back({1, 2});
+  std::sort(wanted.contacts.begin(), wanted.contacts.end());
+  RunContext ctx;
+  ctx.on_cancelled = [] { return true; };
+  EXPECT_EQ(mend_contacts(cells, wanted.contacts, {{{1, 2}, {Vector3d(3.5, 3, 3.5)}}}, 0.1, ctx), 0U);
+  EXPECT_EQ(cells.labels, before);
+}
+
 TEST(MendContacts, PiercesNoLabelThatPartsOthers) {
   // The wall 3 between 1 and 2 has no edge within reach where a fourth label would let them meet.
   const auto wall = [] {

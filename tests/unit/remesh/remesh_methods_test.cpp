@@ -31,9 +31,10 @@ struct Outcome {
 };
 
 Outcome remesh_with(const LabelVolume& volume, const SurfaceMesh& reference, double edge_mm,
-                    const RemeshParams& params) {
+                    const RemeshParams& params, int threads = 1) {
   Outcome out;
   RunContext ctx;
+  ctx.threads = threads;
   ctx.on_warning = [&](const std::string&, const std::string& message) { out.warnings.push_back(message); };
   ctx.on_note = [&](const std::string&, const std::string& message) { out.notes.push_back(message); };
   Result<SurfaceMesh> result = remesh_surface(volume, reference, test::uniform_sizing(edge_mm), params, ctx);
@@ -164,7 +165,24 @@ TEST(RemeshMethods, GiveTheSameBytesOnEveryRunAndPlatform) {
   params.method = RemeshMethod::kAdapt;
   const std::string first = digest_of(remesh_with(volume, reference, 2, params).surface);
   EXPECT_EQ(digest_of(remesh_with(volume, reference, 2, params).surface), first);
-  EXPECT_EQ(first, "948ff6bd4fdd6ed97379e48ca1dcfaedd54522af71279523cfdabb758495e47f");
+  EXPECT_EQ(first, "4eab665656176dd98516a2ecd774253e84bc0092e83a92cf9e0cb58af1c80463");
+}
+
+TEST(RemeshMethods, GiveTheSameBytesOnAnyNumberOfThreads) {
+  const LabelVolume volume = test::heart_volume(72, 60, 60);
+  const SurfaceMesh reference = test::label_surface(volume);
+  const auto on = [&](int threads) {
+    return digest_of(remesh_with(volume, reference, 2.5, {}, threads).surface);
+  };
+  const std::string first = on(1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(on(threads), first) << threads;
+  const RandomCase noise(4);
+  const auto of_noise = [&](int threads) {
+    return digest_of(
+        remesh_with(noise.volume, noise.reference, 2 * noise.volume.smallest_spacing_mm(), {}, threads)
+            .surface);
+  };
+  EXPECT_EQ(of_noise(3), of_noise(1));
 }
 
 TEST(RemeshMethods, StopWhenCancelled) {
