@@ -30,6 +30,10 @@ async function openHeart(page: Page): Promise<void> {
   await expect(stage(page, 'smooth')).toHaveAttribute('data-state', 'done');
   await idle(page);
   await page.getByRole('button', { name: 'Slices', exact: true }).click();
+  // Panes learn of their size with a frame.
+  await page.evaluate(
+    () => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))),
+  );
 }
 
 test('a dropped volume is read, then seen in slices, and its surface only then', async ({ page }) => {
