@@ -233,6 +233,7 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
   if (!surface) return surface;
   if (!flatten(*surface, cuts, ctx)) return cancelled_error(kRemeshStage);
   const TopologyLedger found = topology_before(cuts, label_topology(merge_layers(*surface, layers)));
+  if (ctx.cancelled()) return cancelled_error(kRemeshStage);
   const std::string broken = broken_topology(wanted, found, params.keep_topology);
   if (broken.empty()) {
     ctx.note(kRemeshStage, "method delaunay");

@@ -77,7 +77,7 @@ class AdaptPasses {
   }
   /// Whether the run is cancelled, asked every few thousand items of a pass or hundred attempts.
   bool cancelled_at(std::size_t item) {
-    constexpr std::uint32_t kItems = 4096, kAttempts = 512;
+    constexpr std::uint32_t kItems = 4096, kAttempts = 128;
     if (item % kItems != 0 && editor_.attempts() - asked_at_ < kAttempts) return false;
     asked_at_ = editor_.attempts();
     return ctx_.cancelled();

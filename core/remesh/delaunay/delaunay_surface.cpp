@@ -273,7 +273,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       if (broken) return;
       std::vector<TopologyDifference> differences =
           compare_topology(wanted, topology_before(cuts, label_topology(merged)));
-      if (!differences.empty() && (repair == kRepairs.end() || repair->relabels)) {
+      if (!differences.empty() && !ctx.cancelled() && (repair == kRepairs.end() || repair->relabels)) {
         LabelledCells mended =
             with_contacts(cells, field, wanted, lost_contacts(lost_pairs(pairs, merged), reference), ctx);
         SurfaceMesh other = extract_interface(mended), other_merged = merge_layers(other, field.layers());
@@ -289,7 +289,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
       broken = labels_of(differences);
       const std::int64_t size = size_of(differences);
       if (!nearest || size <= nearest->differences) nearest = {surface, size};
-      if (!broken->empty())
+      if (!broken->empty() && !ctx.cancelled())
         suspects = suspect_voxels.of(merged, *broken, places_of(cells, find_pinches(cells)), ctx.threads);
     };
     std::size_t added = 0;
@@ -341,7 +341,9 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     surface = std::move(nearest->surface);
     const std::vector<Eigen::Vector3d> unmoved = surface.points;
     relax_surface(surface, sizing);
-    fit_surface(surface, field, reference, with_layers_mm3(volumes, surface, field.layers()), ctx.threads);
+    if (ctx.cancelled() ||
+        !fit_surface(surface, field, reference, with_layers_mm3(volumes, surface, field.layers()), ctx))
+      return cancelled_error(kRemeshStage);
     if (undo_intersections(surface, unmoved, ctx).cancelled) return cancelled_error(kRemeshStage);
     return surface;
   }

@@ -100,23 +100,27 @@ std::vector<double> mean_distances(const SurfaceMesh& surface, const std::vector
 class Shifts {
  public:
   /// `far`: points from whose closest triangles the surface is to go no farther away than `farthest_mm`.
-  Shifts(const SurfaceMesh& surface, std::vector<FarPoint> far, double farthest_mm)
+  Shifts(const SurfaceMesh& surface, std::vector<FarPoint> far, double farthest_mm, const RunContext& ctx)
       : by_point(surface.points.size(), Vector3d::Zero()),
         surface_(surface),
         wings_(wings_of(surface)),
         far_(std::move(far)),
-        farthest_mm_(farthest_mm) {}
+        farthest_mm_(farthest_mm),
+        ctx_(ctx) {}
 
   std::vector<Vector3d> by_point;
 
   const std::vector<Wing>& wings() const { return wings_; }
 
-  void restrain() {
+  /// False when cancelled.
+  bool restrain() {
     halved_in_.assign(by_point.size(), 0);
     for (round_ = 0; round_ < kFitRounds; ++round_) {
+      if (ctx_.cancelled()) return false;
       const bool thin = halve_where_thin(), sharp = halve_where_sharp(), far = halve_where_far();
-      if (!thin && !sharp && !far) return;
+      if (!thin && !sharp && !far) break;
     }
+    return true;
   }
 
   /// Moves the points of what the shifts were made for; none are left.
@@ -207,6 +211,7 @@ class Shifts {
   const std::vector<Wing> wings_;
   const std::vector<FarPoint> far_;
   const double farthest_mm_;
+  const RunContext& ctx_;
 };
 
 /// By triangle, the offset along its normal that its pair of labels needs for their volumes.
@@ -233,7 +238,8 @@ std::vector<double> offsets_of(const SurfaceMesh& surface, const std::vector<dou
 }
 
 /// One step of all points. `offsets`: by triangle, what its mean distance is to be besides 0; may be empty.
-void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& offsets, double most,
+/// False when cancelled.
+bool fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<double>& offsets, double most,
               Shifts& shifts, int threads) {
   std::vector<Matrix3d> normal(surface.points.size(), Matrix3d::Zero());
   std::vector<Vector3d> right(surface.points.size(), Vector3d::Zero());
@@ -259,13 +265,14 @@ void fit_once(SurfaceMesh& surface, const LabelField& field, const std::vector<d
     const double length = shift.norm();
     if (length > most) shift *= most / length;
   }
-  shifts.restrain();
+  if (!shifts.restrain()) return false;
   shifts.apply(surface);
+  return true;
 }
 
 /// Spreads the thin triangles that mended cells leave: the ends of their shortest edges go apart, as far as
-/// the triangles around them allow.
-void widen_thin(SurfaceMesh& surface, Shifts& shifts) {
+/// the triangles around them allow. False when cancelled.
+bool widen_thin(SurfaceMesh& surface, Shifts& shifts) {
   for (int round = 0; round < kWideningRounds; ++round) {
     bool any = false;
     for (const Triangle& t : surface.triangles) {
@@ -281,29 +288,30 @@ void widen_thin(SurfaceMesh& surface, Shifts& shifts) {
       shifts.by_point[t[c]] += kWidening * edge(apex);
       shifts.by_point[t[apex]] += 0.5 * kWidening * (0.5 * (p[b] + p[c]) - p[apex]);
     }
-    if (!any) return;
-    shifts.restrain();
+    if (!any) return true;
+    if (!shifts.restrain()) return false;
     shifts.apply(surface);
   }
+  return true;
 }
 
 }  // namespace
 
-void fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMesh& reference,
-                 const std::vector<double>& volumes_mm3, int threads) {
+bool fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMesh& reference,
+                 const std::vector<double>& volumes_mm3, const RunContext& ctx) {
   const double unit = (field.layers().empty() ? 1 : kLayerFreedom) * field.grid().smallest_spacing_mm();
   const double most = kMostShiftVoxels * unit, farthest = kFarthestVoxels * unit;
-  Shifts shifts(surface, far_points(reference, surface, field.layers(), farthest - 2 * most), farthest);
+  Shifts shifts(surface, far_points(reference, surface, field.layers(), farthest - 2 * most), farthest, ctx);
   std::vector<double> offsets;
-  fit_once(surface, field, offsets, most, shifts, threads);
+  if (!fit_once(surface, field, offsets, most, shifts, ctx.threads)) return false;
   offsets.assign(surface.triangles.size(), 0);
   for (int step = 1; step < kSteps; ++step) {
     const std::vector<double> more = offsets_of(surface, volumes_mm3, most);
     for (std::size_t t = 0; t < offsets.size(); ++t)
       offsets[t] = std::clamp(offsets[t] + more[t], -most, most);
-    fit_once(surface, field, offsets, most / (1 << step), shifts, threads);
+    if (!fit_once(surface, field, offsets, most / (1 << step), shifts, ctx.threads)) return false;
   }
-  widen_thin(surface, shifts);
+  return widen_thin(surface, shifts);
 }
 
 }  // namespace voxtet::remesh

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "remesh/field/label_field.h"
+#include "types/run_context.h"
 #include "types/surface_mesh.h"
 
 namespace voxtet::remesh {
@@ -16,9 +17,9 @@ namespace voxtet::remesh {
 /// widened as far as their neighbours allow. Facets whose distance the field does not know count as 0. The
 /// surface moves no farther than kFarthestVoxels away from any point of `reference`, the surface of the
 /// labels, unless it was farther. Around layers, whose facets are coarser, both lengths are kLayerFreedom
-/// times as long. Intersections are not checked.
-void fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMesh& reference,
-                 const std::vector<double>& volumes_mm3, int threads = 1);
+/// times as long. Intersections are not checked. False when cancelled.
+bool fit_surface(SurfaceMesh& surface, const LabelField& field, const SurfaceMesh& reference,
+                 const std::vector<double>& volumes_mm3, const RunContext& ctx = {});
 
 inline constexpr double kMostShiftVoxels = 0.15;
 inline constexpr double kFarthestVoxels = 0.45;
