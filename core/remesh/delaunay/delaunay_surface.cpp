@@ -171,6 +171,7 @@ std::vector<Sides> not_taken(const std::vector<Sides>& pairs, const SurfaceMesh&
 /// Contacts that are lost, with the middles of the reference's triangles there.
 std::vector<LostContact> lost_contacts(const std::vector<Sides>& lost, const SurfaceMesh& reference) {
   std::vector<LostContact> out;
+  out.reserve(lost.size());
   for (const auto& [high, low] : lost) out.push_back({{low, high}, {}});
   for (std::size_t t = 0; t < reference.triangles.size(); ++t) {
     const auto found = std::lower_bound(lost.begin(), lost.end(), reference.sides[t]);

@@ -318,6 +318,7 @@ std::vector<Eigen::Vector3d> missed_junctions(const SurfaceMesh& reference, cons
   }
   const auto curves = [](const SurfaceMesh& mesh, const std::vector<Edge>& of) {
     std::vector<Triangle> segments;
+    segments.reserve(of.size());
     for (const auto& [a, b] : of) segments.push_back({a, b, b});
     return ClosestPointTree(mesh.points, segments);
   };

@@ -233,6 +233,7 @@ std::vector<double> offsets_of(const SurfaceMesh& surface, const std::vector<dou
   for (std::size_t l = 0; l < std::min(now.size(), lacking.size()); ++l) lacking[l] -= now[l];
   const std::vector<double> by_pair = volume_offsets(pairs, areas, lacking, most);
   std::vector<double> offsets;
+  offsets.reserve(pair_of.size());
   for (const std::size_t pair : pair_of) offsets.push_back(by_pair[pair]);
   return offsets;
 }
