@@ -22,8 +22,8 @@ struct JoinedSurface {
 /// Marching tetrahedra put a vertex on each edge of the Kuhn tetrahedra that a label's boundary crosses;
 /// three in four of these edges are diagonals of the lattice. Once the surface is smooth, most of these
 /// vertices say nothing that their neighbours do not. Joins them to neighbours on edges between voxels that
-/// share a face, as marching cubes would have alone, and so leaves about a third of the triangles. Vertices
-/// that are left do not move.
+/// share a face, as marching cubes would have alone, and so leaves a third of the triangles, or half where
+/// much is thin. Vertices that are left do not move.
 ///
 /// Topology stays: an edge is collapsed only inside one interface and under the link condition (Dey et al.,
 /// "Topology preserving edge contraction", 1999). A joined vertex is not far from the planes of the triangles

@@ -26,10 +26,10 @@ struct SmoothParams {
 /// up to ten vertices stay fixed. Small components and straight wires one voxel thick grow no thinner
 /// (move_limits.h), and take the first third of the steps alone. Surfaces of several labels, whose edges are
 /// half as long, take a third more, except at regions that are thinner than about four voxels, which take a
-/// third; then they lose about two thirds of their vertices (join_diagonals.h). At last the interfaces shift
-/// along their normals, within the same clamp, until every connected region of a label has the volume of its
-/// voxels. The interface of regions a and b moves by lambda_a - lambda_b,
-/// the distribution of least area-weighted square (volume_correction.h).
+/// third; then they lose most of their vertices on diagonals of the lattice (join_diagonals.h). At last the
+/// interfaces shift along their normals, within the same clamp, until every connected region of a label has
+/// the volume of its voxels. The interface of regions a and b moves by lambda_a - lambda_b, the distribution
+/// of least area-weighted square (volume_correction.h).
 ///
 /// Guarantees, whatever the labels:
 /// - No two triangles intersect beyond common corners and edges, if none did before
