@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "anatomy/name_faces.h"
@@ -126,6 +127,38 @@ void even_out(std::size_t point_count, const WallSurface& surface, FaceKinds& ki
   }
 }
 
+/// Where an inner surface is several fans of faces around a point, its rims would meet there: all but the
+/// largest become rim.
+void part_rims(const WallSurface& surface, FaceKinds& kinds) {
+  const auto corner_at = [&](std::uint32_t face, std::uint32_t point) {
+    const Triangle& corners = surface.faces[face].corners;
+    return 3 * face +
+           static_cast<std::uint32_t>(std::find(corners.begin(), corners.end(), point) - corners.begin());
+  };
+  for (bool any = true; std::exchange(any, false);) {
+    UnionFind fans(3 * kinds.size());  // of corners of faces
+    for (const Contact& contact : surface.contacts)
+      if (kinds[contact.a] == kinds[contact.b])
+        for (const std::uint32_t point : contact.edge)
+          fans.join(corner_at(contact.a, point), corner_at(contact.b, point));
+    std::vector<double> areas(3 * kinds.size(), 0);
+    for (std::uint32_t c = 0; c < areas.size(); ++c) areas[fans.find(c)] += surface.faces[c / 3].area_mm2;
+    std::map<std::pair<std::uint32_t, std::uint8_t>, std::uint32_t> largest;  // by point and kind
+    const auto largest_at = [&](std::uint32_t c) -> std::uint32_t& {
+      return largest.try_emplace({surface.faces[c / 3].corners[c % 3], kinds[c / 3]}, fans.find(c))
+          .first->second;
+    };
+    for (std::uint32_t c = 0; c < areas.size(); ++c)
+      if (is_inner(kinds[c / 3]))
+        if (std::uint32_t& fan = largest_at(c); areas[fans.find(c)] > areas[fan]) fan = fans.find(c);
+    std::vector<std::uint32_t> apart;
+    for (std::uint32_t c = 0; c < areas.size(); ++c)
+      if (is_inner(kinds[c / 3]) && largest_at(c) != fans.find(c)) apart.push_back(c / 3);
+    for (const std::uint32_t face : apart) kinds[face] = wall::kSide;
+    any = !apart.empty();
+  }
+}
+
 }  // namespace
 
 void find_base(const Points& points, const WallSurface& surface, int threads, FaceKinds& kinds) {
@@ -138,6 +171,7 @@ void find_base(const Points& points, const WallSurface& surface, int threads, Fa
     if (kinds[f] == wall::kSide && touches(surface.faces[f].corners, inner))
       fates[parts.of[f]] = Fate::kStays;
   give_away(surface, parts, fates, wall::kWall, kinds);
+  part_rims(surface, kinds);
 }
 
 }  // namespace voxtet::anatomy

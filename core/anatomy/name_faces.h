@@ -26,6 +26,7 @@ FaceKinds look_at_sides(const Points& points, const WallSurface& surface, const 
 /// degrees with the face's normal. Of these the rim grows from the openings on, up to creases of 40
 /// degrees. This asks for no plane, so that valves may have any direction. Openings with a border shorter
 /// than a fifth of the longest are holes in the wall, and have no rim. What reaches no inner surface is none.
+/// Rims do not meet in points.
 void find_base(const Points& points, const WallSurface& surface, int threads, FaceKinds& kinds);
 
 /// Cavities that were found (walls/find_cavities.h) end at planes across a direction that was searched for,
