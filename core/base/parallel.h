@@ -86,14 +86,22 @@ void parallel_for(int threads, std::size_t count, Body&& body) {
     if (failure) std::rethrow_exception(failure);
 }
 
-/// Calls task(i) once for each i below `count`, each on whichever thread is free, the first ones first. No
-/// task may write what another one reads or writes.
-template <class Task>
-void run_tasks(int threads, std::size_t count, const Task& task) {
+/// Calls task(i, own) once for each i below `count`, each on whichever thread is free, the first ones first.
+/// `own` is what make_own() returned on that thread. No task may write what another one reads or writes.
+template <class MakeOwn, class Task>
+void run_tasks_with(int threads, std::size_t count, const MakeOwn& make_own, const Task& task) {
   std::atomic<std::size_t> next = 0;
   parallel_for(threads, count, [&](std::size_t, std::size_t) {
-    for (std::size_t i = next++; i < count; i = next++) task(i);
+    auto own = make_own();
+    for (std::size_t i = next++; i < count; i = next++) task(i, own);
   });
+}
+
+/// The same where a task needs nothing of its own.
+template <class Task>
+void run_tasks(int threads, std::size_t count, const Task& task) {
+  run_tasks_with(
+      threads, count, [] { return 0; }, [&task](std::size_t i, int) { task(i); });
 }
 
 /// The same for tasks that have nothing in common.

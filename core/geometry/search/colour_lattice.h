@@ -19,6 +19,11 @@ struct CubeZone {
     return low[0] <= p[0] && p[0] < high[0] && low[1] <= p[1] && p[1] < high[1] && low[2] <= p[2] &&
            p[2] < high[2];
   }
+  /// In the cube itself.
+  bool holds_inside(const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d margin = (high - low) / 4;
+    return CubeZone{low + margin, high - margin}.holds(p);
+  }
 };
 
 /// Items in the cubes that their points lie in. Two cubes have the same colour if an even number of sides
@@ -50,21 +55,28 @@ class ColourLattice {
   std::array<std::size_t, kColours + 1> first_{};
 };
 
-/// Calls visit(cube, number) for the cubes of one colour after those of the other, for those of a colour on
-/// several threads at once; `number` counts cubes from 0 to size() - 1. The result is the same for any number
-/// of threads if a visit
+/// Calls visit(cube, number, own) for the cubes of one colour after those of the other, for those of a colour
+/// on several threads at once; `number` counts cubes from 0 to size() - 1, `own` is what make_own() returned
+/// on the thread, for this colour. Before the cubes of a colour before(first, last) is called with the range
+/// of their numbers, and after(first, last) when they are done, on the caller's thread. The result is the
+/// same for any number of threads if a visit
 /// - writes points and elements only if all their corners are in its zone (the link between two elements: the
 ///   corners that they share),
 /// - reads those alone that have at least one corner there,
 /// - and else writes what belongs to its number, or to nobody.
 /// It finds out before it changes anything; what reaches farther is put off, to be done one after the other
 /// at the end. Points that move must stay where their zone is.
-template <class Visit>
-void for_colours(int threads, const ColourLattice& lattice, const Visit& visit) {
+template <class Before, class MakeOwn, class Visit, class After>
+void for_colours(int threads, const ColourLattice& lattice, const Before& before, const MakeOwn& make_own,
+                 const Visit& visit, const After& after) {
   std::size_t first = 0;
   for (std::size_t colour = 0; colour < ColourLattice::kColours; ++colour) {
     const std::span<const ColourLattice::Cube> cubes = lattice.cubes_of(colour);
-    run_tasks(threads, cubes.size(), [&](std::size_t i) { visit(cubes[i], first + i); });
+    if (cubes.empty()) continue;
+    before(cubes, first);
+    run_tasks_with(threads, cubes.size(), make_own,
+                   [&](std::size_t i, auto& own) { visit(cubes[i], first + i, own); });
+    after(cubes, first);
     first += cubes.size();
   }
 }

@@ -4,21 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "base/level_stacks.h"
-#include "geometry/intersect/delaunay_triangulation.h"
+#include "geometry/delaunay/delaunay_triangulation.h"
 #include "types/stage_names.h"
 
 namespace voxtet::remesh {
 namespace {
 
 using Eigen::Vector3d;
-
-using CellInfo = DelaunayCellInfo;
-using Triangulation = DelaunayTriangulation;
-using Point = DelaunayKernel::Point_3;
-using Cell = Triangulation::Cell_handle;
 
 /// A facet whose normal is more than 75 degrees off the field's is refined, unless its ball is this small.
 constexpr double kAstrayCosine = 0.25;
@@ -27,19 +23,15 @@ constexpr double kLeastAstrayVoxels = 0.35;
 /// it is quicker: 52,000 triangles take 0.35 s with these, 0.5 s with the most urgent first.
 constexpr std::array<double, 6> kLevels{0.5, 2, 2.1, 2.2, 2.35, 2.6};
 
-Vector3d centroid(Cell cell) {
-  return 0.25 * (to_vector(cell->vertex(0)->point()) + to_vector(cell->vertex(1)->point()) +
-                 to_vector(cell->vertex(2)->point()) + to_vector(cell->vertex(3)->point()));
-}
-
 }  // namespace
 
 struct DelaunayRefiner::Impl {
+  using Facet = DelaunayTriangulation::Facet;
+
   /// A facet that fails the criteria, as it was when it was examined.
   struct BadFacet {
-    std::uint32_t serial, other_serial;
-    Cell cell;
-    int facet;
+    Facet facet, other;  ///< the same, of its two cells
+    std::uint32_t version, other_version;
     Vector3d centre;  ///< of the surface Delaunay ball: where to refine
   };
 
@@ -51,12 +43,13 @@ struct DelaunayRefiner::Impl {
   double least_astray = 0;
   std::uint64_t random = 1;
 
-  Triangulation triangulation;
-  std::uint32_t next_vertex = 0, next_serial = 1;
+  DelaunayTriangulation triangulation;
+  DelaunayTriangulation::Stock stock;
+  DelaunayTriangulation::Cavity cavity;
+  std::vector<Label> labels;      ///< of the cell in each slot
+  std::vector<Vector3d> centres;  ///< its circumcentre, or its centroid where it is flat; mm
   LevelStacks<BadFacet, kLevels.size()> bad{kLevels};
-  std::vector<Cell> conflict, star;
-  std::vector<Triangulation::Facet> rim;
-  std::vector<Cell> exported;  ///< the cells of the last cells(), in its order
+  std::vector<std::uint32_t> exported;  ///< the cells of the last cells(), in its order
 
   Impl(const LabelField& f, const SizingField& s, const RefineCriteria& c)
       : field(f), sizing(s), criteria(c) {
@@ -73,14 +66,39 @@ struct DelaunayRefiner::Impl {
     const Eigen::AlignedBox3d box = field.box();
     const Vector3d middle = 0.5 * (box.min() + box.max());
     const double reach = 3 * (box.max() - box.min()).norm();
+    std::vector<std::uint32_t> corners;
     for (int corner = 0; corner < 8; ++corner) {
       Vector3d offset;
       for (int d = 0; d < 3; ++d)
         offset[d] = ((corner >> d) & 1 ? reach : -reach) * (1 + 0.01 * ((corner * 5 + d * 3) % 7));
-      const Vector3d p = middle + offset;
-      triangulation.insert(Point(p.x(), p.y(), p.z()))->info() = next_vertex++;
+      corners.push_back(triangulation.add_point(middle + offset));
     }
-    for (Cell cell : triangulation.all_cell_handles()) classify(cell);
+    triangulation.begin(corners);
+    for (const std::uint32_t corner : corners) {
+      if (triangulation.in_use(corner)) continue;
+      const Vector3d p = triangulation.point(corner);
+      triangulation.find_cavity(p, triangulation.locate(p, any_cell()), cavity);
+      put_into_cavity(corner);
+    }
+    make_room();
+    for (std::uint32_t cell = 0; cell < triangulation.slots(); ++cell)
+      if (triangulation.is_cell(cell)) classify(cell);
+  }
+
+  std::uint32_t any_cell() const {
+    std::uint32_t cell = 0;
+    while (!triangulation.is_cell(cell)) ++cell;
+    return cell;
+  }
+
+  void put_into_cavity(std::uint32_t vertex) {
+    triangulation.stock_up(stock, cavity.rim.size());
+    triangulation.insert(vertex, cavity, stock);
+  }
+
+  void make_room() {
+    labels.resize(triangulation.slots(), kBackground);
+    centres.resize(triangulation.slots());
   }
 
   double noise() {
@@ -88,58 +106,71 @@ struct DelaunayRefiner::Impl {
     return jitter * (static_cast<double>(random >> 40) / static_cast<double>(1 << 24) - 0.5);
   }
 
-  void classify(Cell cell) {
-    CellInfo& info = cell->info();
-    info.serial = next_serial++;
-    info.label = kBackground;
-    if (triangulation.is_infinite(cell)) return;
-    info.centre = circumcentre(cell);
-    if (!info.centre.allFinite()) info.centre = centroid(cell);
-    info.label = field.at(info.centre);
+  Vector3d centroid(std::uint32_t cell) const {
+    const auto& [a, b, c, d] = triangulation.corners(cell);
+    return 0.25 * (triangulation.point(a) + triangulation.point(b) + triangulation.point(c) +
+                   triangulation.point(d));
   }
 
-  /// Centre of the surface Delaunay ball of the facet opposite corner i, and whether its dual segment passes
-  /// through a layer that it does not bound; false where the facet is on no interface.
-  bool surface_centre(Cell cell, int i, Vector3d& centre, Vector3d& normal, bool& skips) const {
-    const Cell other = cell->neighbor(i);
-    const CellInfo& mine = cell->info();
-    const CellInfo& theirs = other->info();
-    if (mine.label == theirs.label) return false;
+  void classify(std::uint32_t cell) {
+    labels[cell] = kBackground;
+    if (triangulation.is_infinite(cell)) return;
+    centres[cell] = triangulation.ball(cell).centre;
+    if (!centres[cell].allFinite()) centres[cell] = centroid(cell);
+    labels[cell] = field.at(centres[cell]);
+  }
+
+  /// Centre of the surface Delaunay ball of a facet, and whether its dual segment passes through a layer that
+  /// it does not bound; false where the facet is on no interface.
+  bool surface_centre(Facet facet, Vector3d& centre, Vector3d& normal, bool& skips) const {
+    const std::uint32_t cell = DelaunayTriangulation::cell_of(facet),
+                        other = DelaunayTriangulation::cell_of(triangulation.across(facet));
+    if (labels[cell] == labels[other]) return false;
     if (triangulation.is_infinite(cell) || triangulation.is_infinite(other)) return false;
-    const bool forward = mine.label > theirs.label;
-    const CellInfo& from = forward ? mine : theirs;
-    const CellInfo& to = forward ? theirs : mine;
+    const bool forward = labels[cell] > labels[other];
+    const std::uint32_t from = forward ? cell : other, to = forward ? other : cell;
     Label behind = kBackground;
-    centre = field.crossing(from.centre, from.label, to.centre, to.label, behind);
-    normal = field.gradient(centre, from.label, behind);
-    skips = behind != to.label && (field.layers().is_layer(behind) || field.layers().is_layer(from.label));
+    centre = field.crossing(centres[from], labels[from], centres[to], labels[to], behind);
+    normal = field.gradient(centre, labels[from], behind);
+    skips =
+        behind != labels[to] && (field.layers().is_layer(behind) || field.layers().is_layer(labels[from]));
     return true;
   }
 
-  /// Queues the facet opposite corner i of the cell if it lies on an interface and fails a criterion.
-  void examine(Cell cell, int i) {
+  /// Queues a facet if it lies on an interface and fails a criterion.
+  void examine(Facet facet) {
     Vector3d centre, normal;
     bool skips = false;
-    if (!surface_centre(cell, i, centre, normal, skips)) return;
-    const double urgency = badness(cell, i, centre, normal, skips);
-    if (urgency > 0) queue(urgency, cell, i, centre);
+    if (!surface_centre(facet, centre, normal, skips)) return;
+    const double urgency = badness(facet, centre, normal, skips);
+    if (urgency > 0) queue(urgency, facet, centre);
   }
 
-  void queue(double urgency, Cell cell, int i, const Vector3d& centre) {
-    bad.push(urgency, {cell->info().serial, cell->neighbor(i)->info().serial, cell, i, centre});
+  void queue(double urgency, Facet facet, const Vector3d& centre) {
+    const Facet other = triangulation.across(facet);
+    bad.push(urgency, {facet, other, version(facet), version(other), centre});
   }
 
-  bool is_of_layer(Cell cell, int i) const {
-    return field.layers().is_layer(cell->info().label) ||
-           field.layers().is_layer(cell->neighbor(i)->info().label);
+  /// Of the cell that has the facet.
+  std::uint32_t version(Facet facet) const {
+    return triangulation.version(DelaunayTriangulation::cell_of(facet));
+  }
+
+  bool is_there(const BadFacet& facet) const {
+    return version(facet.facet) == facet.version && version(facet.other) == facet.other_version;
+  }
+
+  bool is_of_layer(Facet facet) const {
+    return field.layers().is_layer(labels[DelaunayTriangulation::cell_of(facet)]) ||
+           field.layers().is_layer(labels[DelaunayTriangulation::cell_of(triangulation.across(facet))]);
   }
 
   /// 0 for a good facet; facets that are too large come before those that are too far off or too thin.
-  double badness(Cell cell, int i, const Vector3d& centre, const Vector3d& normal, bool skips) const {
-    const auto& corners = kFacetCorners[static_cast<std::size_t>(i)];
-    const Vector3d p = to_vector(cell->vertex(corners[0])->point());
-    const Vector3d q = to_vector(cell->vertex(corners[1])->point());
-    const Vector3d r = to_vector(cell->vertex(corners[2])->point());
+  double badness(Facet facet, const Vector3d& centre, const Vector3d& normal, bool skips) const {
+    const auto& corners = triangulation.corners(DelaunayTriangulation::cell_of(facet));
+    const auto& [i, j, k] = DelaunayTriangulation::kFacetCorners[DelaunayTriangulation::corner_of(facet)];
+    const Vector3d &p = triangulation.point(corners[i]), &q = triangulation.point(corners[j]),
+                   &r = triangulation.point(corners[k]);
     const double ball = (centre - p).squaredNorm();
     const double target = criteria.radius_per_edge * sizing.at(centre);
     const double relative = std::sqrt(ball) / target;
@@ -148,7 +179,7 @@ struct DelaunayRefiner::Impl {
     const Vector3d across = (q - p).cross(r - p);
     const double circle = a * b * c / (4 * across.squaredNorm());
     const double offset = ball - circle;
-    const bool coarse = is_of_layer(cell, i) && relative < criteria.layer_radius_share;
+    const bool coarse = is_of_layer(facet) && relative < criteria.layer_radius_share;
     const double allowed = (coarse ? criteria.layer_distance : 1) * criteria.max_distance_mm;
     const bool far = offset > allowed * allowed;
     const bool thin = !(circle <= ratio_limit * std::min({a, b, c}));
@@ -160,37 +191,39 @@ struct DelaunayRefiner::Impl {
     return far || thin || astray ? relative : 0;
   }
 
-  /// Inserts a point; false if it coincides with a vertex or would leave the facet (cell, other) standing.
-  bool insert_point(const Vector3d& p, Cell hint, Cell other) {
+  /// Finds the cavity of a point that is to be added, a little beside `p`: which is returned, or nothing if
+  /// it coincides with a vertex.
+  std::optional<Vector3d> find_cavity(const Vector3d& p, std::uint32_t from) {
     // One after the other: compilers differ in the order in which they evaluate arguments.
     const double dx = noise(), dy = noise(), dz = noise();
-    const Point point(p.x() + dx, p.y() + dy, p.z() + dz);
-    Triangulation::Locate_type type;
-    int li = 0, lj = 0;
-    const Cell start = triangulation.locate(point, type, li, lj, hint);
-    if (type == Triangulation::VERTEX) return false;
-    conflict.clear();
-    rim.clear();
-    triangulation.find_conflicts(point, start, std::back_inserter(rim), std::back_inserter(conflict));
-    if (other != Cell()) {
-      bool hit = false;
-      for (const Cell c : conflict) hit = hit || c == hint || c == other;
-      if (!hit) return false;
+    const Vector3d at = p + Vector3d(dx, dy, dz);
+    const std::uint32_t first = triangulation.locate(at, from);
+    if (triangulation.has_corner_at(first, at)) return std::nullopt;
+    triangulation.find_cavity(at, first, cavity);
+    return at;
+  }
+
+  /// Squared distance of a point from the nearest vertex: one of those around its cavity.
+  double nearest2(const Vector3d& at) const {
+    double least = std::numeric_limits<double>::max();
+    for (const std::uint32_t cell : cavity.cells)
+      for (const std::uint32_t v : triangulation.corners(cell))
+        if (v != DelaunayTriangulation::kInfinite)
+          least = std::min(least, (triangulation.point(v) - at).squaredNorm());
+    return least;
+  }
+
+  /// Adds the point whose cavity was found.
+  void insert(const Vector3d& at) {
+    put_into_cavity(triangulation.add_point(at));
+    make_room();
+    for (const std::uint32_t cell : stock.made) classify(cell);
+    for (std::size_t n = 0; n < stock.made.size(); ++n) {
+      const std::uint32_t cell = stock.made[n], own = DelaunayTriangulation::corner_of(cavity.rim[n]);
+      examine(4 * cell + own);
+      for (std::uint32_t i = 0; i < 4; ++i)
+        if (i != own && cell < triangulation.neighbour(cell, i)) examine(4 * cell + i);
     }
-    for (const Cell c : conflict) c->info().serial = 0;
-    const auto vertex = triangulation.insert_in_hole(point, conflict.begin(), conflict.end(),
-                                                     rim.front().first, rim.front().second);
-    vertex->info() = next_vertex++;
-    star.clear();
-    triangulation.incident_cells(vertex, std::back_inserter(star));
-    for (const Cell c : star) classify(c);
-    for (const Cell c : star) {
-      const int own = c->index(vertex);
-      examine(c, own);
-      for (int i = 0; i < 4; ++i)
-        if (i != own && c->info().serial < c->neighbor(i)->info().serial) examine(c, i);
-    }
-    return true;
   }
 };
 
@@ -202,100 +235,98 @@ DelaunayRefiner::~DelaunayRefiner() = default;
 
 std::size_t DelaunayRefiner::insert(const std::vector<Vector3d>& points, double separation_mm,
                                     double edge_share) {
-  Triangulation& t = impl_->triangulation;
+  Impl& m = *impl_;
   std::size_t added = 0;
-  Cell hint = t.finite_cells_begin();
+  std::uint32_t from = m.any_cell();
   for (const Vector3d& p : points) {
-    const auto nearest = t.nearest_vertex(Point(p.x(), p.y(), p.z()), hint);
-    hint = nearest->cell();
-    const double least = std::max(separation_mm, edge_share * impl_->sizing.at(p));
-    if ((to_vector(nearest->point()) - p).squaredNorm() < least * least) continue;
-    if (!impl_->insert_point(p, hint, Cell())) continue;
+    const std::optional<Vector3d> at = m.find_cavity(p, from);
+    if (!at) continue;
+    from = m.cavity.cells.front();
+    const double least = std::max(separation_mm, edge_share * m.sizing.at(p));
+    if (m.nearest2(*at) < least * least) continue;
+    m.insert(*at);
     ++added;
-    hint = impl_->star.front();
+    from = m.stock.made.front();
   }
   return added;
 }
 
 bool DelaunayRefiner::refine(RunContext& ctx, double predicted_vertices) {
   Impl& m = *impl_;
+  const DelaunayTriangulation& t = m.triangulation;
   constexpr std::size_t kPollEvery = 512;
   for (std::size_t round = 0;; ++round) {
-    const std::optional<Impl::BadFacet> facet = m.bad.pop();
-    if (!facet) return true;
+    const std::optional<Impl::BadFacet> bad = m.bad.pop();
+    if (!bad) return true;
     if (round % kPollEvery == 0) {
       if (ctx.cancelled()) return false;
-      ctx.progress(kRemeshStage, std::min(1.0, m.next_vertex / (1 + predicted_vertices)));
+      ctx.progress(kRemeshStage, std::min(1.0, t.point_count() / (1 + predicted_vertices)));
     }
-    if (facet->cell->info().serial != facet->serial) continue;
-    const Cell other = facet->cell->neighbor(facet->facet);
-    if (other->info().serial != facet->other_serial) continue;
-    m.insert_point(facet->centre, facet->cell, other);
+    if (!m.is_there(*bad)) continue;
+    const std::uint32_t cell = DelaunayTriangulation::cell_of(bad->facet),
+                        other = DelaunayTriangulation::cell_of(bad->other);
+    const std::optional<Vector3d> at = m.find_cavity(bad->centre, cell);
+    if (!at) continue;
+    // It must not leave the facet standing.
+    const std::vector<std::uint32_t>& cells = m.cavity.cells;
+    if (std::find(cells.begin(), cells.end(), cell) != cells.end() ||
+        std::find(cells.begin(), cells.end(), other) != cells.end())
+      m.insert(*at);
   }
 }
 
 std::vector<Vector3d> DelaunayRefiner::passed_over(double depth_mm) const {
-  const LabelField& field = impl_->field;
+  const Impl& m = *impl_;
   std::vector<Vector3d> points;
-  for (Cell c : impl_->triangulation.finite_cell_handles()) {
-    const Vector3d middle = centroid(c);
-    const Label label = field.at(middle);
-    if (label == c->info().label || field.depth(middle, label) < depth_mm) continue;
+  for (std::uint32_t cell = 0; cell < m.triangulation.slots(); ++cell) {
+    if (!m.triangulation.is_finite(cell)) continue;
+    const Vector3d middle = m.centroid(cell);
+    const Label label = m.field.at(middle);
+    if (label == m.labels[cell] || m.field.depth(middle, label) < depth_mm) continue;
     Label other = kBackground;
-    points.push_back(field.crossing(middle, label, c->info().centre, c->info().label, other));
+    points.push_back(m.field.crossing(middle, label, m.centres[cell], m.labels[cell], other));
   }
   return points;
 }
 
 std::size_t DelaunayRefiner::vertex_count() const {
-  return impl_->next_vertex;
+  return impl_->triangulation.point_count();
 }
 
 bool DelaunayRefiner::request(std::uint32_t cell, std::uint32_t corner, double least_radius_mm) {
-  const Cell handle = impl_->exported[cell];
-  const int i = static_cast<int>(corner);
+  Impl& m = *impl_;
+  const DelaunayTriangulation::Facet facet = 4 * m.exported[cell] + corner;
   Vector3d centre, normal;
   bool skips = false;
-  if (!impl_->surface_centre(handle, i, centre, normal, skips)) return false;
-  const double radius = (centre - to_vector(handle->vertex((i + 1) % 4)->point())).norm();
-  if (radius < least_radius_mm) return false;
-  impl_->queue(1, handle, i, centre);
+  if (!m.surface_centre(facet, centre, normal, skips)) return false;
+  const std::uint32_t end = m.triangulation.corners(m.exported[cell])[(corner + 1) % 4];
+  if ((centre - m.triangulation.point(end)).norm() < least_radius_mm) return false;
+  m.queue(1, facet, centre);
   return true;
 }
 
 LabelledCells DelaunayRefiner::cells() {
   Impl& m = *impl_;
-  const Triangulation& t = m.triangulation;
+  const DelaunayTriangulation& t = m.triangulation;
   LabelledCells out;
-  out.points.resize(m.next_vertex);
-  for (auto v : t.finite_vertex_handles()) out.points[v->info()] = to_vector(v->point());
-  // Cells are numbered in the triangulation's own order, which does not depend on addresses. Nothing waits
-  // that would know them by their old serials, which have gaps: they get new ones, the finite cells first.
-  m.next_serial = 1;
+  out.points.reserve(t.point_count());
+  for (std::uint32_t v = 0; v < t.point_count(); ++v) out.points.push_back(t.point(v));
+  std::vector<std::uint32_t> number(t.slots(), LabelledCells::kNone);
   m.exported.clear();
-  for (Cell c : t.finite_cell_handles()) {
-    c->info().serial = m.next_serial++;
-    m.exported.push_back(c);
+  for (std::uint32_t cell = 0; cell < t.slots(); ++cell) {
+    if (!t.is_finite(cell)) continue;
+    number[cell] = static_cast<std::uint32_t>(m.exported.size());
+    m.exported.push_back(cell);
   }
-  for (Cell c : t.all_cell_handles())
-    if (t.is_infinite(c)) c->info().serial = m.next_serial++;
   const std::size_t count = m.exported.size();
-  const auto number = [&](Cell c) {
-    const std::uint32_t serial = c->info().serial;
-    return serial <= count ? serial - 1 : LabelledCells::kNone;
-  };
   out.vertices.reserve(count);
   out.neighbours.reserve(count);
   out.labels.reserve(count);
-  for (Cell c : m.exported) {
-    std::array<std::uint32_t, 4> vertices{}, neighbours{};
-    for (int i = 0; i < 4; ++i) {
-      vertices[static_cast<std::size_t>(i)] = c->vertex(i)->info();
-      neighbours[static_cast<std::size_t>(i)] = number(c->neighbor(i));
-    }
-    out.vertices.push_back(vertices);
-    out.neighbours.push_back(neighbours);
-    out.labels.push_back(c->info().label);
+  for (const std::uint32_t cell : m.exported) {
+    out.vertices.push_back(t.corners(cell));
+    std::array<std::uint32_t, 4>& neighbours = out.neighbours.emplace_back();
+    for (std::uint32_t i = 0; i < 4; ++i) neighbours[i] = number[t.neighbour(cell, i)];
+    out.labels.push_back(m.labels[cell]);
   }
   return out;
 }

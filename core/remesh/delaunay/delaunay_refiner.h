@@ -28,7 +28,7 @@ struct RefineCriteria {
   double layer_radius_share = 0.6, layer_distance = 4;
 };
 
-/// Holds the growing triangulation (CGAL Delaunay_triangulation_3). `field` and `sizing` must outlive it.
+/// Holds the growing triangulation. `field` and `sizing` must outlive it.
 class DelaunayRefiner {
  public:
   DelaunayRefiner(const LabelField& field, const SizingField& sizing, const RefineCriteria& criteria);

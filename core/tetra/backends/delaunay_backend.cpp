@@ -10,6 +10,7 @@
 #include "geometry/search/morton_curve.h"
 #include "tetra/backends/delaunay_cells.h"
 #include "tetra/backends/recover_surface.h"
+#include "tetra/backends/refine_cells.h"
 #include "tetra/mesh/meshing_error.h"
 #include "types/stage_names.h"
 
@@ -36,15 +37,16 @@ Status check_volumes(const std::vector<double>& before, const std::vector<double
 Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing,
                                  const DelaunayOptions& options, const WallLayers& layers,
                                  const RunContext& ctx) {
-  DelaunayCells cells;
+  DelaunayCells cells(surface.points);
   const std::vector<std::uint32_t> order =
       MortonCurve(surface.points).order(surface.points.size(), [&](std::size_t v) {
         return surface.points[v];
       });
+  if (!cells.begin(order)) return meshing_error("all points of the surface lie in one plane");
   std::size_t added = 0;
   for (const std::uint32_t v : order) {
     if (added++ % kPointsPerQuestion == 0 && ctx.cancelled()) return cancelled_error(kTetraStage);
-    if (!cells.add(surface.points[v], v)) return meshing_error("two points of the surface coincide");
+    if (!cells.add(v)) return meshing_error("two points of the surface coincide");
   }
   const std::size_t triangles = surface.triangles.size();
   const std::vector<double> volumes = enclosed_volumes_mm3(surface);
@@ -56,10 +58,10 @@ Result<FilledParts> run_delaunay(SurfaceMesh& surface, const SizingField& sizing
                               std::to_string(recovered->flipped) + " edges were flipped and " +
                               std::to_string(recovered->split) + " halved");
   if (!cells.label(surface)) return meshing_error("a cell lies on two sides of the surface");
-  switch (cells.refine(sizing, options.radius_edge, options.max_points, layers, ctx)) {
-    case DelaunayCells::Refined::kCancelled: return cancelled_error(kTetraStage);
-    case DelaunayCells::Refined::kTooMany: return meshing_error("refinement did not come to an end");
-    case DelaunayCells::Refined::kDone: break;
+  switch (refine_cells(cells, sizing, options.radius_edge, options.max_points, layers, ctx)) {
+    case Refined::kCancelled: return cancelled_error(kTetraStage);
+    case Refined::kTooMany: return meshing_error("refinement did not come to an end");
+    case Refined::kDone: break;
   }
   return cells.take();
 }

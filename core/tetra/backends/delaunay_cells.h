@@ -1,30 +1,31 @@
-// A Delaunay triangulation whose cells take the labels of a surface that is a part of it, and are then
-// refined.
+// A Delaunay triangulation whose cells take the labels of a surface that is a part of it.
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <memory>
+#include <span>
 #include <vector>
 
+#include "geometry/delaunay/delaunay_triangulation.h"
 #include "tetra/backends/filled_parts.h"
-#include "types/run_context.h"
-#include "types/sizing_field.h"
 #include "types/surface_mesh.h"
-#include "walls/wall_layers.h"
 
 namespace voxtet::tetra {
 
-/// Wraps CGAL's Delaunay_triangulation_3.
 class DelaunayCells {
  public:
-  DelaunayCells();
-  ~DelaunayCells();
+  /// Points of a surface, numbered as there; none is a vertex yet.
+  explicit DelaunayCells(std::span<const Eigen::Vector3d> points);
 
-  /// False if there is a vertex at this place already. In the end `number` must have taken all values from 0
-  /// on. Fastest if points that are added one after the other are near each other.
-  bool add(const Eigen::Vector3d& point, std::uint32_t number);
-  bool has_edge(std::uint32_t a, std::uint32_t b) const;
+  /// Makes the first cell, of some of these points. False if all lie in one plane.
+  bool begin(std::span<const std::uint32_t> vertices) { return triangulation_.begin(vertices); }
+  /// Makes a point a vertex, if it is none yet. False if there is another one at its place. Fastest if points
+  /// that are added one after the other are near each other.
+  bool add(std::uint32_t vertex);
+  /// The same for a new point, whose number is the next one.
+  bool add(const Eigen::Vector3d& point);
+
+  bool has_edge(std::uint32_t a, std::uint32_t b);
   /// For each triangle of a surface, whose points are the vertices, whether it is a facet.
   std::vector<bool> find_facets(const SurfaceMesh& surface) const;
 
@@ -32,21 +33,24 @@ class DelaunayCells {
   /// cell lies on two sides.
   bool label(const SurfaceMesh& surface);
 
-  enum class Refined { kDone, kCancelled, kTooMany };
-  /// After label(): adds points at the circumcentres of cells that are larger than `sizing` asks for, then of
-  /// those whose ratio of circumradius to shortest edge is above `radius_edge`. Points that would be too
-  /// close to the surface or behind it are left out. A point only changes cells of one label: the
-  /// triangulation stays Delaunay as seen from inside each label. No point is added in a layer. Polls
-  /// ctx.cancelled(). Stops at `max_points`.
-  Refined refine(const SizingField& sizing, double radius_edge, std::size_t max_points,
-                 const WallLayers& layers, const RunContext& ctx);
+  DelaunayTriangulation& triangulation() { return triangulation_; }
+  /// Of the cell in each slot, after label(). Whoever adds cells gives them theirs.
+  std::vector<Label>& labels() { return labels_; }
 
-  /// After label(): the points, and the tets of every label except background, with labels as regions.
+  /// After label(): the points in use, and the tets of every label except background, with labels as regions.
   FilledParts take() const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  /// Makes a point a vertex; `first` is in conflict with it.
+  void insert(std::uint32_t vertex, std::uint32_t first);
+  template <class Visit>
+  void for_each_facet(const SurfaceMesh& surface, const Visit& visit) const;
+
+  DelaunayTriangulation triangulation_;
+  std::vector<Label> labels_;
+  DelaunayTriangulation::Stock stock_;
+  DelaunayTriangulation::Cavity cavity_;
+  std::uint32_t last_made_ = 0;
 };
 
 }  // namespace voxtet::tetra

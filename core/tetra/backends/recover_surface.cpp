@@ -111,7 +111,7 @@ class Round {
   void split(Uses uses) {
     const std::uint32_t middle = static_cast<std::uint32_t>(surface_.points.size());
     const Vector3d point = (at(uses[0].low) + at(uses[0].high)) / 2;
-    if (!cells_.add(point, middle)) return;
+    if (!cells_.add(point)) return;
     surface_.points.push_back(point);
     for (const TriangleUse& use : uses) {
       Triangle half = surface_.triangles[use.triangle];

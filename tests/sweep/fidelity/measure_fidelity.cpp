@@ -49,10 +49,10 @@ Result<nlohmann::json> measure_fidelity(const std::string& name, const Reference
 
   const double voxel_mm = session.volume()->smallest_spacing_mm();
   const TriangleSet boundaries{mesh.points, mesh.faces, mesh.face_sides};
-  for (const auto& [what, points] :
-       {std::pair{"smoothed", &reference->smoothed}, std::pair{"voxels", &voxels.points}})
-    if (const Status done =
-            measure_both_ways(boundaries, {*points, voxels.triangles, voxels.sides}, voxel_mm, what, row);
+  for (const auto& [what, surface] :
+       {std::pair{"smoothed", &reference->smoothed}, std::pair{"voxels", &voxels}})
+    if (const Status done = measure_both_ways(
+            boundaries, {surface->points, surface->triangles, surface->sides}, voxel_mm, what, row);
         !done)
       return done.error();
 

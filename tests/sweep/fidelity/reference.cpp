@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cstring>
+#include <span>
 
 #include "base/digest.h"
 #include "io/bytes/files.h"
@@ -17,10 +18,8 @@ std::string path_of(const std::string& folder, std::string name) {
   return folder + "/" + name + ".reference";
 }
 
-/// Numbers of points and triangles; then points, points when smoothed, triangles and sides, as in memory.
+/// For each surface its numbers of points and triangles; then points, triangles and sides, as in memory.
 using Counts = std::array<std::uint64_t, 2>;
-constexpr std::size_t kBytesOfPoint = 2 * sizeof(Eigen::Vector3d),
-                      kBytesOfTriangle = sizeof(Triangle) + sizeof(Sides);
 
 template <class T>
 void append(const T* values, std::size_t count, Bytes& out) {
@@ -28,39 +27,42 @@ void append(const T* values, std::size_t count, Bytes& out) {
   out.insert(out.end(), bytes, bytes + count * sizeof(T));
 }
 
-Bytes to_bytes(const Reference& reference) {
-  const SurfaceMesh& voxels = reference.voxels;
-  const Counts counts{voxels.points.size(), voxels.triangles.size()};
-  Bytes out;
-  out.reserve(sizeof counts + counts[0] * kBytesOfPoint + counts[1] * kBytesOfTriangle);
+void append(const SurfaceMesh& surface, Bytes& out) {
+  const Counts counts{surface.points.size(), surface.triangles.size()};
   append(&counts, 1, out);
-  append(voxels.points.data(), counts[0], out);
-  append(reference.smoothed.data(), counts[0], out);
-  append(voxels.triangles.data(), counts[1], out);
-  append(voxels.sides.data(), counts[1], out);
+  append(surface.points.data(), counts[0], out);
+  append(surface.triangles.data(), counts[1], out);
+  append(surface.sides.data(), counts[1], out);
+}
+
+Bytes to_bytes(const Reference& reference) {
+  Bytes out;
+  append(reference.voxels, out);
+  append(reference.smoothed, out);
   return out;
 }
 
+/// False where fewer bytes are left.
 template <class T>
-void take(const std::uint8_t*& from, std::size_t count, std::vector<T>& out) {
+bool take(std::span<const std::uint8_t>& from, std::size_t count, std::vector<T>& out) {
+  if (count > from.size() / sizeof(T)) return false;
   out.resize(count);
-  std::memcpy(static_cast<void*>(out.data()), from, count * sizeof(T));
-  from += count * sizeof(T);
+  std::memcpy(static_cast<void*>(out.data()), from.data(), count * sizeof(T));
+  from = from.subspan(count * sizeof(T));
+  return true;
+}
+
+bool take(std::span<const std::uint8_t>& from, SurfaceMesh& out) {
+  std::vector<std::uint64_t> counts;
+  return take(from, 2, counts) && take(from, counts[0], out.points) && take(from, counts[1], out.triangles) &&
+         take(from, counts[1], out.sides);
 }
 
 /// Nothing where the bytes are no reference.
 std::optional<Reference> from_bytes(const Bytes& bytes) {
-  Counts counts{};
-  if (bytes.size() < sizeof counts) return std::nullopt;
-  std::memcpy(&counts, bytes.data(), sizeof counts);
-  if (bytes.size() != sizeof counts + counts[0] * kBytesOfPoint + counts[1] * kBytesOfTriangle)
-    return std::nullopt;
   Reference out;
-  const std::uint8_t* from = bytes.data() + sizeof counts;
-  take(from, counts[0], out.voxels.points);
-  take(from, counts[0], out.smoothed);
-  take(from, counts[1], out.voxels.triangles);
-  take(from, counts[1], out.voxels.sides);
+  std::span<const std::uint8_t> from = bytes;
+  if (!take(from, out.voxels) || !take(from, out.smoothed) || !from.empty()) return std::nullopt;
   return out;
 }
 
@@ -88,7 +90,7 @@ Result<Reference> reference_of(const std::string& name, const Session& session,
     kept->digest = digest_of_bytes(*bytes);
     return *std::move(kept);
   }
-  Reference own{*session.surface(), session.smooth()->points};
+  Reference own{*session.surface(), *session.smooth()};
   const Bytes bytes = to_bytes(own);
   own.digest = digest_of_bytes(bytes);
   if (folders.to)

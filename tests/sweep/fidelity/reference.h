@@ -5,16 +5,15 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "pipeline/session.h"
 
 namespace voxtet::sweep {
 
 struct Reference {
-  SurfaceMesh voxels;                     ///< as extracted
-  std::vector<Eigen::Vector3d> smoothed;  ///< where its points went, mm
-  std::string digest{};                   ///< of both
+  SurfaceMesh voxels;    ///< as extracted
+  SurfaceMesh smoothed;  ///< the same one, perhaps with fewer points
+  std::string digest{};  ///< of both
 };
 
 /// Where references are written to, and where they are read from. Without `from`, the session's own surfaces

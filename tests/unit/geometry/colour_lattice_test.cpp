@@ -68,12 +68,28 @@ std::vector<double> sums_near(int threads) {
   const ColourLattice lattice(points, 2);
   std::vector<double> values(points.size(), 1);
   std::vector<std::size_t> order(lattice.size());
-  for_colours(threads, lattice, [&](const ColourLattice::Cube& cube, std::size_t number) {
+  std::size_t begun = 0, ended = 0;
+  const auto before = [&](std::span<const ColourLattice::Cube> cubes, std::size_t first) {
+    EXPECT_EQ(first, begun);
+    begun += cubes.size();
+  };
+  const auto visit = [&](const ColourLattice::Cube& cube, std::size_t number, std::vector<double>& near) {
     order[number] = cube.items.front();
-    for (const std::uint32_t i : cube.items)
+    for (const std::uint32_t i : cube.items) {
+      near.clear();
       for (std::size_t j = 0; j < points.size(); ++j)
-        if ((points[i] - points[j]).norm() < 0.9) values[i] += values[j] / 100;
-  });
+        if ((points[i] - points[j]).norm() < 0.9) near.push_back(values[j]);
+      for (const double value : near) values[i] += value / 100;
+    }
+  };
+  const auto after = [&](std::span<const ColourLattice::Cube> cubes, std::size_t first) {
+    EXPECT_EQ(first, ended);
+    ended += cubes.size();
+    EXPECT_EQ(ended, begun);
+  };
+  for_colours(
+      threads, lattice, before, [] { return std::vector<double>(); }, visit, after);
+  EXPECT_EQ(ended, lattice.size());
   std::sort(order.begin(), order.end());
   EXPECT_EQ(std::adjacent_find(order.begin(), order.end()), order.end());
   return values;

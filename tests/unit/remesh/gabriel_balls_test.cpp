@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "geometry/elements/surface_measures.h"
-#include "geometry/intersect/delaunay_triangulation.h"
 #include "support/test_random.h"
+#include "support/triangulated.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -55,24 +55,24 @@ TEST(GabrielBalls, HoldNoPointOfTheTrianglesPlaneInsideItsCircle) {
 
 TEST(GabrielBalls, AreThereForEveryFacetOfADelaunayTriangulationWithSmallBalls) {
   test::TestRandom random(3);
-  DelaunayTriangulation triangulation;
   std::vector<Vector3d> points;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 200; ++i)
     points.emplace_back(random.below(1000) / 1000.0, random.below(1000) / 1000.0,
                         random.below(1000) / 1000.0);
-    triangulation.insert(to_point(points.back()));
-  }
+  const DelaunayTriangulation triangulation = test::triangulated(points);
   int checked = 0, without = 0;
-  for (auto cell = triangulation.finite_cells_begin(); cell != triangulation.finite_cells_end(); ++cell) {
-    const TriangleCorners p{to_vector(cell->vertex(1)->point()), to_vector(cell->vertex(2)->point()),
-                            to_vector(cell->vertex(3)->point())};
+  for (std::uint32_t cell = 0; cell < triangulation.slots(); ++cell) {
+    if (!triangulation.is_finite(cell)) continue;
+    const auto& corners = triangulation.corners(cell);
+    const TriangleCorners p{points[corners[1]], points[corners[2]], points[corners[3]]};
+    const Vector3d centre = triangulation.ball(cell).centre;
     GabrielBalls balls(p);
     for (const Vector3d& point : points)
       if (point != p[0] && point != p[1] && point != p[2]) balls.leave_out(point);
     // The cell's own ball is one of them, if its centre is near enough to the triangle.
     const Vector3d normal = triangle_cross(p[0], p[1], p[2]).normalized();
-    const double radius2 = (circumcentre(cell) - p[0]).squaredNorm();
-    const double height = (circumcentre(cell) - p[0]).dot(normal);
+    const double radius2 = (centre - p[0]).squaredNorm();
+    const double height = (centre - p[0]).dot(normal);
     if (2 * height * height > radius2) continue;
     ++checked;
     EXPECT_TRUE(balls.any());

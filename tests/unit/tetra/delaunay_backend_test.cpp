@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/digest.h"
@@ -32,9 +33,10 @@ struct DelaunayFilled {
   std::string notes, warnings;
 };
 
-DelaunayFilled fill_delaunay(const SurfaceMesh& surface, const SizingField& sizing) {
+DelaunayFilled fill_delaunay(const SurfaceMesh& surface, const SizingField& sizing, int threads = 1) {
   DelaunayFilled out{Error{}, "", ""};
   RunContext ctx;
+  ctx.threads = threads;
   ctx.on_note = [&](const std::string&, const std::string& text) { out.notes += text + "\n"; };
   ctx.on_warning = [&](const std::string&, const std::string& text) { out.warnings += text + "\n"; };
   FillParams params;
@@ -158,7 +160,23 @@ TEST(DelaunayBackend, GivesTheOptimiserWhatItNeeds) {
 TEST(DelaunayBackend, GivesTheSameBytesOnEveryPlatform) {
   const DelaunayFilled out = fill_delaunay(test::graded_spheres(), test::graded_sizing());
   ASSERT_TRUE(out.mesh.ok());
-  EXPECT_EQ(digest_of(*out.mesh), "9605dfc71f274c1ab95b9c540075658ed128a8cb9c3991667961ceade5bbde99");
+  EXPECT_EQ(digest_of(*out.mesh), "3d9c1f1d79bdb90de5900060838f83d55f683c1c2156bbcfd070fbb02cf2ad3e");
+}
+
+/// Balls of many cubes, and a graded body, where some cells reach farther than a cube.
+TEST(DelaunayBackend, GivesTheSameBytesOnAnyNumberOfThreads) {
+  SurfaceMesh balls = sphere({0, 0, 0}, 12, 4, 1, 0);
+  append(balls, sphere({30, 5, -3}, 9, 4, 2, 0));
+  for (const auto& [surface, sizing] :
+       {std::pair{balls, uniform_sizing(0.9)}, std::pair{test::graded_spheres(), test::graded_sizing()}}) {
+    const DelaunayFilled one = fill_delaunay(surface, sizing);
+    expect_refined(one, surface);
+    for (const int threads : {2, 3, 8}) {
+      const DelaunayFilled out = fill_delaunay(surface, sizing, threads);
+      ASSERT_TRUE(out.mesh.ok());
+      EXPECT_EQ(digest_of(*out.mesh), digest_of(*one.mesh)) << threads;
+    }
+  }
 }
 
 TEST(DelaunayBackend, FillsRandomBodiesOfManyLabels) {
