@@ -136,7 +136,7 @@ def page(results):
     cases = results["cases"]
     text = (pathlib.Path(__file__).parent / "page.md").read_text()
     parts = {"processor": results["processor"], "runs": str(results["runs"]), "failures": failures(cases, names),
-             "warnings": warnings(cases)}
+             "warnings": warnings(cases), "remark": results.get("remark", "")}
     for kind, merged in (("merged", True), ("conforming", False)):
         chosen = [c for c in cases if c["merged"] == merged]
         parts["summary_" + kind] = summary(chosen, names)

@@ -39,7 +39,7 @@ TEST(DelaunayRefiner, MakesFacetsAsLargeAsTheyMayBe) {
     }
     // Equilateral triangles with the largest circumcircles have 1.3 times the squared radius for their area.
     const double per_facet = area / static_cast<double>(surface.triangles.size()) / (radius * radius);
-    EXPECT_GT(per_facet, 0.5);
+    EXPECT_GT(per_facet, 0.65);
     EXPECT_LT(per_facet, 1.3);
   }
 }
