@@ -104,6 +104,7 @@ TEST(DelaunayTriangulation, IsTheOnlyOneOfPointsInGeneralPosition) {
   test::TestRandom random(1);
   for (int round = 0; round < 20; ++round) {
     std::vector<Vector3d> points;
+    points.reserve(150);
     const double flatness = round % 2 ? 1 : 1e-3;  // flat cells, large balls
     for (int i = 0; i < 150; ++i)
       points.emplace_back(between(random, 90, 110), between(random, -5, 5),
@@ -128,6 +129,7 @@ TEST(DelaunayTriangulation, HoldsWhereManyPointsLieOnSpheresAndInPlanes) {
   test::TestRandom random(3);
   for (const double step : {1.0, 0.1, 1.0 / 3}) {
     std::vector<Vector3d> points;
+    points.reserve(216);
     for (int i = 0; i < 216; ++i) points.push_back(step * Vector3d(i % 6, i / 6 % 6, i / 36));
     for (std::size_t i = points.size() - 1; i > 0; --i) std::swap(points[i], points[random.below(i + 1)]);
     expect_delaunay(triangulated(points));
@@ -157,6 +159,7 @@ TEST(DelaunayTriangulation, LeavesOutPointsThatAreThere) {
 TEST(DelaunayTriangulation, BeginsWithNoPointsInOnePlane) {
   DelaunayTriangulation t;
   std::vector<std::uint32_t> order;
+  order.reserve(18);
   for (int i = 0; i < 16; ++i) order.push_back(t.add_point({0.1 * (i % 4), 0.1 * (i / 4), 0.3}));
   EXPECT_FALSE(t.begin(order));
   EXPECT_FALSE(t.begin({}));
@@ -170,6 +173,7 @@ TEST(DelaunayTriangulation, BeginsWithNoPointsInOnePlane) {
 TEST(DelaunayTriangulation, CavitiesMayBeBoundedByTheCaller) {
   test::TestRandom random(4);
   std::vector<Vector3d> points;
+  points.reserve(200);
   for (int i = 0; i < 200; ++i)
     points.emplace_back(between(random, 0, 1), between(random, 0, 1), between(random, 0, 1));
   const DelaunayTriangulation t = triangulated(points);

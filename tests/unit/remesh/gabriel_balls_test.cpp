@@ -56,6 +56,7 @@ TEST(GabrielBalls, HoldNoPointOfTheTrianglesPlaneInsideItsCircle) {
 TEST(GabrielBalls, AreThereForEveryFacetOfADelaunayTriangulationWithSmallBalls) {
   test::TestRandom random(3);
   std::vector<Vector3d> points;
+  points.reserve(200);
   for (int i = 0; i < 200; ++i)
     points.emplace_back(random.below(1000) / 1000.0, random.below(1000) / 1000.0,
                         random.below(1000) / 1000.0);
