@@ -94,6 +94,7 @@ void DelaunayTriangulation::stock_up(Stock& stock, std::size_t count) {
       empty_.push_back(slots());
       cells_.emplace_back();
       balls_.emplace_back();
+      labels_.push_back(kBackground);
       versions_.emplace_back();
     }
     stock.slots.push_back(empty_.back());
@@ -108,6 +109,7 @@ void DelaunayTriangulation::take_back(std::span<const std::uint32_t> slots) {
 
 void DelaunayTriangulation::fill(std::uint32_t slot, const std::array<std::uint32_t, 4>& corners) {
   cells_[slot] = {corners, {kNone, kNone, kNone, kNone}};
+  labels_[slot] = kBackground;
   ++versions_[slot];
   if (is_infinite(slot)) {
     const double unknown = std::numeric_limits<double>::quiet_NaN();

@@ -8,6 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "geometry/elements/facet_corners.h"
+#include "types/label_volume.h"
+
 namespace voxtet {
 
 /// Cells (tetrahedra) with neighbours, grown by A. Bowyer's and D. F. Watson's insertion (The Computer
@@ -16,9 +19,9 @@ namespace voxtet {
 /// has four neighbours. All decisions are exact, so where no five points lie on a sphere the cells are the
 /// only possible ones, and a cavity is always seen whole from its point.
 ///
-/// Cells have slots, fewer than 2^29, which are given anew; the version of a slot tells one cell from the
-/// next. What is const may be called by many threads at once. insert() writes cells of the cavity, the links
-/// of those beside it, and what belongs to their vertices and to the slots in stock.
+/// Cells have slots, fewer than 2^29, and labels, which are those of who uses them: a new cell is background.
+/// What is const may be called by many threads at once. insert() writes cells of the cavity, the links of
+/// those beside it, and what belongs to their vertices and to the slots in stock.
 class DelaunayTriangulation {
  public:
   static constexpr std::uint32_t kInfinite = 0xffffffffU;  ///< the vertex that all infinite cells share
@@ -28,8 +31,11 @@ class DelaunayTriangulation {
   using Facet = std::uint32_t;
   static std::uint32_t cell_of(Facet facet) { return facet >> 2; }
   static std::uint32_t corner_of(Facet facet) { return facet & 3; }
-  /// The other corners: seen from outside of the cell, counter-clockwise.
-  static constexpr std::uint32_t kFacetCorners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+  /// A cell that no other one will ever be: slots are given anew.
+  struct CellId {
+    std::uint32_t slot, version;
+  };
 
   /// The ball through a cell's corners. The centre as computed, mm, which may be far off or not finite where
   /// the cell is flat.
@@ -70,10 +76,12 @@ class DelaunayTriangulation {
 
   /// Number of slots for cells, empty ones included.
   std::uint32_t slots() const { return static_cast<std::uint32_t>(cells_.size()); }
-  /// Ascends as the slot is filled and emptied; odd while it holds a cell. Slot and version together tell a
-  /// cell from all others.
-  std::uint32_t version(std::uint32_t slot) const { return versions_[slot]; }
   bool is_cell(std::uint32_t slot) const { return (versions_[slot] & 1) != 0; }
+  CellId id(std::uint32_t cell) const { return {cell, versions_[cell]}; }
+  /// Whether the cell has not been replaced.
+  bool is_there(const CellId& cell) const { return versions_[cell.slot] == cell.version; }
+  Label label(std::uint32_t cell) const { return labels_[cell]; }
+  void set_label(std::uint32_t cell, Label label) { labels_[cell] = label; }
   bool is_infinite(std::uint32_t cell) const { return infinite_corner(cell) < 4; }
   bool is_finite(std::uint32_t slot) const { return is_cell(slot) && !is_infinite(slot); }
   const std::array<std::uint32_t, 4>& corners(std::uint32_t cell) const { return cells_[cell].corners; }
@@ -106,21 +114,21 @@ class DelaunayTriangulation {
     if (sure > 0 && sure * sure > ball.slack2 * sum) return apart < 0;
     return is_surely_in_conflict(cell, p);
   }
-  /// The cells in conflict with p that are connected with `first`, which is, by facets that `may_pass(cell,
-  /// next)` allows. False, and no more is looked at, where may_take(cell) is false for one of them.
+  /// The cells in conflict with p that are connected with `first`, which is, through facets
+  /// beyond which may_pass(cell) is true. False, and no more is looked at, where may_take(cell) is false for
+  /// one of them.
   template <class MayPass, class MayTake>
   bool find_cavity(const Eigen::Vector3d& p, std::uint32_t first, Cavity& cavity, const MayPass& may_pass,
                    const MayTake& may_take) const;
   /// The same, all of them.
   void find_cavity(const Eigen::Vector3d& p, std::uint32_t first, Cavity& cavity) const {
     find_cavity(
-        p, first, cavity, [](std::uint32_t, std::uint32_t) { return true; },
-        [](std::uint32_t) { return true; });
+        p, first, cavity, [](std::uint32_t) { return true; }, [](std::uint32_t) { return true; });
   }
 
   /// Empty slots for at least `count` cells.
   void stock_up(Stock& stock, std::size_t count);
-  /// All of them into `slots`, so that they are given to others.
+  /// Empty slots of a stock, which are then given to others.
   void take_back(std::span<const std::uint32_t> slots);
   /// Puts cells between a vertex and the rim of its cavity, all of which it must see from inside. stock.made
   /// then holds them: the n-th has the n-th facet of the rim, with the vertex as the corner opposite to it.
@@ -150,7 +158,9 @@ class DelaunayTriangulation {
   std::vector<std::uint32_t> cell_at_;  ///< a cell of each vertex
   std::vector<Cell> cells_;
   std::vector<Ball> balls_;
-  std::vector<std::uint32_t> versions_, empty_;
+  std::vector<Label> labels_;
+  std::vector<std::uint32_t> versions_;  ///< by slot: how often it was filled or emptied; odd for a cell
+  std::vector<std::uint32_t> empty_;
 };
 
 template <class MayPass, class MayTake>
@@ -169,7 +179,7 @@ bool DelaunayTriangulation::find_cavity(const Eigen::Vector3d& p, std::uint32_t 
       const std::uint32_t next = neighbour(cell, i);
       std::uint32_t& mark = cavity.marks[next];
       if (mark == inside) continue;
-      if (mark != outside && may_pass(cell, next)) {
+      if (mark != outside && may_pass(next)) {
         if (is_in_conflict(next, p)) {
           mark = inside;
           cavity.cells.push_back(next);

@@ -36,7 +36,7 @@ SurfaceMesh extract_interface(const LabelledCells& cells) {
       if (behind <= front) continue;
       Triangle triangle{};
       for (std::size_t k = 0; k < 3; ++k) {
-        triangle[k] = cells.vertices[c][static_cast<std::size_t>(kFacetCorners[i][k])];
+        triangle[k] = cells.vertices[c][kFacetCorners[i][k]];
         used[triangle[k]] = 1;
       }
       out.triangles.push_back(triangle);

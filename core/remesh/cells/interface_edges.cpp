@@ -69,8 +69,7 @@ std::vector<std::uint32_t> find_pinched_points(const LabelledCells& cells, const
   std::vector<std::uint32_t> start(cells.points.size() + 1, 0);
   const auto corners = [&](const InterfaceFacet& facet) {
     std::array<std::uint32_t, 3> out{};
-    for (std::size_t k = 0; k < 3; ++k)
-      out[k] = cells.vertices[facet.cell][static_cast<std::size_t>(kFacetCorners[facet.corner][k])];
+    for (std::size_t k = 0; k < 3; ++k) out[k] = cells.vertices[facet.cell][kFacetCorners[facet.corner][k]];
     return out;
   };
   for (const InterfaceFacet& facet : edges.facets)
@@ -115,7 +114,7 @@ InterfaceEdges find_interface_edges(const LabelledCells& cells) {
   // Bucketed by the lower point, then sorted within the (small) bucket by the higher.
   const auto corners = [&](std::uint32_t f, std::size_t k) {
     const InterfaceFacet& facet = out.facets[f];
-    return cells.vertices[facet.cell][static_cast<std::size_t>(kFacetCorners[facet.corner][k % 3])];
+    return cells.vertices[facet.cell][kFacetCorners[facet.corner][k % 3]];
   };
   std::vector<std::uint32_t> bucket(cells.points.size() + 1, 0);
   const auto count = static_cast<std::uint32_t>(out.facets.size());

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/elements/facet_corners.h"
 #include "types/label_volume.h"
 
 namespace voxtet::remesh {
@@ -27,9 +28,5 @@ struct LabelledCells {
   }
   Label label_or_background(std::uint32_t cell) const { return cell == kNone ? kBackground : labels[cell]; }
 };
-
-/// Corners of the facet opposite corner i, counter-clockwise seen from outside of a positive cell.
-inline constexpr std::array<std::array<int, 3>, 4> kFacetCorners{
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 }  // namespace voxtet::remesh

@@ -126,8 +126,7 @@ class Relabeller {
 
   double facet_deficit(std::uint32_t cell, std::size_t corner) const {
     std::array<Vector3d, 3> p;
-    for (std::size_t k = 0; k < 3; ++k)
-      p[k] = cells_.points[cells_.vertices[cell][static_cast<std::size_t>(kFacetCorners[corner][k])]];
+    for (std::size_t k = 0; k < 3; ++k) p[k] = cells_.points[cells_.vertices[cell][kFacetCorners[corner][k]]];
     double cosine = -1;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector3d u = p[(k + 1) % 3] - p[k], w = p[(k + 2) % 3] - p[k];
@@ -182,8 +181,7 @@ class Relabeller {
       for (std::uint32_t k = edges.start[e]; k < edges.start[e + 1]; ++k) {
         const InterfaceFacet& facet = edges.facets[edges.facet_of[k]];
         for (std::size_t c = 0; c < 3; ++c) {
-          const std::uint32_t p =
-              cells_.vertices[facet.cell][static_cast<std::size_t>(kFacetCorners[facet.corner][c])];
+          const std::uint32_t p = cells_.vertices[facet.cell][kFacetCorners[facet.corner][c]];
           if (p == edges.ends[e][0] || p == edges.ends[e][1]) continue;
           const Vector3d d = cells_.points[p] - a;
           away.push_back(d - d.dot(axis) / axis.squaredNorm() * axis);

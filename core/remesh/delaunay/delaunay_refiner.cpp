@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "base/level_stacks.h"
 #include "geometry/delaunay/delaunay_triangulation.h"
@@ -30,8 +31,8 @@ struct DelaunayRefiner::Impl {
 
   /// A facet that fails the criteria, as it was when it was examined.
   struct BadFacet {
-    Facet facet, other;  ///< the same, of its two cells
-    std::uint32_t version, other_version;
+    Facet facet;
+    DelaunayTriangulation::CellId cell, other;
     Vector3d centre;  ///< of the surface Delaunay ball: where to refine
   };
 
@@ -46,8 +47,6 @@ struct DelaunayRefiner::Impl {
   DelaunayTriangulation triangulation;
   DelaunayTriangulation::Stock stock;
   DelaunayTriangulation::Cavity cavity;
-  std::vector<Label> labels;      ///< of the cell in each slot
-  std::vector<Vector3d> centres;  ///< its circumcentre, or its centroid where it is flat; mm
   LevelStacks<BadFacet, kLevels.size()> bad{kLevels};
   std::vector<std::uint32_t> exported;  ///< the cells of the last cells(), in its order
 
@@ -80,7 +79,6 @@ struct DelaunayRefiner::Impl {
       triangulation.find_cavity(p, triangulation.locate(p, any_cell()), cavity);
       put_into_cavity(corner);
     }
-    make_room();
     for (std::uint32_t cell = 0; cell < triangulation.slots(); ++cell)
       if (triangulation.is_cell(cell)) classify(cell);
   }
@@ -96,11 +94,6 @@ struct DelaunayRefiner::Impl {
     triangulation.insert(vertex, cavity, stock);
   }
 
-  void make_room() {
-    labels.resize(triangulation.slots(), kBackground);
-    centres.resize(triangulation.slots());
-  }
-
   double noise() {
     random = random * 6364136223846793005ULL + 1442695040888963407ULL;
     return jitter * (static_cast<double>(random >> 40) / static_cast<double>(1 << 24) - 0.5);
@@ -112,12 +105,14 @@ struct DelaunayRefiner::Impl {
                    triangulation.point(d));
   }
 
+  /// The circumcentre of a finite cell, or its centroid where it is flat.
+  Vector3d centre_of(std::uint32_t cell) const {
+    const Vector3d& centre = triangulation.ball(cell).centre;
+    return centre.allFinite() ? centre : centroid(cell);
+  }
+
   void classify(std::uint32_t cell) {
-    labels[cell] = kBackground;
-    if (triangulation.is_infinite(cell)) return;
-    centres[cell] = triangulation.ball(cell).centre;
-    if (!centres[cell].allFinite()) centres[cell] = centroid(cell);
-    labels[cell] = field.at(centres[cell]);
+    if (!triangulation.is_infinite(cell)) triangulation.set_label(cell, field.at(centre_of(cell)));
   }
 
   /// Centre of the surface Delaunay ball of a facet, and whether its dual segment passes through a layer that
@@ -125,15 +120,15 @@ struct DelaunayRefiner::Impl {
   bool surface_centre(Facet facet, Vector3d& centre, Vector3d& normal, bool& skips) const {
     const std::uint32_t cell = DelaunayTriangulation::cell_of(facet),
                         other = DelaunayTriangulation::cell_of(triangulation.across(facet));
-    if (labels[cell] == labels[other]) return false;
+    const Label mine = triangulation.label(cell), its = triangulation.label(other);
+    if (mine == its) return false;
     if (triangulation.is_infinite(cell) || triangulation.is_infinite(other)) return false;
-    const bool forward = labels[cell] > labels[other];
-    const std::uint32_t from = forward ? cell : other, to = forward ? other : cell;
+    const auto [from, to] = mine > its ? std::pair{cell, other} : std::pair{other, cell};
+    const Label before = std::max(mine, its), after = std::min(mine, its);
     Label behind = kBackground;
-    centre = field.crossing(centres[from], labels[from], centres[to], labels[to], behind);
-    normal = field.gradient(centre, labels[from], behind);
-    skips =
-        behind != labels[to] && (field.layers().is_layer(behind) || field.layers().is_layer(labels[from]));
+    centre = field.crossing(centre_of(from), before, centre_of(to), after, behind);
+    normal = field.gradient(centre, before, behind);
+    skips = behind != after && (field.layers().is_layer(behind) || field.layers().is_layer(before));
     return true;
   }
 
@@ -147,28 +142,22 @@ struct DelaunayRefiner::Impl {
   }
 
   void queue(double urgency, Facet facet, const Vector3d& centre) {
-    const Facet other = triangulation.across(facet);
-    bad.push(urgency, {facet, other, version(facet), version(other), centre});
+    const std::uint32_t cell = DelaunayTriangulation::cell_of(facet),
+                        other = DelaunayTriangulation::cell_of(triangulation.across(facet));
+    bad.push(urgency, {facet, triangulation.id(cell), triangulation.id(other), centre});
   }
 
-  /// Of the cell that has the facet.
-  std::uint32_t version(Facet facet) const {
-    return triangulation.version(DelaunayTriangulation::cell_of(facet));
-  }
-
-  bool is_there(const BadFacet& facet) const {
-    return version(facet.facet) == facet.version && version(facet.other) == facet.other_version;
-  }
+  Label label_of(Facet facet) const { return triangulation.label(DelaunayTriangulation::cell_of(facet)); }
 
   bool is_of_layer(Facet facet) const {
-    return field.layers().is_layer(labels[DelaunayTriangulation::cell_of(facet)]) ||
-           field.layers().is_layer(labels[DelaunayTriangulation::cell_of(triangulation.across(facet))]);
+    return field.layers().is_layer(label_of(facet)) ||
+           field.layers().is_layer(label_of(triangulation.across(facet)));
   }
 
   /// 0 for a good facet; facets that are too large come before those that are too far off or too thin.
   double badness(Facet facet, const Vector3d& centre, const Vector3d& normal, bool skips) const {
     const auto& corners = triangulation.corners(DelaunayTriangulation::cell_of(facet));
-    const auto& [i, j, k] = DelaunayTriangulation::kFacetCorners[DelaunayTriangulation::corner_of(facet)];
+    const auto& [i, j, k] = kFacetCorners[DelaunayTriangulation::corner_of(facet)];
     const Vector3d &p = triangulation.point(corners[i]), &q = triangulation.point(corners[j]),
                    &r = triangulation.point(corners[k]);
     const double ball = (centre - p).squaredNorm();
@@ -216,7 +205,6 @@ struct DelaunayRefiner::Impl {
   /// Adds the point whose cavity was found.
   void insert(const Vector3d& at) {
     put_into_cavity(triangulation.add_point(at));
-    make_room();
     for (const std::uint32_t cell : stock.made) classify(cell);
     for (std::size_t n = 0; n < stock.made.size(); ++n) {
       const std::uint32_t cell = stock.made[n], own = DelaunayTriangulation::corner_of(cavity.rim[n]);
@@ -262,15 +250,13 @@ bool DelaunayRefiner::refine(RunContext& ctx, double predicted_vertices) {
       if (ctx.cancelled()) return false;
       ctx.progress(kRemeshStage, std::min(1.0, t.point_count() / (1 + predicted_vertices)));
     }
-    if (!m.is_there(*bad)) continue;
-    const std::uint32_t cell = DelaunayTriangulation::cell_of(bad->facet),
-                        other = DelaunayTriangulation::cell_of(bad->other);
-    const std::optional<Vector3d> at = m.find_cavity(bad->centre, cell);
+    if (!t.is_there(bad->cell) || !t.is_there(bad->other)) continue;
+    const std::optional<Vector3d> at = m.find_cavity(bad->centre, bad->cell.slot);
     if (!at) continue;
     // It must not leave the facet standing.
     const std::vector<std::uint32_t>& cells = m.cavity.cells;
-    if (std::find(cells.begin(), cells.end(), cell) != cells.end() ||
-        std::find(cells.begin(), cells.end(), other) != cells.end())
+    if (std::find(cells.begin(), cells.end(), bad->cell.slot) != cells.end() ||
+        std::find(cells.begin(), cells.end(), bad->other.slot) != cells.end())
       m.insert(*at);
   }
 }
@@ -282,9 +268,9 @@ std::vector<Vector3d> DelaunayRefiner::passed_over(double depth_mm) const {
     if (!m.triangulation.is_finite(cell)) continue;
     const Vector3d middle = m.centroid(cell);
     const Label label = m.field.at(middle);
-    if (label == m.labels[cell] || m.field.depth(middle, label) < depth_mm) continue;
+    if (label == m.triangulation.label(cell) || m.field.depth(middle, label) < depth_mm) continue;
     Label other = kBackground;
-    points.push_back(m.field.crossing(middle, label, m.centres[cell], m.labels[cell], other));
+    points.push_back(m.field.crossing(middle, label, m.centre_of(cell), m.triangulation.label(cell), other));
   }
   return points;
 }
@@ -326,7 +312,7 @@ LabelledCells DelaunayRefiner::cells() {
     out.vertices.push_back(t.corners(cell));
     std::array<std::uint32_t, 4>& neighbours = out.neighbours.emplace_back();
     for (std::uint32_t i = 0; i < 4; ++i) neighbours[i] = number[t.neighbour(cell, i)];
-    out.labels.push_back(m.labels[cell]);
+    out.labels.push_back(t.label(cell));
   }
   return out;
 }

@@ -69,7 +69,7 @@ constexpr double kDenseSpacing = 0.03;  ///< of points on lost contacts, in the 
 
 double facet_area2(const LabelledCells& cells, const InterfaceFacet& facet) {
   const auto point = [&](std::size_t c) {
-    return cells.points[cells.vertices[facet.cell][static_cast<std::size_t>(kFacetCorners[facet.corner][c])]];
+    return cells.points[cells.vertices[facet.cell][kFacetCorners[facet.corner][c]]];
   };
   return (point(1) - point(0)).cross(point(2) - point(0)).squaredNorm();
 }
@@ -91,7 +91,7 @@ std::vector<InterfaceFacet> facets_at_pinches(const LabelledCells& cells, const 
   std::vector<std::uint32_t> slot(cells.points.size(), kNone), largest(points.size(), kNone);
   for (std::uint32_t i = 0; i < points.size(); ++i) slot[points[i]] = i;
   for (std::uint32_t f = 0; f < edges.facets.size(); ++f)
-    for (const int k : kFacetCorners[edges.facets[f].corner]) {
+    for (const std::uint32_t k : kFacetCorners[edges.facets[f].corner]) {
       const std::uint32_t i = slot[cells.vertices[edges.facets[f].cell][static_cast<std::size_t>(k)]];
       if (i == kNone) continue;
       if (largest[i] == kNone ||

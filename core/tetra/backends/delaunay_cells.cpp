@@ -50,7 +50,7 @@ void DelaunayCells::for_each_facet(const SurfaceMesh& surface, const Visit& visi
     for (std::uint32_t i = 0; i < 4; ++i) {
       const std::uint32_t other = triangulation_.neighbour(cell, i);
       if (other < cell && triangulation_.is_finite(other)) continue;
-      const auto& [j, k, l] = DelaunayTriangulation::kFacetCorners[i];
+      const auto& [j, k, l] = kFacetCorners[i];
       const auto [triangle, same] = index.find({c[j], c[k], c[l]});
       if (triangle != TriangleIndex::kNone) visit(4 * cell + i, triangle, same);
     }
@@ -64,16 +64,15 @@ std::vector<bool> DelaunayCells::find_facets(const SurfaceMesh& surface) const {
 }
 
 bool DelaunayCells::label(const SurfaceMesh& surface) {
-  const DelaunayTriangulation& t = triangulation_;
+  DelaunayTriangulation& t = triangulation_;
   std::vector<bool> on_surface(4 * static_cast<std::size_t>(t.slots()), false), known(t.slots(), false);
-  labels_.assign(t.slots(), kBackground);
   std::vector<std::uint32_t> reached;
   bool sound = true;
   const auto give = [&](std::uint32_t cell, Label label) {
     if (!known[cell]) reached.push_back(cell);
-    sound = sound && (!known[cell] || labels_[cell] == label);
+    sound = sound && (!known[cell] || t.label(cell) == label);
     known[cell] = true;
-    labels_[cell] = label;
+    t.set_label(cell, label);
   };
   for_each_facet(surface, [&](DelaunayTriangulation::Facet facet, std::uint32_t triangle, bool behind) {
     const Sides& sides = surface.sides[triangle];
@@ -86,7 +85,7 @@ bool DelaunayCells::label(const SurfaceMesh& surface) {
     const std::uint32_t cell = reached.back();
     reached.pop_back();
     for (std::uint32_t i = 0; i < 4; ++i)
-      if (!on_surface[4 * static_cast<std::size_t>(cell) + i]) give(t.neighbour(cell, i), labels_[cell]);
+      if (!on_surface[4 * static_cast<std::size_t>(cell) + i]) give(t.neighbour(cell, i), t.label(cell));
   }
   return sound;
 }
@@ -99,10 +98,10 @@ FilledParts DelaunayCells::take() const {
     if (triangulation_.in_use(v)) parts.points.push_back(triangulation_.point(v));
   }
   for (std::uint32_t cell = 0; cell < triangulation_.slots(); ++cell) {
-    if (!triangulation_.is_finite(cell) || labels_[cell] == kBackground) continue;
+    if (!triangulation_.is_finite(cell) || triangulation_.label(cell) == kBackground) continue;
     const auto& [a, b, c, d] = triangulation_.corners(cell);
     parts.tets.push_back({numbers[a], numbers[b], numbers[c], numbers[d]});
-    parts.regions.push_back(labels_[cell]);
+    parts.regions.push_back(triangulation_.label(cell));
   }
   return parts;
 }

@@ -33,9 +33,8 @@ class DelaunayCells {
   /// cell lies on two sides.
   bool label(const SurfaceMesh& surface);
 
+  /// Whoever adds cells after label() gives them their labels.
   DelaunayTriangulation& triangulation() { return triangulation_; }
-  /// Of the cell in each slot, after label(). Whoever adds cells gives them theirs.
-  std::vector<Label>& labels() { return labels_; }
 
   /// After label(): the points in use, and the tets of every label except background, with labels as regions.
   FilledParts take() const;
@@ -47,7 +46,6 @@ class DelaunayCells {
   void for_each_facet(const SurfaceMesh& surface, const Visit& visit) const;
 
   DelaunayTriangulation triangulation_;
-  std::vector<Label> labels_;
   DelaunayTriangulation::Stock stock_;
   DelaunayTriangulation::Cavity cavity_;
   std::uint32_t last_made_ = 0;

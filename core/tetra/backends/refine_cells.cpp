@@ -47,7 +47,7 @@ std::pair<Vector3d, double> circumcircle(const Vector3d& a, const Vector3d& b, c
 
 /// A cell to be refined, as it was when it was examined.
 struct BadCell {
-  std::uint32_t cell, version;
+  DelaunayTriangulation::CellId id;
   double size;     ///< squared circumradius over what is allowed
   double edge_mm;  ///< target
   Vector3d centre;
@@ -67,7 +67,6 @@ class CellRefiner {
   CellRefiner(DelaunayCells& cells, const SizingField& sizing, double radius_edge, const WallLayers& layers,
               const RunContext& ctx)
       : triangulation_(cells.triangulation()),
-        labels_(cells.labels()),
         sizing_(sizing),
         radius_edge_(radius_edge),
         layers_(layers),
@@ -76,7 +75,8 @@ class CellRefiner {
   Refined run(std::size_t max_points) {
     std::vector<BadCell> waiting;
     for (std::uint32_t cell = 0; cell < triangulation_.slots(); ++cell)
-      if (triangulation_.is_finite(cell) && !layers_.is_layer(labels_[cell])) examine(cell, waiting);
+      if (triangulation_.is_finite(cell) && !layers_.is_layer(triangulation_.label(cell)))
+        examine(cell, waiting);
     first_points_ = triangulation_.point_count();
     while (!waiting.empty()) {
       waiting = run_pass(waiting);
@@ -98,7 +98,7 @@ class CellRefiner {
 
   /// Adds the cell to `bad` if it is.
   void examine(std::uint32_t cell, std::vector<BadCell>& bad) const {
-    if (labels_[cell] == kBackground) return;
+    if (triangulation_.label(cell) == kBackground) return;
     const DelaunayTriangulation::Ball& ball = triangulation_.ball(cell);
     if (!ball.centre.allFinite()) return;
     const auto& c = triangulation_.corners(cell);
@@ -110,10 +110,8 @@ class CellRefiner {
             std::min(shortest2, (triangulation_.point(c[i]) - triangulation_.point(c[j])).squaredNorm());
     const double size = ball.radius2 / (allowed * allowed);
     if (size > kLevels[0] || ball.radius2 > radius_edge_ * radius_edge_ * shortest2)
-      bad.push_back({cell, triangulation_.version(cell), size, edge, ball.centre});
+      bad.push_back({triangulation_.id(cell), size, edge, ball.centre});
   }
-
-  bool is_there(const BadCell& bad) const { return triangulation_.version(bad.cell) == bad.version; }
 
   /// Refines these cells, and where that makes others nearby, those too. Returns what is left to do.
   std::vector<BadCell> run_pass(const std::vector<BadCell>& waiting) {
@@ -121,7 +119,7 @@ class CellRefiner {
     std::vector<BadCell> near, far, later;
     std::vector<Vector3d> centres;
     for (const BadCell& bad : waiting) {
-      if (!is_there(bad)) continue;
+      if (!triangulation_.is_there(bad.id)) continue;
       if (reaches(bad, side / 2)) {
         far.push_back(bad);
       } else {
@@ -135,7 +133,6 @@ class CellRefiner {
     std::vector<Share> shares(lattice.size());
     const auto hand_out = [&](std::span<const ColourLattice::Cube> cubes, std::size_t first) {
       for (std::size_t n = 0; n < cubes.size(); ++n) stock_up(shares[first + n], cubes[n].items.size());
-      labels_.resize(triangulation_.slots(), kBackground);
     };
     const auto refine = [&](const ColourLattice::Cube& cube, std::size_t n, Cavity& cavity) {
       refine_cube(cube, side / 2, near, shares[n], cavity);
@@ -172,7 +169,7 @@ class CellRefiner {
   }
 
   bool reaches(const BadCell& bad, double distance) const {
-    return triangulation_.ball(bad.cell).radius2 >= distance * distance;
+    return triangulation_.ball(bad.id.slot).radius2 >= distance * distance;
   }
 
   void stock_up(Share& share, std::size_t bad_cells) {
@@ -196,7 +193,7 @@ class CellRefiner {
     for (std::size_t tries = 1; const std::optional<BadCell> bad = waiting.pop(); ++tries) {
       if (tries % kTriesPerQuestion == 0 && ctx_.cancelled()) cancelled_ = true;
       if (cancelled_) return;
-      if (!is_there(*bad)) continue;
+      if (!triangulation_.is_there(bad->id)) continue;
       const double margin = distance_to_border(cube.zone, bad->centre);
       const auto in_zone = [&](std::uint32_t cell) {
         // Its ball holds the centre.
@@ -236,12 +233,11 @@ class CellRefiner {
     for (std::size_t tries = 1; const std::optional<BadCell> bad = waiting.pop(); ++tries) {
       if (tries % kTriesPerQuestion == 0 && ctx_.cancelled()) cancelled_ = true;
       if (cancelled_) return;
-      if (!is_there(*bad)) continue;
+      if (!triangulation_.is_there(bad->id)) continue;
       find_cavity(*bad, cavity, [](std::uint32_t) { return true; });
       if (!may_fill(*bad, cavity)) continue;
       if (share.points.empty()) stock_up(share, 0);
       triangulation_.stock_up(share.stock, cavity.rim.size());
-      labels_.resize(triangulation_.slots(), kBackground);
       insert(*bad, cavity, share);
       for (const std::uint32_t cell : share.stock.made) examine(cell, later);
     }
@@ -256,10 +252,10 @@ class CellRefiner {
   /// The cells whose balls hold the centre of a bad cell and that are connected with it inside its label.
   template <class MayTake>
   bool find_cavity(const BadCell& bad, Cavity& cavity, const MayTake& may_take) const {
-    const Label label = labels_[bad.cell];
+    const Label label = triangulation_.label(bad.id.slot);
     return triangulation_.find_cavity(
-        bad.centre, bad.cell, cavity,
-        [&](std::uint32_t, std::uint32_t next) { return labels_[next] == label; }, may_take);
+        bad.centre, bad.id.slot, cavity,
+        [&](std::uint32_t cell) { return triangulation_.label(cell) == label; }, may_take);
   }
 
   /// Whether the centre of a bad cell sees the whole rim of the cavity and is not too close to triangles of
@@ -269,9 +265,9 @@ class CellRefiner {
     return std::all_of(cavity.rim.begin(), cavity.rim.end(), [&](DelaunayTriangulation::Facet facet) {
       if (!triangulation_.is_within(facet, p)) return false;
       const std::uint32_t other = DelaunayTriangulation::cell_of(triangulation_.across(facet));
-      if (labels_[other] == labels_[bad.cell]) return true;
+      if (triangulation_.label(other) == triangulation_.label(bad.id.slot)) return true;
       const auto& corners = triangulation_.corners(DelaunayTriangulation::cell_of(facet));
-      const auto& [j, k, l] = DelaunayTriangulation::kFacetCorners[DelaunayTriangulation::corner_of(facet)];
+      const auto& [j, k, l] = kFacetCorners[DelaunayTriangulation::corner_of(facet)];
       const auto [centre, radius2] =
           circumcircle(triangulation_.point(corners[j]), triangulation_.point(corners[k]),
                        triangulation_.point(corners[l]));
@@ -280,16 +276,15 @@ class CellRefiner {
   }
 
   void insert(const BadCell& bad, const Cavity& cavity, Share& share) {
-    const Label label = labels_[bad.cell];
+    const Label label = triangulation_.label(bad.id.slot);
     const std::uint32_t vertex = share.points.back();
     share.points.pop_back();
     triangulation_.place(vertex, bad.centre);
     triangulation_.insert(vertex, cavity, share.stock);
-    for (const std::uint32_t cell : share.stock.made) labels_[cell] = label;
+    for (const std::uint32_t cell : share.stock.made) triangulation_.set_label(cell, label);
   }
 
   DelaunayTriangulation& triangulation_;
-  std::vector<Label>& labels_;
   const SizingField& sizing_;
   double radius_edge_;
   const WallLayers& layers_;

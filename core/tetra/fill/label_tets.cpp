@@ -16,7 +16,6 @@ namespace voxtet {
 namespace {
 
 using tetra::kNone;
-using tetra::kSideCorners;
 using tetra::TriangleIndex;
 
 constexpr double kFillTolerance = 1e-9;
@@ -32,7 +31,7 @@ void for_each_boundary_face(const SurfaceMesh& surface, const std::vector<Tet>& 
   for (std::uint32_t t = 0; t < tets.size(); ++t) {
     const Tet& tet = tets[t];
     if ((tet[0] >= n) + (tet[1] >= n) + (tet[2] >= n) + (tet[3] >= n) > 1) continue;
-    for (const auto& [i, j, k] : kSideCorners) {
+    for (const auto& [i, j, k] : kFacetCorners) {
       const Triangle corners{tet[i], tet[j], tet[k]};
       if (corners[0] >= n || corners[1] >= n || corners[2] >= n) continue;
       const auto [triangle, same] = index.find(corners);

@@ -86,7 +86,7 @@ bool InterfaceFlipper::keeps_angles(const Candidate& candidate) const {
   const Tet& own = complex_.corners(candidate.t);
   double before = 180, after = 180;
   for (std::uint32_t c = 0; c < 4; ++c) {
-    const auto& side = kSideCorners[c];
+    const auto& side = kFacetCorners[c];
     const double angle = measure_triangle({complex_.point(own[side[0]]), complex_.point(own[side[1]]),
                                            complex_.point(own[side[2]])})
                              .min_angle_deg;
@@ -100,7 +100,7 @@ InterfaceExchange InterfaceFlipper::exchange_of(const Candidate& candidate) cons
   InterfaceExchange exchange;
   const Tet& own = complex_.corners(candidate.t);
   for (std::uint32_t c = 0; c < 4; ++c) {
-    const auto& side = kSideCorners[c];
+    const auto& side = kFacetCorners[c];
     const Triangle triangle{own[side[0]], own[side[1]], own[side[2]]};
     (candidate.interface[c] ? exchange.gone : exchange.made).push_back(triangle);
   }

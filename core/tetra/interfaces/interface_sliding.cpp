@@ -97,7 +97,7 @@ std::optional<InterfaceSlider::Seat> InterfaceSlider::seat_of(std::uint32_t vert
       kind.push_back({complex_.label(t), behind});
       std::array<std::uint32_t, 2> others{};
       std::size_t count = 0;
-      for (const std::uint32_t k : kSideCorners[c])
+      for (const std::uint32_t k : kFacetCorners[c])
         if (const std::uint32_t v = complex_.corners(t)[k]; v != vertex) {
           others[count++] = v;
           uses.emplace_back(v, kind.back());

@@ -14,7 +14,7 @@ namespace {
 constexpr Tet kGone{kNone, kNone, kNone, kNone};
 
 std::array<std::uint32_t, 3> side_of(const Tet& corners, std::uint32_t corner) {
-  const auto& side = kSideCorners[corner];
+  const auto& side = kFacetCorners[corner];
   return ascending(Triangle{corners[side[0]], corners[side[1]], corners[side[2]]});
 }
 

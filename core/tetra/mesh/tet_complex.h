@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/elements/facet_corners.h"
 #include "tetra/mesh/tet_quality.h"
 #include "types/tet_mesh.h"
 
@@ -27,8 +28,6 @@ inline constexpr std::uint32_t kOtherCorners[4][4][2] = {{{0, 0}, {2, 3}, {3, 1}
                                                          {{3, 2}, {0, 0}, {0, 3}, {2, 0}},
                                                          {{1, 3}, {3, 0}, {0, 0}, {0, 1}},
                                                          {{2, 1}, {0, 2}, {1, 0}, {0, 0}}};
-/// The corners of the side opposite to a corner, such that (corner, these) is an even permutation.
-inline constexpr std::uint32_t kSideCorners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 /// The tets around an edge (a, b) inside one label, in order: tet i has the corners a, b, ring[i], ring[i +
 /// 1], and these are positive.

@@ -88,7 +88,7 @@ bool remove_faces(TetComplex& complex, std::uint32_t t, std::uint32_t corner, co
   if (below == kNone) return false;
   const std::uint32_t a = complex.corners(t)[corner];
   const std::uint32_t b = complex.corners(below)[corner_of(complex.across(t, corner))];
-  const auto& side = kSideCorners[corner];
+  const auto& side = kFacetCorners[corner];
   const Tet& c = complex.corners(t);
   FaceSet set(complex, a, b);
   const Exchange exchange = set.start(t, below, {c[side[0]], c[side[1]], c[side[2]]});

@@ -34,7 +34,7 @@ void VertexInserter::absorb(std::uint32_t t, const Point& at) {
       continue;
     }
     const Tet& corners = complex_.corners(t);
-    const auto& side = kSideCorners[c];
+    const auto& side = kFacetCorners[c];
     sides_.push_back({t, c,
                       quality(at, complex_.point(corners[side[0]]), complex_.point(corners[side[1]]),
                               complex_.point(corners[side[2]]))});
@@ -87,7 +87,7 @@ Apex VertexInserter::smooth(const Point& at) {
   star_.clear();
   for (const Side& s : sides_) {
     const Tet& corners = complex_.corners(s.tet);
-    const auto& side = kSideCorners[s.corner];
+    const auto& side = kFacetCorners[s.corner];
     star_.push_back({complex_.point(corners[side[0]]), complex_.point(corners[side[1]]),
                      complex_.point(corners[side[2]])});
   }
@@ -98,7 +98,7 @@ bool VertexInserter::sizes_allow(const Point& at) const {
   double before = 1, after = 0;
   for (const Side& s : sides_) {
     const Tet& corners = complex_.corners(s.tet);
-    const auto& side = kSideCorners[s.corner];
+    const auto& side = kFacetCorners[s.corner];
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t a = corners[side[i]], b = corners[side[(i + 1) % 3]];
       if (std::max(a, b) < first_inserted_)
@@ -114,7 +114,7 @@ bool VertexInserter::commit(const Point& at) {
   made_.clear();
   for (const Side& s : sides_) {
     const Tet& corners = complex_.corners(s.tet);
-    const auto& side = kSideCorners[s.corner];
+    const auto& side = kFacetCorners[s.corner];
     made_.push_back({vertex, corners[side[0]], corners[side[1]], corners[side[2]]});
   }
   if (complex_.replace(cavity_, made_)) return true;

@@ -74,7 +74,7 @@ bool VertexInserter::split(std::span<const std::uint32_t> around_edge, const Poi
   const Apex apex = settle(middle, true);
   if (!(apex.quality >= least_quality) || !sizes_allow(apex.at)) return false;
   for (const Side& s : sides_)
-    for (const std::uint32_t k : kSideCorners[s.corner])
+    for (const std::uint32_t k : kFacetCorners[s.corner])
       if (!allowed(complex_.corners(s.tet)[k])) return false;
   return commit(apex.at);
 }

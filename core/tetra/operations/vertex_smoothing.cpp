@@ -88,7 +88,7 @@ double shortest_side(const Point& apex, std::span<const StarSide> sides) {
 
 StarSide side_opposite(const TetComplex& complex, std::uint32_t tet, std::uint32_t vertex) {
   const Tet& c = complex.corners(tet);
-  const auto& side = kSideCorners[complex.corner_at(tet, vertex)];
+  const auto& side = kFacetCorners[complex.corner_at(tet, vertex)];
   return {complex.point(c[side[0]]), complex.point(c[side[1]]), complex.point(c[side[2]])};
 }
 

@@ -181,7 +181,7 @@ TEST(DelaunayTriangulation, CavitiesMayBeBoundedByTheCaller) {
   DelaunayTriangulation::Cavity all, part;
   const std::uint32_t first = t.locate(p, cells_of(t).front());
   t.find_cavity(p, first, all);
-  const auto all_but_last = [&](std::uint32_t, std::uint32_t next) { return next != all.cells.back(); };
+  const auto all_but_last = [&](std::uint32_t cell) { return cell != all.cells.back(); };
   EXPECT_TRUE(t.find_cavity(p, first, part, all_but_last, [](std::uint32_t) { return true; }));
   EXPECT_LT(part.cells.size(), all.cells.size());
   for (const std::uint32_t c : part.cells)

@@ -43,8 +43,7 @@ remesh::LabelledCells lattice_complex(int n, double spacing, double origin, Labe
     for (std::uint32_t f = 0; f < 4; ++f) {
       cells.neighbours[c][f] = remesh::LabelledCells::kNone;
       std::array<std::uint32_t, 3> facet{};
-      for (std::size_t v = 0; v < 3; ++v)
-        facet[v] = cells.vertices[c][static_cast<std::size_t>(remesh::kFacetCorners[f][v])];
+      for (std::size_t v = 0; v < 3; ++v) facet[v] = cells.vertices[c][kFacetCorners[f][v]];
       std::sort(facet.begin(), facet.end());
       const auto [found, added] = open.try_emplace(facet, std::array{c, f});
       if (added) continue;
