@@ -5,6 +5,7 @@ cd "$root"
 tools=$root/build/tools
 log=$root/build/logs
 mkdir -p "$tools" "$log"
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=true  # what one checkout compiled, another need not
 
 die() { printf 'voxtet: %s\n' "$*" >&2; exit 1; }
 

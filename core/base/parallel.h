@@ -97,6 +97,17 @@ void run_tasks_with(int threads, std::size_t count, const MakeOwn& make_own, con
   });
 }
 
+/// The same with one of `owns` for each thread; so many threads at most.
+template <class Own, class Task>
+void run_tasks_with(std::vector<Own>& owns, std::size_t count, const Task& task) {
+  std::atomic<std::size_t> next = 0;
+  const std::size_t threads = std::min(owns.size(), count);
+  parallel_for(static_cast<int>(threads), threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t own = first; own < last; ++own)
+      for (std::size_t i = next++; i < count; i = next++) task(i, owns[own]);
+  });
+}
+
 /// The same where a task needs nothing of its own.
 template <class Task>
 void run_tasks(int threads, std::size_t count, const Task& task) {

@@ -104,11 +104,39 @@ bool AdaptPasses::flip_all() {
 }
 
 bool AdaptPasses::relocate_all() {
-  for (std::uint32_t v = 0; v < editor_.mesh().vertex_count(); ++v) {
-    if (cancelled_at(v)) return false;
-    if (alive(v)) operations_.relocate(v);
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t v = 0; v < editor_.mesh().vertex_count(); ++v)
+    if (alive(v)) vertices.push_back(v);
+  return relocate(vertices);
+}
+
+bool AdaptPasses::relocate(const std::vector<std::uint32_t>& vertices) {
+  const SpreadOrder order = spread(vertices);
+  return take_turns(
+      editor_, ctx_.threads, order.ends,
+      [&](std::size_t i, EditCheck& check, PlannedEdit& plan) {
+        operations_.plan_relocation(vertices[order.items[i]], check, plan);
+      },
+      [&](std::size_t i, const PlannedEdit* plan) {
+        if (cancelled_at(i)) return false;
+        operations_.relocate(vertices[order.items[i]], plan);
+        return true;
+      });
+}
+
+/// By the triangles of each vertex.
+SpreadOrder AdaptPasses::spread(const std::vector<std::uint32_t>& vertices) const {
+  const ComplexMesh& mesh = editor_.mesh();
+  std::vector<Eigen::AlignedBox3d> zones;
+  zones.reserve(vertices.size());
+  double sizes_mm = 0;
+  for (const std::uint32_t v : vertices) {
+    Eigen::AlignedBox3d& zone = zones.emplace_back(mesh.point(v));
+    for (const std::uint32_t t : mesh.star(v))
+      for (const std::uint32_t corner : mesh.triangle(t)) zone.extend(mesh.point(corner));
+    sizes_mm += zone.sizes().maxCoeff();
   }
-  return true;
+  return zones.empty() ? SpreadOrder() : spread_order(zones, sizes_mm / static_cast<double>(zones.size()));
 }
 
 bool AdaptPasses::open_angles(double limit_cosine) {

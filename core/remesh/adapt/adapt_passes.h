@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/search/spread_order.h"
 #include "geometry/topology/adjacency.h"
 #include "remesh/adapt/adapt_complex.h"
 #include "remesh/adapt/local_operations.h"
@@ -55,6 +56,8 @@ class AdaptPasses {
   bool refine();
   bool flip_all();
   bool relocate_all();
+  /// Vertices that are alive; those near each other in this order.
+  bool relocate(const std::vector<std::uint32_t>& vertices);
   /// Triangles with smaller planar angles than the limit: see open_angle.
   bool open_angles(double limit_cosine);
   /// Flips the longest edge away, moves corners, or closes the triangle; returns whether anything was done.
@@ -89,6 +92,7 @@ class AdaptPasses {
   LocalOperations operations_;
 
  private:
+  SpreadOrder spread(const std::vector<std::uint32_t>& vertices) const;
   /// Result of the last search for the nearest vertex that a vertex may collapse onto.
   struct Nearest {
     double length = 0;

@@ -78,10 +78,10 @@ void FacetMender::look_ahead(std::uint32_t from, double reach_mm) {
 }
 
 /// Where a triangle is beyond the envelope.
-std::optional<ComplexEditor::Deviation> FacetMender::far_place(std::uint32_t t, double reach_mm) const {
+std::optional<Deviation> FacetMender::far_place(std::uint32_t t, double reach_mm) const {
   const double most_mm = 4 * reach_mm;  // beyond, another sheet may have been taken for the triangle's
   if (editor_.well_sampled(t, kNearShare * reach_mm)) return std::nullopt;
-  const ComplexEditor::Deviation deviation = editor_.farthest(t);
+  const Deviation deviation = editor_.farthest(t);
   if (deviation.distance2 <= reach_mm * reach_mm || deviation.distance2 > most_mm * most_mm)
     return std::nullopt;
   return deviation;
@@ -92,7 +92,7 @@ bool FacetMender::approach(std::uint32_t t, double reach_mm) {
   constexpr int kMostSteps = 6;
   bool any = false;
   for (int step = 0; step < kMostSteps && editor_.mesh().alive(t); ++step) {
-    const std::optional<ComplexEditor::Deviation> deviation = far_place(t, reach_mm);
+    const std::optional<Deviation> deviation = far_place(t, reach_mm);
     if (!deviation) break;
     if (!bring_nearer(t, *deviation)) {
       ++failures_of(t);
@@ -106,7 +106,7 @@ bool FacetMender::approach(std::uint32_t t, double reach_mm) {
 /// Shifts of corners, flips, splits and collapses, whichever brings what is farthest nearer; first those that
 /// keep the angles, then those after which they can be opened, then by more points. Beyond the envelope,
 /// last, what splits first.
-bool FacetMender::bring_nearer(std::uint32_t t, const ComplexEditor::Deviation& deviation) {
+bool FacetMender::bring_nearer(std::uint32_t t, const Deviation& deviation) {
   const ComplexMesh& mesh = editor_.mesh();
   const Triangle corners = mesh.triangle(t);
   std::array<std::pair<double, std::size_t>, 3> by_weight, by_length;  // the second is a corner

@@ -32,9 +32,9 @@ class FacetMender : public HealingPasses {
   bool touched_since(std::uint32_t t, std::uint32_t attempt) const;
   bool is_worth_a_look(std::uint32_t t) const;
   void look_ahead(std::uint32_t from, double reach_mm);
-  std::optional<ComplexEditor::Deviation> far_place(std::uint32_t t, double reach_mm) const;
+  std::optional<Deviation> far_place(std::uint32_t t, double reach_mm) const;
   bool approach(std::uint32_t t, double reach_mm);
-  bool bring_nearer(std::uint32_t t, const ComplexEditor::Deviation& deviation);
+  bool bring_nearer(std::uint32_t t, const Deviation& deviation);
   bool split_and_shift(std::uint32_t v, const Eigen::Vector3d& by);
   bool unfold(std::uint32_t a, std::uint32_t b);
   bool is_flatter(double sharpest);

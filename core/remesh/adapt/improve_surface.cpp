@@ -202,12 +202,12 @@ bool Improver::relocate_touched() {
     touched[v] = true;
     for (const std::uint32_t other : operations_.neighbours(v)) touched[other] = true;
   }
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v)
+    if (touched[v]) vertices.push_back(v);
   for (int round = 0; round < kRounds; ++round) {
     offset_towards_volumes();
-    for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) {
-      if (cancelled_at(v)) return false;
-      if (touched[v] && alive(v)) operations_.relocate(v);
-    }
+    if (!relocate(vertices)) return false;
   }
   relocated_at_ = editor_.attempts();
   return true;

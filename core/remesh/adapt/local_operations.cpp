@@ -9,6 +9,7 @@ namespace {
 /// Triangles around a collapsed vertex; more would be slow to check.
 constexpr std::size_t kLargestStar = 48;
 constexpr double kLeastMove = 0.01;        ///< in target edge lengths; a shorter way is not worth its checks
+constexpr double kRelocation = 0.8;        ///< share of the way to the target
 constexpr double kFlipTurnCosine = 0.866;  ///< the two triangles of a flip are within 30 degrees
 
 }  // namespace
@@ -240,9 +241,22 @@ bool LocalOperations::flip(std::uint32_t a, std::uint32_t b, Demand demand) {
   return true;
 }
 
-bool LocalOperations::relocate(std::uint32_t v) {
-  constexpr double kStep = 0.8;
-  return move(v, Demand::kAllowed, kStep);
+void LocalOperations::plan_relocation(std::uint32_t v, EditCheck& check, PlannedEdit& plan) const {
+  plan.any = plan_move(v, Demand::kAllowed, kRelocation, plan.edit, plan.hint);
+  if (plan.any) {
+    check.check(plan.edit, Demand::kAllowed, plan.found);
+  } else {
+    const ComplexMesh& mesh = editor_.mesh();
+    plan.found.zone = box_of(mesh.corners(mesh.triangle(mesh.star(v).front())));
+    for (const std::uint32_t t : mesh.star(v)) plan.found.zone.extend(box_of(mesh.corners(mesh.triangle(t))));
+  }
+}
+
+bool LocalOperations::relocate(std::uint32_t v, const PlannedEdit* plan) {
+  if (plan == nullptr) return move(v, Demand::kAllowed, kRelocation);
+  if (!plan->any || !editor_.attempt(plan->edit, plan->found, plan->hint)) return false;
+  ++accepted[3];
+  return true;
 }
 
 bool LocalOperations::open(std::uint32_t v, Demand demand) {
@@ -251,42 +265,52 @@ bool LocalOperations::open(std::uint32_t v, Demand demand) {
   return false;
 }
 
-/// `step`: share of the way to the target.
 bool LocalOperations::move(std::uint32_t v, Demand demand, double step) {
+  std::uint32_t hint = kNone;
+  return plan_move(v, demand, step, edit_, hint) && attempt_move(demand, hint);
+}
+
+/// Describes a move of v by a share of the way to its target. False if it stays where it is.
+bool LocalOperations::plan_move(std::uint32_t v, Demand demand, double step, Edit& edit,
+                                std::uint32_t& hint) const {
   const ComplexMesh& mesh = editor_.mesh();
-  std::uint32_t hint = editor_.hint(v);
+  hint = editor_.hint(v);
   if (mesh.stratum(v) == Stratum::kCorner || hint == kNone) return false;
-  edit_.clear();
+  Eigen::Vector3d to;
   if (mesh.stratum(v) == Stratum::kCurve) {
     const std::uint32_t p = other_curve_end(v, kNone), q = other_curve_end(v, p);
-    edit_.position = curve_target(v, p, q, step, hint);
+    to = curve_target(v, p, q, step, hint);
   } else {
-    edit_.position = surface_target(v, demand, step, hint);
+    to = surface_target(v, demand, step, hint);
   }
   const double least = kLeastMove * editor_.size(v);
-  if ((edit_.position - mesh.point(v)).squaredNorm() < least * least) return false;
-  return attempt_move(v, hint, demand);
+  if ((to - mesh.point(v)).squaredNorm() < least * least) return false;
+  describe_move(v, to, edit);
+  return true;
 }
 
 bool LocalOperations::shift(std::uint32_t v, const Eigen::Vector3d& by, Demand demand) {
   if (editor_.mesh().stratum(v) == Stratum::kCorner) return false;
-  edit_.clear();
-  edit_.position = editor_.mesh().point(v) + by;
-  return attempt_move(v, editor_.hint(v), demand);
+  describe_move(v, editor_.mesh().point(v) + by, edit_);
+  return attempt_move(demand, editor_.hint(v));
 }
 
-/// To the position that the edit holds already.
-bool LocalOperations::attempt_move(std::uint32_t v, std::uint32_t hint, Demand demand) {
+void LocalOperations::describe_move(std::uint32_t v, const Eigen::Vector3d& to, Edit& edit) const {
   const ComplexMesh& mesh = editor_.mesh();
-  edit_.moved = v;
+  edit.clear();
+  edit.moved = v;
+  edit.position = to;
   if (mesh.stratum(v) == Stratum::kCurve) {
     const std::uint32_t p = other_curve_end(v, kNone), q = other_curve_end(v, p);
-    edit_.curves_removed = edit_.curves_added = {{p, v}, {v, q}};
+    edit.curves_removed = edit.curves_added = {{p, v}, {v, q}};
   }
   for (const std::uint32_t t : mesh.star(v)) {
-    edit_.removed.push_back(t);
-    edit_.added.push_back({mesh.triangle(t), mesh.pair(t)});
+    edit.removed.push_back(t);
+    edit.added.push_back({mesh.triangle(t), mesh.pair(t)});
   }
+}
+
+bool LocalOperations::attempt_move(Demand demand, std::uint32_t hint) {
   if (!editor_.attempt(edit_, demand, hint)) return false;
   ++accepted[3];
   return true;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "remesh/editor/complex_editor.h"
+#include "remesh/editor/planned_edits.h"
 #include "remesh/motion/tangential_relaxation.h"
 
 namespace voxtet::remesh {
@@ -26,7 +27,10 @@ class LocalOperations {
   /// lengths, or than it was before.
   bool collapse(std::uint32_t a, std::uint32_t b, double longest, Demand demand = Demand::kAllowed);
   bool flip(std::uint32_t a, std::uint32_t b, Demand demand);
-  bool relocate(std::uint32_t v);
+  /// `plan`: what plan_relocation() found, if it still holds.
+  bool relocate(std::uint32_t v, const PlannedEdit* plan = nullptr);
+  /// What relocate(v) would do now.
+  void plan_relocation(std::uint32_t v, EditCheck& check, PlannedEdit& plan) const;
   /// Moves v by a vector, without projecting it onto the reference.
   bool shift(std::uint32_t v, const Eigen::Vector3d& by, Demand demand);
   /// Moves v to help the poorest triangles first, in smaller and smaller steps until the demand is met.
@@ -45,10 +49,12 @@ class LocalOperations {
   bool link_edges_apart(std::uint32_t a, std::uint32_t b) const;
   bool split_at(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& p, std::uint32_t hint, bool curve,
                 Demand demand);
-  bool attempt_move(std::uint32_t v, std::uint32_t hint, Demand demand);
+  void describe_move(std::uint32_t v, const Eigen::Vector3d& to, Edit& edit) const;
+  bool attempt_move(Demand demand, std::uint32_t hint);
   std::uint32_t other_curve_end(std::uint32_t v, std::uint32_t not_this) const;
   bool move(std::uint32_t v, Demand demand, double step);
-  Eigen::Vector3d surface_target(std::uint32_t v, Demand demand, double step, std::uint32_t& hint);
+  bool plan_move(std::uint32_t v, Demand demand, double step, Edit& edit, std::uint32_t& hint) const;
+  Eigen::Vector3d surface_target(std::uint32_t v, Demand demand, double step, std::uint32_t& hint) const;
   double target_area(const Triangle& t) const;
   Eigen::Vector3d curve_target(std::uint32_t v, std::uint32_t p, std::uint32_t q, double step,
                                std::uint32_t& hint) const;
@@ -61,7 +67,6 @@ class LocalOperations {
   std::vector<std::uint32_t> marks_;
   std::uint32_t round_ = 0;
   std::vector<std::uint32_t> around_;
-  std::vector<RingTriangle> ring_;
 };
 
 }  // namespace voxtet::remesh

@@ -18,19 +18,20 @@ constexpr double kLargestOffset = 0.8;  ///< of the envelope, in one step
 /// Along the surface: tangential_relaxation(), where angles or folds shall open by shapes alone, weighted by
 /// how poor they are. Across it: the height that fits the samples.
 Eigen::Vector3d LocalOperations::surface_target(std::uint32_t v, Demand demand, double step,
-                                                std::uint32_t& hint) {
+                                                std::uint32_t& hint) const {
   const ComplexMesh& mesh = editor_.mesh();
   const Eigen::Vector3d& x = mesh.point(v);
-  ring_.clear();
+  std::vector<RingTriangle> ring;
+  ring.reserve(mesh.star(v).size());
   for (const std::uint32_t t : mesh.star(v)) {
     const Triangle& c = mesh.triangle(t);
     const std::size_t at = c[0] == v ? 0 : c[1] == v ? 1 : 2;
-    ring_.push_back({mesh.point(c[(at + 1) % 3]), mesh.point(c[(at + 2) % 3]), target_area(c)});
+    ring.push_back({mesh.point(c[(at + 1) % 3]), mesh.point(c[(at + 2) % 3]), target_area(c)});
     if (demand == Demand::kAllowed) continue;
-    const double open = 1.001 - sharpest_cosine({x, ring_.back().p, ring_.back().q});
-    ring_.back().need = 1 / (open * open);
+    const double open = 1.001 - sharpest_cosine({x, ring.back().p, ring.back().q});
+    ring.back().need = 1 / (open * open);
   }
-  const TangentialStep to = tangential_relaxation(x, ring_, demand == Demand::kAllowed ? shape_weight : 1);
+  const TangentialStep to = tangential_relaxation(x, ring, demand == Demand::kAllowed ? shape_weight : 1);
   return fit_height(v, x + step * to.step, to.normal, hint);
 }
 

@@ -30,6 +30,14 @@ struct Edit {
   }
 };
 
+/// Where the corners of a facet that the edit adds will be.
+inline Corners corners_after(const ComplexMesh& mesh, const Edit& edit, const Facet& facet) {
+  Corners corners = mesh.corners(facet.corners);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (facet.corners[i] == edit.moved) corners[i] = edit.position;
+  return corners;
+}
+
 /// Why an edit was refused, in the order of the checks.
 enum class Refusal : std::uint8_t {
   kNo,  ///< accepted

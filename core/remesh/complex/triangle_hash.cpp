@@ -115,9 +115,10 @@ void TriangleHash::move(std::uint32_t t, const Corners& corners) {
   insert(t, corners);
 }
 
-void TriangleHash::find(const FloatBox& box, std::vector<std::uint32_t>& out) {
+void TriangleHash::find(const FloatBox& box, Search& search, std::vector<std::uint32_t>& out) const {
   out.clear();
-  ++search_;
+  ++search.number;
+  search.met_by.resize(entries_.size(), 0);
   for (int level = 0; level < kLevels; ++level) {
     const auto at = static_cast<std::size_t>(level);
     if (population_[at] == 0) continue;
@@ -131,9 +132,8 @@ void TriangleHash::find(const FloatBox& box, std::vector<std::uint32_t>& out) {
       for (int j = low[1]; j <= high[1]; ++j)
         for (int i = low[0]; i <= high[0]; ++i)
           for (std::uint32_t t = heads_[bucket(level, i, j, k)]; t != kNone; t = entries_[t].next) {
-            Entry& entry = entries_[t];
-            if (!entry.box.meets(box) || entry.found_by == search_) continue;
-            entry.found_by = search_;
+            if (!entries_[t].box.meets(box) || search.met_by[t] == search.number) continue;
+            search.met_by[t] = search.number;
             out.push_back(t);
           }
   }

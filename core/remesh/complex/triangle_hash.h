@@ -34,14 +34,18 @@ class TriangleHash {
   void erase(std::uint32_t t);
   void move(std::uint32_t t, const Corners& corners);
   const FloatBox& box(std::uint32_t t) const { return entries_[t].box; }
+  /// What a search has met; several threads that search at once have one each.
+  struct Search {
+    std::uint32_t number = 0;
+    std::vector<std::uint32_t> met_by;  ///< by triangle: the last search that met it
+  };
   /// Every triangle whose box meets `box`, each once, in an order that depends on the edits alone.
-  void find(const FloatBox& box, std::vector<std::uint32_t>& out);
+  void find(const FloatBox& box, Search& search, std::vector<std::uint32_t>& out) const;
 
  private:
   struct Entry {
     FloatBox box;
     std::uint32_t next = kNone;
-    std::uint32_t found_by = 0;  ///< the last search that met it
   };
   static constexpr int kLevels = 16;
   std::uint32_t bucket(int level, int i, int j, int k) const;
@@ -52,7 +56,7 @@ class TriangleHash {
 
   std::array<double, kLevels> cell_mm_{}, cells_per_mm_{};
   std::array<std::uint32_t, kLevels> population_{};
-  std::uint32_t mask_ = 0, search_ = 0;
+  std::uint32_t mask_ = 0;
   std::vector<std::uint32_t> heads_;
   std::vector<Entry> entries_;  ///< by triangle
 };

@@ -46,14 +46,12 @@ ReverseEnvelope::ReverseEnvelope(const ComplexMesh& mesh, const ReferenceSurface
   if (count > 0) near_mm_ = kNearSpacing * std::sqrt(area / static_cast<double>(count));
 }
 
-ReverseEnvelope::Found ReverseEnvelope::best_added(const ComplexMesh& mesh, const Edit& edit, PairId pair,
-                                                   const Eigen::Vector3d& p) const {
+ReverseEnvelope::Found ReverseEnvelope::best_added(const Edit& edit, const std::vector<Corners>& added,
+                                                   PairId pair, const Eigen::Vector3d& p) {
   Found best{1e300, kNone};
   for (std::uint32_t i = 0; i < edit.added.size(); ++i) {
     if (edit.added[i].pair != pair) continue;
-    const auto& [a, b, c] = edit.added[i].corners;
-    const double distance2 =
-        (closest_on_triangle(p, mesh.point(a), mesh.point(b), mesh.point(c)) - p).squaredNorm();
+    const double distance2 = distance2_to(added[i], p);
     if (distance2 < best.distance2) best = {distance2, i};
   }
   return best;
@@ -70,15 +68,15 @@ ReverseEnvelope::Found ReverseEnvelope::best_beside(const ComplexMesh& mesh, con
       const auto& [a, b, c] = mesh.triangle(t);
       const double distance2 =
           (closest_on_triangle(p, mesh.point(a), mesh.point(b), mesh.point(c)) - p).squaredNorm();
-      if (distance2 < best.distance2) best = {distance2, kBeside + t};
+      if (distance2 < best.distance2) best = {distance2, Rehosting::kBeside + t};
     }
   return best;
 }
 
 Refusal ReverseEnvelope::try_surface(const ComplexMesh& mesh, const Edit& edit, double reach_mm,
-                                     double least_cosine, const RemovedFacets& old,
-                                     const std::vector<Eigen::Vector3d>& new_normals) {
-  moves_.clear();
+                                     double least_cosine, const FacetShapes& removed,
+                                     const FacetShapes& added, Rehosting& rehosting) const {
+  rehosting.surface.clear();
   const double reach2 = reach_mm * reach_mm;
   for (std::size_t i = 0; i < edit.removed.size(); ++i) {
     const std::uint32_t t = edit.removed[i];
@@ -88,35 +86,36 @@ Refusal ReverseEnvelope::try_surface(const ComplexMesh& mesh, const Edit& edit, 
       const Eigen::Vector3d& p = reference_.point(s);
       Found found{1e300, kNone};
       if (i < edit.added.size() && edit.added[i].pair == pair) {
-        const auto& [a, b, c] = edit.added[i].corners;
-        const Eigen::Vector3d off = closest_on_triangle(p, mesh.point(a), mesh.point(b), mesh.point(c)) - p;
-        const double along = off.dot(new_normals[i]);
+        const auto& [a, b, c] = added.corners[i];
+        const Eigen::Vector3d off = closest_on_triangle(p, a, b, c) - p;
+        const double along = off.dot(added.normals[i]);
         const double distance2 = off.squaredNorm();
         // The foot is inside the facet: no other is much closer.
         if (distance2 <= reach2 && along * along >= 0.999 * distance2)
           found = {distance2, static_cast<std::uint32_t>(i)};
       }
       if (found.host == kNone) {
-        found = best_added(mesh, edit, pair, p);
+        found = best_added(edit, added.corners, pair, p);
         if (found.host == kNone) return Refusal::kReverse;
         if (found.distance2 > near_mm_ * near_mm_) found = best_beside(mesh, edit, pair, p, found);
       }
-      if (found.distance2 > reach2 && found.distance2 > distance2_to(old.corners[i], p))
+      if (found.distance2 > reach2 && found.distance2 > distance2_to(removed.corners[i], p))
         return Refusal::kReverse;
-      if (found.host < kBeside) {
-        const double cosine = new_normals[found.host].dot(reference_.normal(s));
-        if (cosine < least_cosine && cosine < old.normals[i].dot(reference_.normal(s)))
+      if (found.host < Rehosting::kBeside) {
+        const double cosine = added.normals[found.host].dot(reference_.normal(s));
+        if (cosine < least_cosine && cosine < removed.normals[i].dot(reference_.normal(s)))
           return Refusal::kNormal;
       }
-      moves_.push_back({s, found.host});
+      rehosting.surface.push_back({s, found.host});
     }
   }
   return Refusal::kNo;
 }
 
 Refusal ReverseEnvelope::try_curves(const ComplexMesh& mesh, const Edit& edit, double reach_mm,
-                                    const Eigen::Vector3d& before) {
-  curve_moves_.clear();
+                                    Rehosting& rehosting) const {
+  rehosting.curves.clear();
+  const auto new_point = [&](std::uint32_t v) { return v == edit.moved ? edit.position : mesh.point(v); };
   const double reach2 = reach_mm * reach_mm;
   for (const CurveEdge& old : edit.curves_removed)
     for (const std::uint32_t end : old) {
@@ -127,24 +126,26 @@ Refusal ReverseEnvelope::try_curves(const ComplexMesh& mesh, const Edit& edit, d
         Found found{1e300, kNone};
         for (std::uint32_t i = 0; i < edit.curves_added.size(); ++i) {
           const auto& [a, b] = edit.curves_added[i];
-          const double distance2 = (closest_on_segment(p, mesh.point(a), mesh.point(b)) - p).squaredNorm();
+          const double distance2 = (closest_on_segment(p, new_point(a), new_point(b)) - p).squaredNorm();
           if (distance2 < found.distance2) found = {distance2, i};
         }
-        const auto old_point = [&](std::uint32_t v) { return v == edit.moved ? before : mesh.point(v); };
         if (found.distance2 > reach2 &&
-            found.distance2 > (closest_on_segment(p, old_point(old[0]), old_point(old[1])) - p).squaredNorm())
+            found.distance2 >
+                (closest_on_segment(p, mesh.point(old[0]), mesh.point(old[1])) - p).squaredNorm())
           return Refusal::kCurve;
-        curve_moves_.push_back({s, found.host});
+        rehosting.curves.push_back({s, found.host});
       }
     }
   return Refusal::kNo;
 }
 
-void ReverseEnvelope::commit(const Edit& edit, const std::vector<std::uint32_t>& slots) {
+void ReverseEnvelope::commit(const Edit& edit, const Rehosting& rehosting,
+                             const std::vector<std::uint32_t>& slots) {
   for (const std::uint32_t t : edit.removed)
     if (t < heads_.size()) heads_[t] = kNone;
-  for (const Move& move : moves_) {
-    const std::uint32_t host = move.host < kBeside ? slots[move.host] : move.host - kBeside;
+  for (const Rehosting::Move& move : rehosting.surface) {
+    const std::uint32_t host =
+        move.host < Rehosting::kBeside ? slots[move.host] : move.host - Rehosting::kBeside;
     if (host >= heads_.size()) heads_.resize(host + 1, kNone);
     next_[move.sample] = heads_[host];
     heads_[host] = move.sample;
@@ -159,7 +160,7 @@ void ReverseEnvelope::commit(const Edit& edit, const std::vector<std::uint32_t>&
         else
           link = &next_[*link];
     }
-  for (const Move& move : curve_moves_) {
+  for (const Rehosting::Move& move : rehosting.curves) {
     const auto& [a, b] = edit.curves_added[move.host];
     if (a >= curve_heads_.size()) curve_heads_.resize(a + 1, kNone);
     next_[move.sample] = curve_heads_[a];

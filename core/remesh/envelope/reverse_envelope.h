@@ -12,10 +12,20 @@
 
 namespace voxtet::remesh {
 
-/// The triangles of edit.removed, as they were before.
-struct RemovedFacets {
+/// Corners and unit normals of the triangles of edit.removed or of edit.added.
+struct FacetShapes {
   const std::vector<Corners>& corners;
   const std::vector<Eigen::Vector3d>& normals;
+};
+
+/// New hosts of the samples of an edit.
+struct Rehosting {
+  struct Move {
+    std::uint32_t sample;
+    std::uint32_t host;  ///< index into edit.added or edit.curves_added, or kBeside + triangle
+  };
+  static constexpr std::uint32_t kBeside = 0x80000000U;
+  std::vector<Move> surface, curves;
 };
 
 /// Every sample has a host near it: samples on surfaces a triangle, samples on curves a curve edge; corners
@@ -28,16 +38,13 @@ class ReverseEnvelope {
 
   /// Finds new hosts for the samples of the edit's triangles. They must be within `reach_mm`, or no farther
   /// than before; the cosine between the normals of host and sample must be at least `least_cosine`, or more
-  /// than before. Returns kNo, kReverse or kNormal. `mesh` has the new positions, `new_normals` belong to
-  /// edit.added.
+  /// than before. Returns kNo, kReverse or kNormal. Writes to `rehosting.surface`.
   Refusal try_surface(const ComplexMesh& mesh, const Edit& edit, double reach_mm, double least_cosine,
-                      const RemovedFacets& old, const std::vector<Eigen::Vector3d>& new_normals);
-  /// The same for the samples of the edit's curve edges; `before`: where the moved vertex was. Returns kNo or
-  /// kCurve.
-  Refusal try_curves(const ComplexMesh& mesh, const Edit& edit, double reach_mm,
-                     const Eigen::Vector3d& before);
-  /// Carries out what the last two tries found. `slots`: the triangle that each added facet became.
-  void commit(const Edit& edit, const std::vector<std::uint32_t>& slots);
+                      const FacetShapes& removed, const FacetShapes& added, Rehosting& rehosting) const;
+  /// The same for the samples of the edit's curve edges, to `rehosting.curves`. Returns kNo or kCurve.
+  Refusal try_curves(const ComplexMesh& mesh, const Edit& edit, double reach_mm, Rehosting& rehosting) const;
+  /// Carries out what two tries found. `slots`: the triangle that each added facet became.
+  void commit(const Edit& edit, const Rehosting& rehosting, const std::vector<std::uint32_t>& slots);
 
   template <class Visit>
   void for_samples(std::uint32_t t, Visit&& visit) const {
@@ -55,16 +62,12 @@ class ReverseEnvelope {
   }
 
  private:
-  struct Move {
-    std::uint32_t sample;
-    std::uint32_t host;  ///< index into edit.added, or kBeside + triangle
-  };
-  static constexpr std::uint32_t kBeside = 0x80000000U;
   struct Found {
     double distance2;
     std::uint32_t host;
   };
-  Found best_added(const ComplexMesh& mesh, const Edit& edit, PairId pair, const Eigen::Vector3d& p) const;
+  static Found best_added(const Edit& edit, const std::vector<Corners>& added, PairId pair,
+                          const Eigen::Vector3d& p);
   Found best_beside(const ComplexMesh& mesh, const Edit& edit, PairId pair, const Eigen::Vector3d& p,
                     Found best) const;
 
@@ -74,7 +77,6 @@ class ReverseEnvelope {
   std::vector<std::uint32_t> next_;         ///< by sample
   std::vector<std::uint32_t> curve_heads_;  ///< by vertex: samples of curve edges that have it as first end
   std::vector<std::uint32_t> curve_other_;  ///< by sample: the second end
-  std::vector<Move> moves_, curve_moves_;
 };
 
 }  // namespace voxtet::remesh

@@ -47,7 +47,7 @@ std::optional<InterfaceFlipper::Candidate> InterfaceFlipper::candidate_at(std::u
 
 bool InterfaceFlipper::only_other_around(const Candidate& candidate, std::span<const std::uint32_t> corners) {
   const Tet& own = complex_.corners(candidate.t);
-  complex_.find_star(own[corners[0]], star_);
+  complex_.find_star(own[corners[0]], seen_, star_);
   for (const std::uint32_t t : star_) {
     if (t == candidate.t) continue;
     const bool at_all = std::all_of(corners.begin(), corners.end(),

@@ -58,6 +58,7 @@ class InterfaceFlipper {
   const SizeGuard& guard_;
   double envelope_;
   const VolumeKeeper& volumes_;
+  IdSet seen_;
   std::vector<std::uint32_t> star_;
 };
 

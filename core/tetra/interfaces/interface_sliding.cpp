@@ -83,7 +83,7 @@ InterfaceSlider::InterfaceSlider(TetComplex& complex, VertexSmoother& smoother, 
 }
 
 std::optional<InterfaceSlider::Seat> InterfaceSlider::seat_of(std::uint32_t vertex) {
-  complex_.find_star(vertex, star_);
+  complex_.find_star(vertex, seen_, star_);
   std::vector<Sides> kind;
   std::vector<std::array<std::uint32_t, 2>> interfaces;  // their other corners
   std::vector<std::pair<std::uint32_t, Sides>> uses;     // of the edges to them

@@ -67,6 +67,7 @@ class InterfaceSlider {
   std::vector<std::uint32_t> interface_count_;  ///< interfaces at each of them when it was approached
   std::vector<std::uint8_t> held_;              ///< 1: slides no more
   std::optional<NearbySurface> nearby_;
+  IdSet seen_;
   std::vector<std::uint32_t> star_;
 };
 

@@ -30,7 +30,6 @@ Triangle ascending(Triangle c) {
 TetComplex::TetComplex(TetMesh mesh)
     : points_(std::move(mesh.points)),
       on_interface_(points_.size(), 0),
-      vertex_marks_(points_.size(), 0),
       tet_at_(points_.size(), kNone),
       faces_(std::move(mesh.faces)),
       face_sides_(std::move(mesh.face_sides)) {
@@ -119,27 +118,28 @@ bool TetComplex::find_ring(std::uint32_t t, std::uint32_t i, std::uint32_t j, Ed
   return true;
 }
 
-void TetComplex::find_star(std::uint32_t vertex, std::vector<std::uint32_t>& star) {
-  ++mark_;
+void TetComplex::find_star(std::uint32_t vertex, IdSet& seen, std::vector<std::uint32_t>& star) const {
+  seen.clear();
   star.assign(1, tet_at_[vertex]);
-  cells_[star[0]].mark = mark_;
+  seen.insert(star[0]);
   for (std::size_t next = 0; next < star.size(); ++next) {
     const Cell& cell = cells_[star[next]];
     for (std::size_t c = 0; c < 4; ++c) {
       if (cell.corners[c] == vertex || cell.across[c] == kNone) continue;
       const std::uint32_t other = tet_of(cell.across[c]);
-      if (std::exchange(cells_[other].mark, mark_) != mark_) star.push_back(other);
+      if (seen.insert(other)) star.push_back(other);
     }
   }
 }
 
-void TetComplex::find_neighbours(std::uint32_t vertex, std::span<const std::uint32_t> star,
-                                 std::vector<std::uint32_t>& neighbours) {
+void TetComplex::find_neighbours(std::uint32_t vertex, std::span<const std::uint32_t> star, IdSet& seen,
+                                 std::vector<std::uint32_t>& neighbours) const {
   neighbours.clear();
-  vertex_marks_[vertex] = ++mark_;
+  seen.clear();
+  seen.insert(vertex);
   for (const std::uint32_t t : star)
     for (const std::uint32_t v : corners(t))
-      if (std::exchange(vertex_marks_[v], mark_) != mark_) neighbours.push_back(v);
+      if (seen.insert(v)) neighbours.push_back(v);
 }
 
 std::uint32_t TetComplex::take_place() {
@@ -292,7 +292,6 @@ void TetComplex::exchange_interfaces(std::span<const InterfaceExchange> exchange
 std::uint32_t TetComplex::add_point(const Point& at) {
   points_.push_back(at);
   on_interface_.push_back(0);
-  vertex_marks_.push_back(0);
   tet_at_.push_back(kNone);
   return point_count() - 1;
 }
@@ -300,7 +299,6 @@ std::uint32_t TetComplex::add_point(const Point& at) {
 void TetComplex::drop_point() {
   points_.pop_back();
   on_interface_.pop_back();
-  vertex_marks_.pop_back();
   tet_at_.pop_back();
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/id_set.h"
 #include "geometry/elements/facet_corners.h"
 #include "tetra/mesh/tet_quality.h"
 #include "types/tet_mesh.h"
@@ -93,11 +94,11 @@ class TetComplex {
   /// False if an interface meets the edge between two corners of a tet, or if it has more than
   /// EdgeRing::kMost tets.
   bool find_ring(std::uint32_t t, std::uint32_t i, std::uint32_t j, EdgeRing& ring) const;
-  /// All tets at a vertex, across interfaces too, into `star`.
-  void find_star(std::uint32_t vertex, std::vector<std::uint32_t>& star);
+  /// All tets at a vertex, across interfaces too, into `star`. `seen` is work memory.
+  void find_star(std::uint32_t vertex, IdSet& seen, std::vector<std::uint32_t>& star) const;
   /// The other corners of the tets at a vertex, each once.
-  void find_neighbours(std::uint32_t vertex, std::span<const std::uint32_t> star,
-                       std::vector<std::uint32_t>& neighbours);
+  void find_neighbours(std::uint32_t vertex, std::span<const std::uint32_t> star, IdSet& seen,
+                       std::vector<std::uint32_t>& neighbours) const;
 
   /// Replaces the tets `gone` by `made`: both of one label, filling the same space behind the same sides. If
   /// not all of `made` are positive by the exact predicate, nothing happens and the result is false. Points
@@ -141,7 +142,8 @@ class TetComplex {
   /// Forgets the point added last, which no tet uses.
   void drop_point();
   /// Moves a vertex; `star` are its tets. False, and nothing happens, unless all of them stay positive by the
-  /// exact predicate.
+  /// exact predicate. Without a mark, threads may move vertices that are on no interface and have no tet in
+  /// common.
   bool move_point(std::uint32_t vertex, const Point& to, std::span<const std::uint32_t> star);
 
  private:
@@ -149,7 +151,7 @@ class TetComplex {
     Tet corners;
     std::array<Facet, 4> across;
     double quality;
-    std::uint32_t mark;  ///< of the last walk that met it
+    std::uint32_t mark;  ///< of the last replacement that it belonged to
     Label label;
   };
   /// A side that waits for the tet on its other side, which will have the same corners (ascending).
@@ -167,8 +169,7 @@ class TetComplex {
 
   std::vector<Point> points_;
   std::vector<std::uint8_t> on_interface_;
-  std::vector<std::uint32_t> vertex_marks_;  ///< for each, the mark of the last walk that met it
-  std::vector<std::uint32_t> tet_at_;        ///< one tet of each vertex; kNone for points that are gone
+  std::vector<std::uint32_t> tet_at_;  ///< one tet of each vertex; kNone for points that are gone
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> free_, made_;
   std::vector<Waiting> waiting_;

@@ -21,8 +21,8 @@ constexpr int kShorterSteps = 2;
 /// Each edge pulls the vertex to where it would have its length, by the square of its deviation; the sum of
 /// the fourth powers is to fall.
 bool SizeSmoother::smooth(std::uint32_t vertex, double enough) {
-  complex_.find_star(vertex, star_);
-  complex_.find_neighbours(vertex, star_, neighbours_);
+  complex_.find_star(vertex, seen_, star_);
+  complex_.find_neighbours(vertex, star_, seen_, neighbours_);
   const Point from = complex_.point(vertex);
   double before = 0, most = 0, weights = 0;
   Point pull = Point::Zero();

@@ -23,6 +23,7 @@ class SizeSmoother {
  private:
   TetComplex& complex_;
   const SizeGuard& guard_;
+  IdSet seen_;
   std::vector<std::uint32_t> star_, neighbours_;
   std::vector<StarSide> sides_;
 };

@@ -155,7 +155,7 @@ Apex ascend(const Point& start, std::span<StarSide> sides, int steps, const Trac
 
 bool VertexSmoother::sizes_allow(std::uint32_t vertex, const Point& to, double most_misfit) {
   const Point& from = complex_.point(vertex);
-  complex_.find_neighbours(vertex, star_, others_);
+  complex_.find_neighbours(vertex, star_, seen_, others_);
   const auto farthest = [&](const Point& at) {
     double misfit = 0;
     for (const std::uint32_t v : others_) misfit = std::max(misfit, guard_.misfit(at, complex_.point(v)));
@@ -167,7 +167,7 @@ bool VertexSmoother::sizes_allow(std::uint32_t vertex, const Point& to, double m
 
 bool VertexSmoother::smooth(std::uint32_t vertex, double enough, int steps, const Track* track,
                             double most_misfit) {
-  complex_.find_star(vertex, star_);
+  complex_.find_star(vertex, seen_, star_);
   sides_.clear();
   double before = std::numeric_limits<double>::infinity();
   for (const std::uint32_t t : star_) {

@@ -60,6 +60,7 @@ class VertexSmoother {
 
   TetComplex& complex_;
   const SizeGuard& guard_;
+  IdSet seen_;
   std::vector<std::uint32_t> star_, others_;
   std::vector<StarSide> sides_;
 };

@@ -53,7 +53,7 @@ double CompoundImprover::settle(std::uint32_t t, double goal, const TetComplex::
     tets_.clear();
     for (const std::uint32_t v : vertices_) {
       if (!complex_.in_use(v)) continue;
-      complex_.find_star(v, star_);
+      complex_.find_star(v, seen_, star_);
       tets_.insert(tets_.end(), star_.begin(), star_.end());
     }
     std::sort(tets_.begin(), tets_.end());

@@ -62,6 +62,7 @@ class CompoundImprover {
   InterfaceSlider& slider_;
   OperationCounts& counts_;
   std::vector<std::uint32_t> vertices_;  ///< around which a trial looks for bad tets
+  IdSet seen_;
   std::vector<std::uint32_t> star_, tets_;
   std::size_t steps_ = 0;
 };

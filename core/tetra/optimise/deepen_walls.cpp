@@ -94,7 +94,7 @@ class Deepener {
   /// The tets around an edge into around_; none if it is gone.
   void find_tets_around(const Edge& edge) {
     around_.clear();
-    complex_.find_star(edge[0], star_);
+    complex_.find_star(edge[0], seen_, star_);
     for (const std::uint32_t t : star_)
       if (complex_.corner_at(t, edge[1]) < 4) around_.push_back(t);
   }
@@ -140,6 +140,7 @@ class Deepener {
   Depths least_;  ///< no point has less
   const std::uint32_t layers_;
   const double least_quality_ = quality_of_angle(kLeastAngleDeg);
+  IdSet seen_;
   std::vector<std::uint32_t> star_, around_;
 };
 

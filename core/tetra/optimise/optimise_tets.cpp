@@ -1,18 +1,22 @@
 #include "tetra/optimise/optimise_tets.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <new>
 #include <queue>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "tetra/interfaces/interface_flipping.h"
 #include "tetra/interfaces/interface_sliding.h"
 #include "tetra/mesh/tet_complex.h"
+#include "tetra/mesh/vertices_apart.h"
 #include "tetra/operations/local_swaps.h"
 #include "tetra/operations/size_smoothing.h"
 #include "tetra/operations/vertex_insertion.h"
@@ -52,7 +56,6 @@ class Optimiser {
       : complex_(std::move(mesh)),
         guard_(sizing),
         smoother_(complex_, guard_),
-        size_smoother_(complex_, guard_),
         inserter_(complex_, guard_),
         volumes_(complex_, layers, reference),
         slider_(complex_, smoother_, reference, sizing, params.slide, layers, cuts, volumes_),
@@ -146,10 +149,36 @@ class Optimiser {
   }
 
   bool smooth(double goal) {
-    for (const std::uint32_t v : vertices_of(bad_tets(goal), false)) {
-      if (cancelled()) return false;
-      counts_.moved += smoother_.smooth(v, goal, kSmoothingSteps);
+    return move_all<VertexSmoother>(
+        vertices_of(bad_tets(goal), false),
+        [goal](VertexSmoother& smoother, std::uint32_t v) {
+          return smoother.smooth(v, goal, kSmoothingSteps);
+        },
+        counts_.moved);
+  }
+
+  /// Calls move(smoother, v) for vertices inside of labels, with the result of one after the other, and
+  /// counts those that moved. False when cancelled.
+  template <class Smoother, class Move>
+  bool move_all(const std::vector<std::uint32_t>& vertices, const Move& move, std::size_t& moved) {
+    if (ctx_.threads < 2) {
+      Smoother smoother(complex_, guard_);
+      for (const std::uint32_t v : vertices) {
+        if (cancelled()) return false;
+        moved += move(smoother, v);
+      }
+      return true;
     }
+    const SpreadOrder order = vertices_apart(complex_, vertices, ctx_.threads);
+    std::vector<Smoother> smoothers(static_cast<std::size_t>(ctx_.threads), Smoother(complex_, guard_));
+    std::atomic<std::size_t> count = 0;
+    for (std::size_t g = 0; g < order.ends.size(); ++g) {
+      if (ctx_.cancelled()) return false;
+      const std::span<const std::uint32_t> group = order.group(g);
+      run_tasks_with(smoothers, group.size(),
+                     [&](std::size_t i, Smoother& smoother) { count += move(smoother, vertices[group[i]]); });
+    }
+    moved += count;
     return true;
   }
 
@@ -195,6 +224,7 @@ class Optimiser {
   /// Those on interfaces around the corners of the bad tets and around their neighbours.
   std::vector<std::uint32_t> interfaces_around(double goal) {
     std::vector<std::uint32_t> vertices = vertices_of(bad_tets(goal), false), star;
+    IdSet around;
     std::vector<std::uint8_t> seen(complex_.point_count(), 0);
     const std::vector<std::uint32_t> on_interfaces = vertices_of(bad_tets(goal), true);
     vertices.insert(vertices.end(), on_interfaces.begin(), on_interfaces.end());
@@ -202,7 +232,7 @@ class Optimiser {
     for (std::size_t ring = 0, first = 0; ring < 2; ++ring) {
       const std::size_t last = vertices.size();
       for (; first < last; ++first) {
-        complex_.find_star(vertices[first], star);
+        complex_.find_star(vertices[first], around, star);
         for (const std::uint32_t t : star)
           for (const std::uint32_t v : complex_.corners(t))
             if (!std::exchange(seen[v], std::uint8_t{1})) vertices.push_back(v);
@@ -240,12 +270,12 @@ class Optimiser {
 
   /// False when cancelled.
   bool fit_sizes(double enough) {
-    for (std::uint32_t v = 0; v < complex_.point_count(); ++v) {
-      if (!complex_.in_use(v) || complex_.on_interface(v)) continue;
-      if (cancelled()) return false;
-      counts_.fitted += size_smoother_.smooth(v, enough);
-    }
-    return true;
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t v = 0; v < complex_.point_count(); ++v)
+      if (complex_.in_use(v) && !complex_.on_interface(v)) vertices.push_back(v);
+    return move_all<SizeSmoother>(
+        vertices, [enough](SizeSmoother& smoother, std::uint32_t v) { return smoother.smooth(v, enough); },
+        counts_.fitted);
   }
 
   bool may_insert(std::uint32_t t) const {
@@ -271,7 +301,6 @@ class Optimiser {
   TetComplex complex_;
   SizeGuard guard_;
   VertexSmoother smoother_;
-  SizeSmoother size_smoother_;
   VertexInserter inserter_;
   VolumeKeeper volumes_;
   InterfaceSlider slider_;

@@ -76,6 +76,20 @@ TEST(ImproveSurface, CoarsensAConformingHeart) {
   expect_coarser_and_as_good(label_surface(test::heart_volume(34, 30, 30)), 1.2, 2);
 }
 
+TEST(ImproveSurface, GivesTheSameBytesOnAnyNumberOfThreads) {
+  const SurfaceMesh heart = label_surface(test::heart_volume(34, 30, 30));
+  RunContext ctx;
+  const SizingField sizing = test::uniform_sizing(2);
+  const SurfaceMesh fine = adapt_complex(heart, test::uniform_sizing(1.2), {}, ctx).value();
+  const auto on = [&](int threads) {
+    ctx.threads = threads;
+    return digest_of(improve_surface(fine, heart, sizing, strict_params(), ctx).value()) +
+           digest_of(adapt_complex(heart, sizing, {}, ctx).value());
+  };
+  const std::string first = on(1);
+  for (const int threads : {2, 8}) EXPECT_EQ(on(threads), first) << threads;
+}
+
 TEST(ImproveSurface, BringsBackWhatIsBeyondTheEnvelope) {
   const SurfaceMesh reference = test::sphere({0, 0, 0}, 12, 5, 1, 0);
   RunContext ctx;

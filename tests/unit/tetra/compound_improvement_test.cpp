@@ -181,7 +181,8 @@ TEST(InterfaceSlider, HoldsTheVerticesOfInterfacesThatMeet) {
   shop.complex.undo_to(start);
 
   std::vector<std::uint32_t> star;
-  shop.complex.find_star(9, star);
+  IdSet seen;
+  shop.complex.find_star(9, seen, star);
   ASSERT_TRUE(shop.complex.move_point(9, {0.3, 0, 0.5}, star));
   EXPECT_TRUE(shop.slider.hold_where_interfaces_meet(start));
   shop.complex.undo_to(start);

@@ -20,6 +20,7 @@
 #include "tetra/fill/fill_tets.h"
 #include "tetra/mesh/edge_groups.h"
 #include "tetra/mesh/tet_quality.h"
+#include "tetra/mesh/vertices_apart.h"
 #include "tetra/operations/size_guard.h"
 
 namespace voxtet {
@@ -279,6 +280,47 @@ TEST(OptimiseTets, InsertedVerticesDoNotAllowEachOtherEverShorterEdges) {
     const TetMesh after = optimise_fixed(before, sizing, params);
     EXPECT_GT(after.points.size(), before.points.size()) << seed;
     EXPECT_LE(largest_misfit(after, sizing), 1.5 * largest_misfit(before, sizing)) << seed;
+  }
+}
+
+TEST(OptimiseTets, GivesTheSameBytesOnAnyNumberOfThreads) {
+  const SurfaceMesh surface = two_balls();
+  const SizingField sizing = test::uniform_sizing(1.4);
+  const TetMesh balls = filled(rough_balls(), sizing), random = random_mesh(9, 3000, 2);
+  const auto on = [&](int threads) {
+    RunContext ctx;
+    ctx.threads = threads;
+    const double edge_mm = 1.2 * median_edge(random);
+    return digest_of(*optimise_tets(balls, surface, sizing, {}, ctx)) +
+           digest_of(*optimise_tets(random, {}, test::uniform_sizing(edge_mm), {.slide = 0}, ctx));
+  };
+  const std::string first = on(1);
+  for (const int threads : {2, 3, 8}) EXPECT_EQ(on(threads), first) << threads;
+}
+
+TEST(VerticesApart, HaveNoTetInCommonInAGroupAndKeepTheirOrder) {
+  const tetra::TetComplex complex(random_mesh(4, 3000, 1));
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t v = 0; v < complex.point_count(); ++v)
+    if (v % 5 > 0) vertices.push_back((v * 7) % complex.point_count());
+  for (const int threads : {1, 3}) {
+    const SpreadOrder order = tetra::vertices_apart(complex, vertices, threads);
+    ASSERT_EQ(order.items.size(), vertices.size());
+    constexpr std::size_t kNotListed = ~std::size_t{0};
+    struct Place {
+      std::size_t group = kNotListed, item = 0;
+    };
+    std::vector<Place> places(complex.point_count());
+    for (std::size_t g = 0; g < order.ends.size(); ++g)
+      for (const std::uint32_t i : order.group(g)) places[vertices[i]] = {g, i};
+    for (std::uint32_t t = 0; t < complex.places(); ++t)
+      for (const std::uint32_t v : complex.corners(t))
+        for (const std::uint32_t w : complex.corners(t)) {
+          if (v == w || places[v].group == kNotListed || places[w].group == kNotListed) continue;
+          EXPECT_EQ(places[v].group < places[w].group, places[v].item < places[w].item);
+          EXPECT_NE(places[v].group, places[w].group);
+        }
+    EXPECT_LT(order.ends.size(), 100U) << "most of them at once";
   }
 }
 

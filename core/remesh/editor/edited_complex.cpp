@@ -1,11 +1,11 @@
-// How far facets are from the reference, and the reference from them.
-#include <algorithm>
+#include "remesh/editor/edited_complex.h"
+
 #include <cmath>
+#include <utility>
 
 #include "geometry/elements/surface_measures.h"
 #include "geometry/elements/triangle_measures.h"
 #include "geometry/search/closest_point.h"
-#include "remesh/editor/complex_editor.h"
 
 namespace voxtet::remesh {
 namespace {
@@ -24,30 +24,32 @@ Eigen::Vector3d barycentric(const Eigen::Vector3d& on, const Corners& p) {
 
 }  // namespace
 
-Refusal ComplexEditor::check_envelope(const Edit& edit) const {
-  PairId met = kNone;
-  double limit2 = reach_mm_ * reach_mm_;
-  bool looked_back = !limits.adapted || demand_ == Demand::kNearer;
-  for (std::size_t i = 0; i < edit.added.size(); ++i) {
-    // The moved vertex itself needs to be looked at once for a pair.
-    const std::uint32_t moved = edit.added[i].pair == met ? kNone : edit.moved;
-    met = edit.added[i].pair;
-    for (;;) {
-      const double distance2 = farthest_point(edit.added[i], new_corners_[i], moved, limits.lattice_mm,
-                                              limit2, nearest_hint(edit.added[i], new_corners_[i]), limit2)
-                                   .distance2;
-      if (distance2 <= limit2) break;
-      if (looked_back || distance2 == kNowhere) return Refusal::kEnvelope;
-      looked_back = true;
-      for (std::size_t k = 0; k < edit.removed.size(); ++k)
-        limit2 = std::max(limit2, farthest_point_of(edit.removed[k], old_corners_[k]).distance2);
-    }
+EditedComplex::EditedComplex(ComplexMesh mesh, const ComplexMesh& reference,
+                             const Correspondence& correspondence, const SizingField& sizing)
+    : mesh_(std::move(mesh)),
+      reference_(reference),
+      samples_(mesh_, reference_, correspondence),
+      sizing_(sizing),
+      hints_(correspondence.hints) {
+  sizes_.reserve(mesh_.vertex_count());
+  normals_.reserve(mesh_.slot_count());
+  balls_.reserve(mesh_.slot_count());
+  for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) sizes_.push_back(sizing.at(mesh_.point(v)));
+  for (std::uint32_t t = 0; t < mesh_.slot_count(); ++t) {
+    const Corners p = mesh_.corners(mesh_.triangle(t));
+    const Eigen::Vector3d cross = triangle_cross(p[0], p[1], p[2]);
+    normals_.push_back(cross / std::max(cross.norm(), 1e-300));
+    balls_.emplace_back(p);
   }
-  return Refusal::kNo;
+}
+
+double EditedComplex::distance2_of(const Facet& facet, const Corners& p, std::uint32_t moved,
+                                   double most2) const {
+  return farthest_point(facet, p, moved, limits.lattice_mm, most2, nearest_hint(facet, p), most2).distance2;
 }
 
 /// Of the corners' hints that are on a sheet of the facet's labels.
-std::uint32_t ComplexEditor::nearest_hint(const Facet& facet, const Corners& p) const {
+std::uint32_t EditedComplex::nearest_hint(const Facet& facet, const Corners& p) const {
   std::uint32_t nearest = kNone;
   double least = kNowhere;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -64,10 +66,9 @@ std::uint32_t ComplexEditor::nearest_hint(const Facet& facet, const Corners& p) 
 
 /// Of the facet's lattice points; the first one above `content2`. Its corners were looked at when they came
 /// to their places, and each edge inside the edit is left to one of its two facets.
-ComplexEditor::Deviation ComplexEditor::farthest_point(const Facet& facet, const Corners& p,
-                                                       std::uint32_t moved, double lattice_mm,
-                                                       double content2, std::uint32_t hint, double enough2,
-                                                       std::span<const std::uint32_t> more_hints) const {
+Deviation EditedComplex::farthest_point(const Facet& facet, const Corners& p, std::uint32_t moved,
+                                        double lattice_mm, double content2, std::uint32_t hint,
+                                        double enough2, std::span<const std::uint32_t> more_hints) const {
   const int n = static_cast<int>(std::ceil(longest_edge_mm(p) / lattice_mm));
   const double far2 = content2 < kNowhere ? content2 : limits.reach_mm * limits.reach_mm;
   Deviation worst;
@@ -107,44 +108,43 @@ ComplexEditor::Deviation ComplexEditor::farthest_point(const Facet& facet, const
   return worst;
 }
 
-std::vector<std::uint32_t> ComplexEditor::samples_of(std::uint32_t t) const {
+std::vector<std::uint32_t> EditedComplex::samples_of(std::uint32_t t) const {
   std::vector<std::uint32_t> samples;
   samples_.for_samples(t, [&](std::uint32_t s) { samples.push_back(s); });
   return samples;
 }
 
-void ComplexEditor::make_room_for_deviations() const {
+void EditedComplex::make_room_for_deviations() const {
   if (deviations_lattice_mm_ != limits.lattice_mm) deviations_.clear();
   deviations_lattice_mm_ = limits.lattice_mm;
   deviations_.resize(mesh_.slot_count(), kUnknown);
 }
 
-/// Walks may end on the way: what seems to be beyond the envelope is looked at from more places. Remembered,
-/// because the same triangles are to be replaced again and again.
-const ComplexEditor::Deviation& ComplexEditor::farthest_point_of(std::uint32_t t, const Corners& p) const {
-  if (deviations_lattice_mm_ != limits.lattice_mm || t >= deviations_.size()) make_room_for_deviations();
-  Deviation& deviation = deviations_[t];
-  if (deviation.distance2 < 0) {
-    const Facet facet{mesh_.triangle(t), mesh_.pair(t)};
-    // No point of the facet is farther than this from a point of the lattice.
-    const double between_mm = limits.lattice_mm / std::sqrt(3.0);
-    const double sure_mm = std::max(0.0, limits.sure_mm - between_mm);
-    // Nothing depends on how much nearer than this a point is.
-    const double enough_mm = limits.sure_mm > 0 ? sure_mm : limits.reach_mm;
-    const double enough2 = std::min(reference_.near2(), enough_mm * enough_mm);
-    const auto look = [&](double lattice_mm) {
-      deviation = farthest_point(facet, p, kEveryCorner, lattice_mm, kNowhere, nearest_hint(facet, p),
-                                 enough2, samples_of(t));
-    };
-    look(limits.lattice_mm);
-    if (limits.sure_mm > 0 && deviation.distance2 > sure_mm * sure_mm) look(kCloserShare * limits.lattice_mm);
-  }
-  return deviation;
+/// Walks may end on the way: what seems to be beyond the envelope is looked at from more places.
+Deviation EditedComplex::find_deviation(std::uint32_t t, const Corners& p) const {
+  const Facet facet{mesh_.triangle(t), mesh_.pair(t)};
+  // No point of the facet is farther than this from a point of the lattice.
+  const double between_mm = limits.lattice_mm / std::sqrt(3.0);
+  const double sure_mm = std::max(0.0, limits.sure_mm - between_mm);
+  // Nothing depends on how much nearer than this a point is.
+  const double enough_mm = limits.sure_mm > 0 ? sure_mm : limits.reach_mm;
+  const double enough2 = std::min(reference_.near2(), enough_mm * enough_mm);
+  const auto look = [&](double lattice_mm) {
+    return farthest_point(facet, p, kEveryCorner, lattice_mm, kNowhere, nearest_hint(facet, p), enough2,
+                          samples_of(t));
+  };
+  const Deviation deviation = look(limits.lattice_mm);
+  const bool sure = !(limits.sure_mm > 0 && deviation.distance2 > sure_mm * sure_mm);
+  return sure ? deviation : look(kCloserShare * limits.lattice_mm);
 }
 
-ComplexEditor::Deviation ComplexEditor::farthest(std::uint32_t t) const {
+Deviation EditedComplex::farthest(std::uint32_t t) const {
   const Corners p = mesh_.corners(mesh_.triangle(t));
-  Deviation worst = farthest_point_of(t, p);
+  if (known_deviation(t) == nullptr) {
+    if (deviations_lattice_mm_ != limits.lattice_mm || t >= deviations_.size()) make_room_for_deviations();
+    deviations_[t] = find_deviation(t, p);
+  }
+  Deviation worst = deviations_[t];
   samples_.for_samples(t, [&](std::uint32_t s) {
     const Eigen::Vector3d& at = reference_.point(s);
     const Eigen::Vector3d on = closest_on_triangle(at, p[0], p[1], p[2]);
@@ -161,7 +161,7 @@ ComplexEditor::Deviation ComplexEditor::farthest(std::uint32_t t) const {
 }
 
 /// Whether other facets of its labels at its corners are much turned against it.
-bool ComplexEditor::is_folded(std::uint32_t t) const {
+bool EditedComplex::is_folded(std::uint32_t t) const {
   constexpr double kFoldedCosine = 0.9;
   for (const std::uint32_t v : mesh_.triangle(t))
     for (const std::uint32_t other : mesh_.star(v))
@@ -171,7 +171,7 @@ bool ComplexEditor::is_folded(std::uint32_t t) const {
 
 /// Where the surface is folded, the reference may be farther from it between two samples than at both: on
 /// edges from samples of `t` to others', as far as their middle.
-void ComplexEditor::look_between_samples(std::uint32_t t, const Corners& p, Deviation& worst) const {
+void EditedComplex::look_between_samples(std::uint32_t t, const Corners& p, Deviation& worst) const {
   if (!is_folded(t)) return;
   const std::vector<std::uint32_t> own = samples_of(t);
   for (const std::uint32_t s : own)
@@ -183,7 +183,7 @@ void ComplexEditor::look_between_samples(std::uint32_t t, const Corners& p, Devi
 }
 
 /// From a point of the reference at `t` and the facets of its labels around it.
-void ComplexEditor::look_from(const Eigen::Vector3d& at, std::uint32_t t, const Corners& p,
+void EditedComplex::look_from(const Eigen::Vector3d& at, std::uint32_t t, const Corners& p,
                               Deviation& worst) const {
   const Eigen::Vector3d on = closest_on_triangle(at, p[0], p[1], p[2]);
   double distance2 = (at - on).squaredNorm();
@@ -197,7 +197,7 @@ void ComplexEditor::look_from(const Eigen::Vector3d& at, std::uint32_t t, const 
   if (distance2 > worst.distance2) worst = {distance2, at - on, barycentric(on, p)};
 }
 
-bool ComplexEditor::well_sampled(std::uint32_t t, double reach_mm) const {
+bool EditedComplex::well_sampled(std::uint32_t t, double reach_mm) const {
   for (const std::uint32_t v : mesh_.triangle(t))
     if (mesh_.stratum(v) != Stratum::kSurface) return false;
   if (is_folded(t)) return false;

@@ -1,0 +1,73 @@
+#include "geometry/search/spread_order.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+
+namespace voxtet {
+namespace {
+
+/// For each cell the number of the last group that has an item there; cells that share a bucket count as one.
+class LastGroups {
+ public:
+  LastGroups(std::size_t zones, double cell_mm)
+      : cells_per_mm_(1 / cell_mm), ends_(std::bit_ceil(8 * zones + 64), 0) {}
+
+  /// The first group after those of all cells that a zone covers, which then have it, too.
+  std::size_t place(const Eigen::AlignedBox3d& zone) {
+    buckets_.clear();
+    std::size_t group = 0;
+    const auto low = cell_of(zone.min()), high = cell_of(zone.max());
+    for (int k = low[2]; k <= high[2]; ++k)
+      for (int j = low[1]; j <= high[1]; ++j)
+        for (int i = low[0]; i <= high[0]; ++i) {
+          buckets_.push_back(bucket(i, j, k));
+          group = std::max(group, ends_[buckets_.back()]);
+        }
+    for (const std::size_t at : buckets_) ends_[at] = group + 1;
+    return group;
+  }
+
+ private:
+  Eigen::Vector3i cell_of(const Eigen::Vector3d& p) const {
+    return (p * cells_per_mm_).array().floor().cast<int>();
+  }
+  std::size_t bucket(int i, int j, int k) const {
+    const std::uint32_t hash = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(j) * 73856093U +
+                               static_cast<std::uint32_t>(k) * 19349663U;
+    return hash & (ends_.size() - 1);
+  }
+
+  double cells_per_mm_;
+  std::vector<std::size_t> ends_;  ///< one more than the last group
+  std::vector<std::size_t> buckets_;
+};
+
+}  // namespace
+
+SpreadOrder in_groups(std::span<const std::size_t> groups) {
+  SpreadOrder order;
+  for (const std::size_t group : groups) {
+    if (group >= order.ends.size()) order.ends.resize(group + 1, 0);
+    ++order.ends[group];
+  }
+  std::vector<std::size_t> next(order.ends.size(), 0);  // of each group, the place of the next item
+  for (std::size_t g = 1; g < next.size(); ++g) {
+    next[g] = order.ends[g - 1];
+    order.ends[g] += next[g];
+  }
+  order.items.resize(groups.size());
+  for (std::uint32_t i = 0; i < groups.size(); ++i) order.items[next[groups[i]]++] = i;
+  return order;
+}
+
+SpreadOrder spread_order(std::span<const Eigen::AlignedBox3d> zones, double cell_mm) {
+  LastGroups last(zones.size(), cell_mm);
+  std::vector<std::size_t> groups;
+  groups.reserve(zones.size());
+  for (const Eigen::AlignedBox3d& zone : zones) groups.push_back(last.place(zone));
+  return in_groups(groups);
+}
+
+}  // namespace voxtet
