@@ -8,32 +8,22 @@
 #include "base/parallel.h"
 
 namespace voxtet::tetra {
-namespace {
-
-struct Walk {
-  IdSet seen;
-  std::vector<std::uint32_t> star;
-};
-
-}  // namespace
 
 SpreadOrder vertices_apart(const TetComplex& complex, std::span<const std::uint32_t> vertices, int threads) {
   constexpr std::size_t kAtOnce = 4096;
-  std::vector<std::size_t> ends(complex.point_count(),
-                                0);  // one more than the group of each vertex; 0: none yet
+  // By vertex: one more than its group; 0 while it has none.
+  std::vector<std::size_t> ends(complex.point_count(), 0);
   std::vector<std::size_t> groups(vertices.size());
-  std::vector<std::vector<std::uint32_t>> around(std::min(kAtOnce, vertices.size()));
-  std::vector<Walk> walks(static_cast<std::size_t>(std::max(1, threads)));
+  std::vector<std::vector<std::uint32_t>> stars(std::min(kAtOnce, vertices.size()));
+  std::vector<IdSet> seen(static_cast<std::size_t>(std::max(1, threads)));
   for (std::size_t first = 0; first < vertices.size(); first += kAtOnce) {
     const std::size_t some = std::min(kAtOnce, vertices.size() - first);
-    run_tasks_with(walks, some, [&](std::size_t i, Walk& walk) {
-      const std::uint32_t v = vertices[first + i];
-      complex.find_star(v, walk.seen, walk.star);
-      complex.find_neighbours(v, walk.star, walk.seen, around[i]);
-    });
+    run_tasks_with(seen, some,
+                   [&](std::size_t i, IdSet& own) { complex.find_star(vertices[first + i], own, stars[i]); });
     for (std::size_t i = 0; i < some; ++i) {
       std::size_t group = 0;
-      for (const std::uint32_t v : around[i]) group = std::max(group, ends[v]);
+      for (const std::uint32_t t : stars[i])
+        for (const std::uint32_t v : complex.corners(t)) group = std::max(group, ends[v]);
       groups[first + i] = group;
       ends[vertices[first + i]] = group + 1;
     }

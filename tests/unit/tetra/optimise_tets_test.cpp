@@ -92,6 +92,7 @@ TetMesh random_mesh(std::uint64_t seed, std::size_t points, int planes) {
     triangulation.insert(Kernel::Point_3(p.x(), p.y(), p.z()))->info() = i;
   }
   std::vector<Eigen::Vector3d> normals;
+  normals.reserve(static_cast<std::size_t>(planes));
   for (int i = 0; i < planes; ++i) normals.push_back(random.point() - Eigen::Vector3d::Constant(0.5));
   for (auto cell = triangulation.finite_cells_begin(); cell != triangulation.finite_cells_end(); ++cell) {
     Tet tet{};
