@@ -11,17 +11,17 @@ namespace {
 /// For each cell the number of the last group that has an item there; cells that share a bucket count as one.
 class LastGroups {
  public:
-  LastGroups(std::size_t zones, double cell_mm)
-      : cells_per_mm_(1 / cell_mm), ends_(std::bit_ceil(8 * zones + 64), 0) {}
+  explicit LastGroups(std::span<const Eigen::AlignedBox3d> zones)
+      : cells_per_mm_(1 / cell_mm_for(zones)), ends_(std::bit_ceil(8 * zones.size() + 64), 0) {}
 
   /// The first group after those of all cells that a zone covers, which then have it, too.
   std::size_t place(const Eigen::AlignedBox3d& zone) {
     buckets_.clear();
     std::size_t group = 0;
     const auto low = cell_of(zone.min()), high = cell_of(zone.max());
-    for (int k = low[2]; k <= high[2]; ++k)
-      for (int j = low[1]; j <= high[1]; ++j)
-        for (int i = low[0]; i <= high[0]; ++i) {
+    for (auto k = low[2]; k <= high[2]; ++k)
+      for (auto j = low[1]; j <= high[1]; ++j)
+        for (auto i = low[0]; i <= high[0]; ++i) {
           buckets_.push_back(bucket(i, j, k));
           group = std::max(group, ends_[buckets_.back()]);
         }
@@ -30,13 +30,23 @@ class LastGroups {
   }
 
  private:
-  Eigen::Vector3i cell_of(const Eigen::Vector3d& p) const {
-    return (p * cells_per_mm_).array().floor().cast<int>();
+  /// At least the cubic mean of the zones' sizes: then they cover some eight cells each, on average.
+  static double cell_mm_for(std::span<const Eigen::AlignedBox3d> zones) {
+    double cubes = 0, fourths = 0;
+    for (const Eigen::AlignedBox3d& zone : zones) {
+      const double size_mm = zone.sizes().maxCoeff(), cube = size_mm * size_mm * size_mm;
+      cubes += cube;
+      fourths += cube * size_mm;
+    }
+    return cubes > 0 ? fourths / cubes : 1;
   }
-  std::size_t bucket(int i, int j, int k) const {
-    const std::uint32_t hash = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(j) * 73856093U +
-                               static_cast<std::uint32_t>(k) * 19349663U;
-    return hash & (ends_.size() - 1);
+  Eigen::Vector<std::int64_t, 3> cell_of(const Eigen::Vector3d& p) const {
+    return (p * cells_per_mm_).array().floor().cast<std::int64_t>();
+  }
+  std::size_t bucket(std::int64_t i, std::int64_t j, std::int64_t k) const {
+    const std::uint64_t hash = static_cast<std::uint64_t>(i) + static_cast<std::uint64_t>(j) * 73856093U +
+                               static_cast<std::uint64_t>(k) * 19349663U;
+    return static_cast<std::size_t>(hash & (ends_.size() - 1));
   }
 
   double cells_per_mm_;
@@ -62,8 +72,8 @@ SpreadOrder in_groups(std::span<const std::size_t> groups) {
   return order;
 }
 
-SpreadOrder spread_order(std::span<const Eigen::AlignedBox3d> zones, double cell_mm) {
-  LastGroups last(zones.size(), cell_mm);
+SpreadOrder spread_order(std::span<const Eigen::AlignedBox3d> zones) {
+  LastGroups last(zones);
   std::vector<std::size_t> groups;
   groups.reserve(zones.size());
   for (const Eigen::AlignedBox3d& zone : zones) groups.push_back(last.place(zone));

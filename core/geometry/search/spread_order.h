@@ -23,8 +23,8 @@ SpreadOrder in_groups(std::span<const std::size_t> groups);
 
 /// The items, by their zones' places in the span, in groups whose zones do not meet. Each one is in the first
 /// group after those of all items before it whose zones meet its own; so these keep their order. Zones meet
-/// where they share a cell of a lattice of `cell_mm` > 0, and here and there by chance. A cell should be
-/// about as large as a zone.
-SpreadOrder spread_order(std::span<const Eigen::AlignedBox3d> zones, double cell_mm);
+/// where they share a cell of a lattice, and here and there by chance. The lattice is as coarse as the larger
+/// zones, so that the time is linear in the number of zones.
+SpreadOrder spread_order(std::span<const Eigen::AlignedBox3d> zones);
 
 }  // namespace voxtet

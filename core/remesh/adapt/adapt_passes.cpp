@@ -129,14 +129,12 @@ SpreadOrder AdaptPasses::spread(const std::vector<std::uint32_t>& vertices) cons
   const ComplexMesh& mesh = editor_.mesh();
   std::vector<Eigen::AlignedBox3d> zones;
   zones.reserve(vertices.size());
-  double sizes_mm = 0;
   for (const std::uint32_t v : vertices) {
     Eigen::AlignedBox3d& zone = zones.emplace_back(mesh.point(v));
     for (const std::uint32_t t : mesh.star(v))
       for (const std::uint32_t corner : mesh.triangle(t)) zone.extend(mesh.point(corner));
-    sizes_mm += zone.sizes().maxCoeff();
   }
-  return zones.empty() ? SpreadOrder() : spread_order(zones, sizes_mm / static_cast<double>(zones.size()));
+  return spread_order(zones);
 }
 
 bool AdaptPasses::open_angles(double limit_cosine) {

@@ -18,13 +18,14 @@ TEST(InGroups, KeepsTheOrderInEachGroup) {
 TEST(SpreadOrder, PartsZonesThatMeetAndKeepsTheirOrder) {
   std::mt19937 random(3);
   const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
-  for (const double cell_mm : {0.3, 1.0, 4.0}) {
+  for (const double largest_mm : {0.3, 1.0, 40.0}) {
     std::vector<Eigen::AlignedBox3d> zones;
     for (int i = 0; i < 600; ++i) {
       const Eigen::Vector3d low(20 * unit() - 10, 20 * unit() - 10, 20 * unit() - 10);
-      zones.emplace_back(low, low + Eigen::Vector3d(unit(), 2 * unit(), unit()));
+      const double size_mm = i % 100 == 0 ? largest_mm : 0.3;
+      zones.emplace_back(low, low + size_mm * Eigen::Vector3d(unit(), unit(), unit()));
     }
-    const SpreadOrder order = spread_order(zones, cell_mm);
+    const SpreadOrder order = spread_order(zones);
     ASSERT_EQ(order.items.size(), zones.size());
     ASSERT_EQ(order.ends.back(), zones.size());
     std::vector<std::size_t> group(zones.size(), zones.size());
@@ -43,8 +44,8 @@ TEST(SpreadOrder, PutsWhatIsApartTogether) {
   for (int i = 0; i < 8; ++i)
     for (int again = 0; again < 3; ++again)
       zones.emplace_back(Eigen::Vector3d(9.0 * i, 0, 0), Eigen::Vector3d(9.0 * i + 0.5, 0.5, 0.5));
-  EXPECT_EQ(spread_order(zones, 1).ends, (std::vector<std::size_t>{8, 16, 24}));
-  EXPECT_TRUE(spread_order({}, 1).ends.empty());
+  EXPECT_EQ(spread_order(zones).ends, (std::vector<std::size_t>{8, 16, 24}));
+  EXPECT_TRUE(spread_order({}).ends.empty());
 }
 
 }  // namespace
