@@ -22,6 +22,9 @@ class Buckets {
   void add(std::uint32_t key, const Item& item) { items_[start_[key + 1]++] = item; }
   std::size_t size() const { return start_.size() - 2; }
   std::span<Item> at(std::size_t key) { return between(key, key); }
+  std::span<const Item> at(std::size_t key) const {
+    return std::span<const Item>(items_).subspan(start_[key], start_[key + 1] - start_[key]);
+  }
   /// The items of all keys from `first` to `last`, both included.
   std::span<Item> between(std::size_t first, std::size_t last) {
     return std::span<Item>(items_).subspan(start_[first], start_[last + 1] - start_[first]);

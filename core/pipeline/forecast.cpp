@@ -5,37 +5,20 @@
 #include <cmath>
 #include <cstdio>
 
-#include "geometry/topology/label_topology.h"
 #include "sizing/edge_lengths.h"
 
 namespace voxtet {
 namespace {
 
-/// With more handles than that in a label, restricted Delaunay refinement is expected to lose some and to
-/// give way to local operations: with 367 it does, with 95 it keeps all (tests/sweep/sweep_forecast).
-constexpr std::int64_t kManyHandles = 120;
 constexpr double kLeastFactor = 1.0 / 64, kMostFactor = 64;
 /// Forecasts of memory are right within a quarter: what takes so many times what there is will not fit, or
 /// will.
 constexpr double kHopeless = 1.5, kSafe = 0.75;
 
-/// How the adapted surface is expected to be made.
-enum class ExpectedMethod { kDelaunay, kAdapt, kFallback };
-
-ExpectedMethod expected_method(const RemeshParams& params, const SurfaceMesh& surface) {
-  if (params.method != RemeshMethod::kDelaunay) return ExpectedMethod::kAdapt;
-  if (params.keep_topology != KeepTopology::kAll) return ExpectedMethod::kDelaunay;
-  const TopologyLedger ledger = label_topology(surface);
-  return std::any_of(ledger.labels.begin(), ledger.labels.end(),
-                     [](const LabelTopology& label) { return label.handles > kManyHandles; })
-             ? ExpectedMethod::kFallback
-             : ExpectedMethod::kDelaunay;
-}
-
 /// What is known of a case before it is meshed.
 struct Load {
   double voxels, label_triangles, junctions;  ///< millions; junctions: edges of the label surface
-  ExpectedMethod method;
+  RemeshMethod method;
   double peak_mb;  ///< of the stages that have run
 };
 
@@ -49,10 +32,10 @@ struct Cost {
 };
 
 // Measured natively, one thread, on the hearts biv_mean_1mm, biv_ed_scar and biv_es, aorta, ct_heart and
-// mickey.nrrd; where refinement gives way, on skull.nrrd. By ExpectedMethod.
-constexpr std::array<Cost, 3> kSurfaceMb{{{6, 27, 205, 20}, {11, 7, 472, 0}, {11, 30, 472, 50}}};
+// mickey.nrrd. By RemeshMethod.
+constexpr std::array<Cost, 2> kSurfaceMb{{{6, 27, 205, 20}, {11, 7, 472, 0}}};
 constexpr Cost kOptimiseMb{5, 11, 85, 250}, kQualityMb{6, 12, 260, 150};
-constexpr std::array<Cost, 3> kSeconds{{{0.2, 0.15, 5, 5.5}, {0.2, 0.15, 17, 5.5}, {0.2, 0.15, 60, 5.5}}};
+constexpr std::array<Cost, 2> kSeconds{{{0.2, 0.15, 5, 5.5}, {0.2, 0.15, 17, 5.5}}};
 /// What method delaunay takes besides where three labels meet, s per million such edges and per smallest
 /// spacing of the target edge length: the longer edges are, the more contacts of labels they pass over, which
 /// rounds of repair then look for. Measured on atlases of 100, 300 and 500 labels with edges of one to two
@@ -90,7 +73,7 @@ double peak_mb(const Load& load, const MeshForecast& mesh) {
 /// `edge_voxels`: the mean target edge length on the label surface, in units of the smallest spacing.
 double seconds(const Load& load, const MeshForecast& mesh, double edge_voxels) {
   const double junctions =
-      load.method == ExpectedMethod::kDelaunay ? kSecondsOfJunctions * load.junctions * edge_voxels : 0;
+      load.method == RemeshMethod::kDelaunay ? kSecondsOfJunctions * load.junctions * edge_voxels : 0;
   return kSlower * (kSeconds[static_cast<std::size_t>(load.method)].of(load, mesh) + junctions);
 }
 
@@ -112,8 +95,7 @@ double mean_edge_mm(const SurfaceMesh& surface, const SizingField& sizing) {
 Load load_of(const Session& session) {
   Load load{1e-6 * static_cast<double>(session.volume()->voxel_count()),
             1e-6 * static_cast<double>(session.smooth()->triangles.size()),
-            1e-6 * junction_edges(*session.smooth()),
-            expected_method(session.recipe().remesh, *session.smooth()), 0};
+            1e-6 * junction_edges(*session.smooth()), session.recipe().remesh.method, 0};
   for (const Stage stage : {Stage::kVolume, Stage::kSurface, Stage::kSmooth, Stage::kSizing})
     load.peak_mb = std::max(load.peak_mb, session.record(stage).peak_mb);
   return load;
@@ -126,7 +108,7 @@ class CaseForecaster {
       : session_(session),
         load_(load_of(session)),
         mesh_(*session.volume(), *session.smooth(),
-              {session.recipe().remesh.max_distance_voxels, load_.method == ExpectedMethod::kDelaunay}) {}
+              {session.recipe().remesh.max_distance_voxels, load_.method == RemeshMethod::kDelaunay}) {}
 
   Result<Forecast> forecast(const SizingField& sizing, const RunContext& ctx) const {
     const Result<MeshForecast> mesh = mesh_.forecast(sizing, ctx);

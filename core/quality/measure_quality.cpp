@@ -119,11 +119,8 @@ std::vector<MetricSummary> triangle_metrics(const SurfaceMesh& before, const Sur
       summarise({"triangle_min_angle_deg", "deg", "triangles", 0, 60, Worst::kLowest}, angles_after, bins)};
 }
 
-/// Of the points of faces from the label surface: in mm and in units of the voxel's smallest spacing. Points
-/// inside have none.
-std::vector<Field> distance_fields(const TetMesh& mesh, const SurfaceMesh& surface, double voxel_mm) {
-  std::vector<float> mm = distances_of_points({mesh.points, mesh.faces, mesh.face_sides},
-                                              {surface.points, surface.triangles, surface.sides});
+/// Distances of points from the label surface: in mm and in units of the voxel's smallest spacing.
+std::vector<Field> distance_fields(std::vector<float> mm, double voxel_mm) {
   std::vector<float> voxels(mm.size());
   for (std::size_t i = 0; i < mm.size(); ++i) voxels[i] = mm[i] / static_cast<float>(voxel_mm);
   return {{"distance_mm", "Distance to the label surface", "mm", On::kPoints, Scale::kSequential, 1,
@@ -209,14 +206,11 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   std::vector<LabelFidelity> labels;
   TopologyLedger before;
   FoundLayers layers;
-  std::vector<Field> distances_of_faces;
   Result<QualityReport> of_mesh = report_of_mesh(
       mesh, faces, &reference.sizing, bins, ctx,
       {[&] { distances.measure(0); }, [&] { distances.measure(1); },
        [&] { labels = measure_labels(mesh, reference.labels, reference.sizing, reference.more_mm3); },
-       [&] { layers = count_layers(mesh, reference.walls); },
-       [&] { distances_of_faces = distance_fields(mesh, surface, voxel); },
-       [&] { before = label_topology(surface); },
+       [&] { layers = count_layers(mesh, reference.walls); }, [&] { before = label_topology(surface); },
        [&] { of_triangles = triangle_metrics(surface, reference.adapted, bins); }});
   if (!of_mesh) return of_mesh.error();
   QualityReport report = std::move(of_mesh).value();
@@ -228,7 +222,8 @@ Result<QualityReport> measure_quality(const TetMesh& mesh, const QualityReferenc
   report.labels = std::move(labels);
   report.layers = std::move(layers.counts);
   std::move(layers.fields.begin(), layers.fields.end(), std::back_inserter(report.fields));
-  std::move(distances_of_faces.begin(), distances_of_faces.end(), std::back_inserter(report.fields));
+  std::vector<Field> of_points = distance_fields(distances.of_points(), voxel);
+  std::move(of_points.begin(), of_points.end(), std::back_inserter(report.fields));
   TopologyComparison& topology = report.topology;
   topology.before = std::move(before);
   topology.differences = compare_topology(topology.before, topology.after);

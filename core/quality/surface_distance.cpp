@@ -77,11 +77,16 @@ class DirectedDistance {
                    const RunContext& ctx, std::atomic<bool>& cancelled)
       : from_(from), to_(to), params_(params), ctx_(ctx), cancelled_(cancelled) {}
 
-  /// Meaningless once cancelled.
-  DistanceSummary measure() {
+  /// Meaningless once cancelled. `of_points` (by point of the set) becomes the largest distance of each.
+  DistanceSummary measure(std::vector<float>& of_points) {
     std::vector<std::vector<Sample>> corners;
-    for (const auto& [label, part] : from_.trees())
+    for (const auto& [label, part] : from_.trees()) {
       corners.push_back(at_points(part.points(), to_.opposite(label)));
+      for (std::size_t i = 0; i < corners.back().size(); ++i) {
+        float& largest = of_points[part.given_points()[i]];
+        largest = std::fmax(largest, static_cast<float>(corners.back()[i].distance_mm));
+      }
+    }
     const double spacing = affordable_spacing();
     std::size_t i = 0;
     for (const auto& [label, part] : from_.trees()) sample(part, to_.opposite(label), corners[i++], spacing);
@@ -265,12 +270,16 @@ struct DistanceMeasurement::Impl {
   RunContext& ctx;
   std::array<std::optional<Boundaries>, 2> boundaries;  ///< none where a set has no triangles
   std::array<DistanceSummary, 2> found;
+  std::array<std::vector<float>, 2> of_points;
   std::atomic<bool> cancelled = false;
 };
 
 DistanceMeasurement::DistanceMeasurement(const TriangleSet& a, const TriangleSet& b,
                                          const DistanceParams& params, RunContext& ctx)
-    : impl_(new Impl{params, ctx, {}, {}}) {
+    : impl_(new Impl{params, ctx, {}, {}, {}}) {
+  for (const std::size_t direction : {0, 1})
+    impl_->of_points[direction].assign((direction == 0 ? a : b).points.size(),
+                                       std::numeric_limits<float>::quiet_NaN());
   if (a.triangles.empty() || b.triangles.empty()) return;
   auto& boundaries = impl_->boundaries;
   run_tasks(ctx.threads, {[&] { boundaries[0].emplace(a); }, [&] { boundaries[1].emplace(b); }});
@@ -279,11 +288,11 @@ DistanceMeasurement::DistanceMeasurement(const TriangleSet& a, const TriangleSet
 DistanceMeasurement::~DistanceMeasurement() = default;
 
 void DistanceMeasurement::measure(std::size_t direction) {
-  auto& [params, ctx, boundaries, found, cancelled] = *impl_;
+  auto& [params, ctx, boundaries, found, of_points, cancelled] = *impl_;
   if (boundaries[direction])
     found[direction] =
         DirectedDistance(*boundaries[direction], *boundaries[1 - direction], params, ctx, cancelled)
-            .measure();
+            .measure(of_points[direction]);
 }
 
 Result<SurfaceDistances> DistanceMeasurement::result() const {
@@ -291,29 +300,15 @@ Result<SurfaceDistances> DistanceMeasurement::result() const {
   return SurfaceDistances{impl_->found[0], impl_->found[1]};
 }
 
+std::vector<float> DistanceMeasurement::of_points() const {
+  return impl_->of_points[0];
+}
+
 Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleSet& b,
                                            const DistanceParams& params, RunContext& ctx) {
   DistanceMeasurement distances(a, b, params, ctx);
   run_tasks(ctx.threads, {[&] { distances.measure(0); }, [&] { distances.measure(1); }});
   return distances.result();
-}
-
-std::vector<float> distances_of_points(const TriangleSet& a, const TriangleSet& b) {
-  std::vector<float> out(a.points.size(), std::numeric_limits<float>::quiet_NaN());
-  if (b.triangles.empty()) return out;
-  std::vector<std::pair<Label, std::uint32_t>> members;
-  for (std::size_t t = 0; t < a.triangles.size(); ++t)
-    for (const Label label : a.sides[t])
-      if (label != kBackground)
-        for (const std::uint32_t v : a.triangles[t]) members.emplace_back(label, v);
-  std::sort(members.begin(), members.end());
-  members.erase(std::unique(members.begin(), members.end()), members.end());
-  Boundaries to(b);
-  for (const auto& [label, v] : members) {
-    const double distance = to.opposite(label).closest(a.points[v]).distance_mm;
-    out[v] = std::fmax(out[v], static_cast<float>(distance));
-  }
-  return out;
 }
 
 }  // namespace voxtet

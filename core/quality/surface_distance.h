@@ -52,15 +52,13 @@ class DistanceMeasurement {
   /// time.
   void measure(std::size_t direction);
   Result<SurfaceDistances> result() const;
+  /// Of each point of `a` (mm), once that direction was measured: the largest over the labels on whose
+  /// boundary it lies. NaN for points of no triangle, and for all points if `b` has no triangles.
+  std::vector<float> of_points() const;
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// Distance (mm) of each point of `a` to `b`, label by label as in measure_distances: the largest over the
-/// labels on whose boundary it lies. NaN for points of no triangle, and for all points if `b` has no
-/// triangles.
-std::vector<float> distances_of_points(const TriangleSet& a, const TriangleSet& b);
 
 }  // namespace voxtet

@@ -228,6 +228,7 @@ Result<SurfaceMesh> by_method(const LabelVolume& volume, const SurfaceMesh& refe
   ctx.progress(kRemeshStage, 0);
   if (params.method == RemeshMethod::kAdapt) return adapt(volume, reference, sizing, params, ctx);
   const TopologyLedger wanted = topology_before(cuts, label_topology(reference));
+  if (ctx.cancelled()) return cancelled_error(kRemeshStage);
   RunContext first = ctx.part(0, kRefinementShare), then = ctx.part(kRefinementShare, 1);
   Result<SurfaceMesh> surface = refine(volume, reference, wanted, sizing, params, first, layers, cuts);
   if (!surface) return surface;

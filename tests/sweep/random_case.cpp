@@ -34,7 +34,7 @@ void judge(Stage stage, const Session& session, std::vector<Defect>& defects) {
 
 Result<RandomCase> run_random_case(std::uint64_t seed, const std::string& method, bool tets) {
   const test::RandomLabels random = test::random_labels(seed);
-  RandomCase out{seed, random.kind, random.affine, tets ? Stage::kTetra : Stage::kRemesh, {}, {}, {}};
+  RandomCase out{seed, random.kind, random.affine, tets ? Stage::kTetra : Stage::kRemesh, {}, {}, {}, {}};
   Session session;
   if (Status loaded = load_labels(random.volume, session); !loaded) return loaded.error();
   Result<Recipe> recipe = with_field(session.recipe(), "remesh.method", method);
@@ -56,6 +56,8 @@ Result<RandomCase> run_random_case(std::uint64_t seed, const std::string& method
     out.digest = digest_of(*session.mesh());
   else if (session.remeshed())
     out.digest = digest_of(*session.remeshed());
+  for (const std::string& warning : session.record(Stage::kRemesh).warnings)
+    if (warning.find("the method adapt was taken instead") != std::string::npos) out.gave_way = warning;
   for (std::size_t i = 0; i < kStageCount; ++i)
     out.seconds[i] = session.record(static_cast<Stage>(i)).seconds;
   return out;

@@ -17,7 +17,8 @@ struct RandomCase {
   Stage last = Stage::kRemesh;                ///< how far it was to go
   std::array<double, kStageCount> seconds{};  ///< wall time of each stage
   std::vector<Defect> defects;
-  std::string digest;  ///< of the last result; empty when there is none
+  std::string digest;    ///< of the last result; empty when there is none
+  std::string gave_way;  ///< the warning with which method delaunay gave way to adapt; empty: it did not
 };
 
 /// random_labels(seed) with edges of twice the smallest spacing, through to the adapted surface or, with

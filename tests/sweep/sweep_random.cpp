@@ -20,7 +20,7 @@ struct Tally {
   std::map<std::array<std::string, 2>, std::vector<std::uint64_t>> seeds;  ///< by {stage, kind of defect}
   std::map<std::string, std::array<std::uint64_t, 2>> kinds;               ///< {cases, failed} by kind
   std::array<double, kStageCount> seconds{};
-  json failures = json::array();
+  json failures = json::array(), gave_way = json::array();
   Sha256 digest;  ///< of all last results: native and wasm agree
 
   void add(const RandomCase& c) {
@@ -32,6 +32,7 @@ struct Tally {
       ++kinds[group][0];
       kinds[group][1] += c.defects.empty() ? 0 : 1;
     }
+    if (!c.gave_way.empty()) gave_way.push_back({{"seed", c.seed}, {"why", c.gave_way}});
     for (std::size_t i = 0; i < kStageCount; ++i) seconds[i] += c.seconds[i];
     for (const Defect& d : c.defects) {
       seeds[{d.stage, d.kind}].push_back(c.seed);
@@ -47,11 +48,12 @@ struct Tally {
 
 void print(const Tally& tally, const std::string& method, const std::string& digest) {
   std::printf(
-      "%llu random volumes (method %s), %llu of them through to tetrahedra: %llu with defects\n"
+      "%llu random volumes (method %s), %llu of them through to tetrahedra: %llu with defects, %zu for which "
+      "delaunay gave way to adapt\n"
       "digest of all results: %s\n\n",
       static_cast<unsigned long long>(tally.cases), method.c_str(),
       static_cast<unsigned long long>(tally.to_tets), static_cast<unsigned long long>(tally.failed),
-      digest.c_str());
+      tally.gave_way.size(), digest.c_str());
   std::printf("| stage | seconds |\n|---|---|\n");
   for (std::size_t i = 0; i < kStageCount; ++i)
     if (tally.seconds[i] > 0)
@@ -93,9 +95,9 @@ Result<Tally> sweep_seeds(const Seeds& seeds, const std::string& method) {
 json to_json(const Tally& tally, const std::string& method, const std::string& digest, std::uint64_t first) {
   json seconds;
   for (std::size_t i = 0; i < kStageCount; ++i) seconds[name_of(static_cast<Stage>(i))] = tally.seconds[i];
-  return {{"method", method},         {"first_seed", first},      {"cases", tally.cases},
-          {"to_tets", tally.to_tets}, {"failed", tally.failed},   {"digest", digest},
-          {"seconds", seconds},       {"defects", tally.failures}};
+  return {{"method", method},         {"first_seed", first},       {"cases", tally.cases},
+          {"to_tets", tally.to_tets}, {"failed", tally.failed},    {"digest", digest},
+          {"seconds", seconds},       {"defects", tally.failures}, {"gave_way", tally.gave_way}};
 }
 
 }  // namespace

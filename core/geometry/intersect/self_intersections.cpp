@@ -137,13 +137,13 @@ void SelfIntersectionTree::measure(std::span<const std::uint8_t> concerned) {
 }
 
 std::vector<TrianglePair> SelfIntersectionTree::find(std::span<const std::uint8_t> concerned,
-                                                     std::size_t max_pairs) {
+                                                     std::size_t max_pairs, const RunContext& ctx) {
   measure(concerned);
   constexpr std::size_t kLeavesAPart = 2048;
   const std::size_t leaves = levels_[0].size(), parts = (leaves + kLeavesAPart - 1) / kLeavesAPart;
   std::vector<std::vector<TrianglePair>> found(parts);
   parallel_for(threads_, parts, [&](std::size_t first, std::size_t last) {
-    for (std::size_t part = first; part < last; ++part)
+    for (std::size_t part = first; part < last && !ctx.cancelled(); ++part)
       found[part] = Search(*this, concerned, max_pairs)
                         .run(kLeavesAPart * part, std::min(kLeavesAPart * (part + 1), leaves));
   });

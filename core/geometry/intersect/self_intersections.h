@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "types/run_context.h"
 #include "types/surface_mesh.h"
 
 namespace voxtet {
@@ -23,9 +24,10 @@ class SelfIntersectionTree {
   /// Pairs of triangles whose intersection is more than their common corners or common edge
   /// (triangle_intersection.h), ascending, at the present points. With `concerned` (one entry per triangle)
   /// only pairs with at least one triangle whose entry is not 0. The search ends at `max_pairs`; which pairs
-  /// are then returned is unspecified, but the same for any number of threads.
-  std::vector<TrianglePair> find(std::span<const std::uint8_t> concerned = {},
-                                 std::size_t max_pairs = 100000);
+  /// are then returned is unspecified, but the same for any number of threads. Once `ctx` is cancelled, some
+  /// are missing.
+  std::vector<TrianglePair> find(std::span<const std::uint8_t> concerned = {}, std::size_t max_pairs = 100000,
+                                 const RunContext& ctx = {});
 
  private:
   struct Box {

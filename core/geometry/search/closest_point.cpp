@@ -50,6 +50,7 @@ ClosestPointTree::ClosestPointTree(const std::vector<Eigen::Vector3d>& points,
       if (place[v] == kNone) {
         place[v] = static_cast<std::uint32_t>(points_.size());
         points_.push_back(points[v]);
+        given_points_.push_back(v);
       }
       v = place[v];
     }

@@ -60,6 +60,8 @@ class ClosestPointTree {
   /// use.
   const std::vector<Triangle>& triangles() const { return triangles_; }
   const std::vector<Eigen::Vector3d>& points() const { return points_; }
+  /// Of each of these points, its number among those given.
+  const std::vector<std::uint32_t>& given_points() const { return given_points_; }
 
  private:
   /// A leaf (count > 0, first in triangles_) or an inner node (count 0, first in nodes_).
@@ -84,6 +86,7 @@ class ClosestPointTree {
   }
 
   std::vector<Eigen::Vector3d> points_;
+  std::vector<std::uint32_t> given_points_;
   std::vector<Triangle> triangles_;   ///< as the leaves hold them; a place among them is a slot
   std::vector<std::uint32_t> order_;  ///< the triangle given in each slot
   std::vector<std::uint32_t> slot_;   ///< slot of each given triangle

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace voxtet {
 namespace {
@@ -15,9 +16,9 @@ class LastGroups {
       : cells_per_mm_(1 / cell_mm_for(zones)), ends_(std::bit_ceil(8 * zones.size() + 64), 0) {}
 
   /// The first group after those of all cells that a zone covers, which then have it, too.
-  std::size_t place(const Eigen::AlignedBox3d& zone) {
+  std::uint32_t place(const Eigen::AlignedBox3d& zone) {
     buckets_.clear();
-    std::size_t group = 0;
+    std::uint32_t group = 0;
     const auto low = cell_of(zone.min()), high = cell_of(zone.max());
     for (auto k = low[2]; k <= high[2]; ++k)
       for (auto j = low[1]; j <= high[1]; ++j)
@@ -50,31 +51,23 @@ class LastGroups {
   }
 
   double cells_per_mm_;
-  std::vector<std::size_t> ends_;  ///< one more than the last group
+  std::vector<std::uint32_t> ends_;  ///< one more than the last group
   std::vector<std::size_t> buckets_;
 };
 
 }  // namespace
 
-SpreadOrder in_groups(std::span<const std::size_t> groups) {
-  SpreadOrder order;
-  for (const std::size_t group : groups) {
-    if (group >= order.ends.size()) order.ends.resize(group + 1, 0);
-    ++order.ends[group];
-  }
-  std::vector<std::size_t> next(order.ends.size(), 0);  // of each group, the place of the next item
-  for (std::size_t g = 1; g < next.size(); ++g) {
-    next[g] = order.ends[g - 1];
-    order.ends[g] += next[g];
-  }
-  order.items.resize(groups.size());
-  for (std::uint32_t i = 0; i < groups.size(); ++i) order.items[next[groups[i]]++] = i;
-  return order;
+Buckets<std::uint32_t> in_groups(std::span<const std::uint32_t> groups) {
+  Buckets<std::uint32_t> items(groups.empty() ? 0 : *std::max_element(groups.begin(), groups.end()) + 1);
+  for (const std::uint32_t group : groups) items.count(group);
+  items.allocate();
+  for (std::uint32_t i = 0; i < groups.size(); ++i) items.add(groups[i], i);
+  return items;
 }
 
-SpreadOrder spread_order(std::span<const Eigen::AlignedBox3d> zones) {
+Buckets<std::uint32_t> spread_order(std::span<const Eigen::AlignedBox3d> zones) {
   LastGroups last(zones);
-  std::vector<std::size_t> groups;
+  std::vector<std::uint32_t> groups;
   groups.reserve(zones.size());
   for (const Eigen::AlignedBox3d& zone : zones) groups.push_back(last.place(zone));
   return in_groups(groups);

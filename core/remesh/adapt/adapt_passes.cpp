@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geometry/elements/triangle_measures.h"
+#include "geometry/search/spread_order.h"
 #include "remesh/complex/complex_measures.h"
 #include "remesh/motion/volume_offsets.h"
 
@@ -111,21 +112,20 @@ bool AdaptPasses::relocate_all() {
 }
 
 bool AdaptPasses::relocate(const std::vector<std::uint32_t>& vertices) {
-  const SpreadOrder order = spread(vertices);
   return take_turns(
-      editor_, ctx_.threads, order.ends,
-      [&](std::size_t i, EditCheck& check, PlannedEdit& plan) {
-        operations_.plan_relocation(vertices[order.items[i]], check, plan);
+      editor_, ctx_.threads, spread(vertices),
+      [&](std::uint32_t i, EditCheck& check, PlannedEdit& plan) {
+        operations_.plan_relocation(vertices[i], check, plan);
       },
-      [&](std::size_t i, const PlannedEdit* plan) {
+      [&](std::uint32_t i, const PlannedEdit* plan) {
         if (cancelled_at(i)) return false;
-        operations_.relocate(vertices[order.items[i]], plan);
+        operations_.relocate(vertices[i], plan);
         return true;
       });
 }
 
 /// By the triangles of each vertex.
-SpreadOrder AdaptPasses::spread(const std::vector<std::uint32_t>& vertices) const {
+Buckets<std::uint32_t> AdaptPasses::spread(const std::vector<std::uint32_t>& vertices) const {
   const ComplexMesh& mesh = editor_.mesh();
   std::vector<Eigen::AlignedBox3d> zones;
   zones.reserve(vertices.size());

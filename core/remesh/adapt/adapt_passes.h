@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "geometry/search/spread_order.h"
+#include "base/buckets.h"
 #include "geometry/topology/adjacency.h"
 #include "remesh/adapt/adapt_complex.h"
 #include "remesh/adapt/local_operations.h"
@@ -92,7 +92,7 @@ class AdaptPasses {
   LocalOperations operations_;
 
  private:
-  SpreadOrder spread(const std::vector<std::uint32_t>& vertices) const;
+  Buckets<std::uint32_t> spread(const std::vector<std::uint32_t>& vertices) const;
   /// Result of the last search for the nearest vertex that a vertex may collapse onto.
   struct Nearest {
     double length = 0;

@@ -228,7 +228,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
   const double voxel = field.grid().smallest_spacing_mm();
   const VoxelPieces pieces = find_pieces(field);
   const std::vector<double> volumes = enclosed_volumes_mm3(reference);
-  const Seeds seeds = seed_interfaces(field, reference, sizing);
+  const Seeds seeds = seed_interfaces(field, reference, sizing, ctx);
   if (ctx.cancelled()) return cancelled_error(kRemeshStage);
   DelaunayRefiner refiner(field, sizing,
                           {params.facet_angle_deg, params.max_distance_voxels * voxel, 1 / kEdgePerRadius});
@@ -265,7 +265,7 @@ Result<SurfaceMesh> delaunay_surface(const LabelField& field, const SurfaceMesh&
     if (seed_spacing > kLeastSeedSpacing)
       if (const std::vector<Sides> lacking = not_taken(pairs, reference, sizing, merged); !lacking.empty()) {
         seed_spacing /= 2;
-        refiner.insert(seed_between(field, sizing, seed_spacing, lacking), kSeedSeparation * voxel);
+        refiner.insert(seed_between(field, sizing, seed_spacing, lacking, ctx), kSeedSeparation * voxel);
         continue;
       }
     std::optional<std::vector<Label>> broken;

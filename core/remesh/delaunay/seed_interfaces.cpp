@@ -129,9 +129,9 @@ class Seeder {
       if (!buckets_.occupied(p, group_, 0, std::max(kSeparation * sizing_.at(p), least_separation_))) add(p);
   }
 
-  void add_interfaces(std::vector<Crossing> crossings) {
+  void add_interfaces(std::vector<Crossing> crossings, const RunContext& ctx) {
     const std::array<double, 3> face_mm2 = face_areas();
-    for (std::size_t begin = 0, end = 0; begin < crossings.size(); begin = end) {
+    for (std::size_t begin = 0, end = 0; begin < crossings.size() && !ctx.cancelled(); begin = end) {
       while (end < crossings.size() && crossings[end].pair == crossings[begin].pair) ++end;
       ++group_;
       add_interface(std::span(crossings).subspan(begin, end - begin), face_mm2);
@@ -162,6 +162,15 @@ class Seeder {
     shuffler_.shuffle(crossings.begin(), crossings.end());
     std::size_t found = 0;
     double shrink = 1;
+    // Most interfaces are small: their own seeds are sooner looked at than the cubes around.
+    const auto is_near_own = [&](const Eigen::Vector3d& p, double distance) {
+      constexpr std::size_t kFew = 32;
+      if (found > kFew) return buckets_.occupied(p, group_, distance, 0);
+      const std::span<const Eigen::Vector3d> own = std::span(seeds.points).last(found);
+      return std::any_of(own.begin(), own.end(), [&](const Eigen::Vector3d& seed) {
+        return (seed - p).squaredNorm() < distance * distance;
+      });
+    };
     const auto is_enough = [&](int round) { return round > 0 && found >= kSeedsOfInterface; };
     for (int round = 0; round <= kShrinkRounds && !is_enough(round); ++round, shrink *= kShrink)
       for (const Crossing& crossing : crossings) {
@@ -173,7 +182,7 @@ class Seeder {
         if (round == 0) seeds.predicted_vertices += kVerticesPerArea * face_mm2[crossing.axis] / (h * h);
         const double distance = spacing_ * h * shrink;
         const double separation = std::max(kSeparation * h * (found ? 1 : shrink), least_separation_);
-        if (buckets_.occupied(middle, group_, distance, 0)) continue;
+        if (is_near_own(middle, distance)) continue;
         const Eigen::Vector3d a = field_.to_mm(index), b = field_.to_mm(index + step);
         const Label label_a = field_.at(a), label_b = field_.at(b);
         if (label_a == label_b) continue;
@@ -201,15 +210,16 @@ class Seeder {
 
 }  // namespace
 
-Seeds seed_interfaces(const LabelField& field, const SurfaceMesh& reference, const SizingField& sizing) {
+Seeds seed_interfaces(const LabelField& field, const SurfaceMesh& reference, const SizingField& sizing,
+                      const RunContext& ctx) {
   Seeder seeder(field, sizing, kSeedSpacing);
   seeder.add_junctions(seed_junctions(reference, sizing));
-  seeder.add_interfaces(find_crossings(field));
+  seeder.add_interfaces(find_crossings(field), ctx);
   return seeder.seeds;
 }
 
 std::vector<Eigen::Vector3d> seed_between(const LabelField& field, const SizingField& sizing, double spacing,
-                                          const std::vector<Sides>& between) {
+                                          const std::vector<Sides>& between, const RunContext& ctx) {
   std::vector<Crossing> crossings = find_crossings(field);
   const std::array<std::size_t, 3> strides = field.grid().strides();
   std::erase_if(crossings, [&](const Crossing& crossing) {
@@ -221,7 +231,7 @@ std::vector<Eigen::Vector3d> seed_between(const LabelField& field, const SizingF
     return !std::binary_search(between.begin(), between.end(), sides);
   });
   Seeder seeder(field, sizing, spacing);
-  seeder.add_interfaces(std::move(crossings));
+  seeder.add_interfaces(std::move(crossings), ctx);
   return seeder.seeds.points;
 }
 

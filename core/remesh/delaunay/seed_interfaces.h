@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "remesh/field/label_field.h"
+#include "types/run_context.h"
 #include "types/sizing_field.h"
 #include "types/surface_mesh.h"
 
@@ -22,12 +23,13 @@ inline constexpr std::size_t kSeedsOfInterface = 8;  ///< least number, where th
 /// Points along the junctions of `reference` (the smoothed label surface), then Poisson-spaced ones on the
 /// interface of every pair of touching 6-connected components. All are at least half an edge length apart,
 /// because facets around a short edge become as small; seeds of pairs that would get too few may be closer.
-/// Fixed order.
-Seeds seed_interfaces(const LabelField& field, const SurfaceMesh& reference, const SizingField& sizing);
+/// Fixed order. Once `ctx` is cancelled, fewer.
+Seeds seed_interfaces(const LabelField& field, const SurfaceMesh& reference, const SizingField& sizing,
+                      const RunContext& ctx);
 
 /// Only the Poisson-spaced points, `spacing` target edge lengths apart, and only between these pairs of
 /// labels of the volume (ascending, the higher label of each pair first).
 std::vector<Eigen::Vector3d> seed_between(const LabelField& field, const SizingField& sizing, double spacing,
-                                          const std::vector<Sides>& between);
+                                          const std::vector<Sides>& between, const RunContext& ctx);
 
 }  // namespace voxtet::remesh

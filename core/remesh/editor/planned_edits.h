@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/buckets.h"
 #include "base/parallel.h"
 #include "remesh/editor/complex_editor.h"
 
@@ -19,34 +20,36 @@ struct PlannedEdit {
   EditFindings found;          ///< of the check; its zone holds whatever the plan depends on
 };
 
-/// Calls turn(i, plan) for each i below ends.back(), one after the other; false as soon as one of them
-/// returns false. `plan` is what make_plan(i, check, plan) made of it on some thread, or null if it was not
-/// made, or if edits have changed anything in its zone since: then the turn has to find out itself what to
-/// do. So the result is that of turns without plans, for any number of threads. Planning may only read.
-/// `ends`: of groups whose plans are made at once, ascending (SpreadOrder).
+/// Calls turn(item, plan) for the items of one group after the other; false as soon as one call returns
+/// false. `plan` is what make_plan(item, check, plan) made of it on some thread, or null if it was not made,
+/// or if edits have changed anything in its zone since: then the turn has to find out itself what to do. So
+/// the result is that of turns without plans, for any number of threads. Planning may only read. Plans of a
+/// group are made at once: few become stale where its items are apart (spread_order).
 template <class MakePlan, class Turn>
-bool take_turns(ComplexEditor& editor, int threads, std::span<const std::size_t> ends,
+bool take_turns(ComplexEditor& editor, int threads, const Buckets<std::uint32_t>& groups,
                 const MakePlan& make_plan, const Turn& turn) {
-  const std::size_t count = ends.empty() ? 0 : ends.back();
-  if (threads < 2) {
-    for (std::size_t i = 0; i < count; ++i)
-      if (!turn(i, nullptr)) return false;
-    return true;
-  }
   constexpr std::size_t kMostPlans = 1024;  // at once
-  std::vector<PlannedEdit> plans(std::min(kMostPlans, count));
-  std::vector<EditCheck> checks(static_cast<std::size_t>(threads), EditCheck(editor));
+  const bool ahead = threads > 1;
+  std::vector<PlannedEdit> plans(ahead ? kMostPlans : 0);
+  std::vector<EditCheck> checks(ahead ? static_cast<std::size_t>(threads) : 0, EditCheck(editor));
+  const auto take = [&](std::span<const std::uint32_t> items) {
+    if (ahead) {
+      run_tasks_with(checks, items.size(),
+                     [&](std::size_t k, EditCheck& check) { make_plan(items[k], check, plans[k]); });
+      editor.watch();
+    }
+    for (std::size_t k = 0; k < items.size(); ++k)
+      if (!turn(items[k], ahead && !editor.changed_in(plans[k].found.zone) ? &plans[k] : nullptr))
+        return false;
+    return true;
+  };
   bool going = true;
-  for (std::size_t first = 0; going && first < count;) {
-    while (ends.front() <= first) ends = ends.subspan(1);
-    const std::size_t some = std::min(kMostPlans, ends.front() - first);
-    run_tasks_with(checks, some,
-                   [&](std::size_t k, EditCheck& check) { make_plan(first + k, check, plans[k]); });
-    editor.watch();
-    for (std::size_t k = 0; going && k < some; ++k)
-      going = turn(first + k, editor.changed_in(plans[k].found.zone) ? nullptr : &plans[k]);
-    first += some;
-  }
+  for (std::size_t g = 0; going && g < groups.size(); ++g)
+    for (std::span<const std::uint32_t> left = groups.at(g); going && !left.empty();) {
+      const std::size_t some = std::min(kMostPlans, left.size());
+      going = take(left.first(some));
+      left = left.subspan(some);
+    }
   editor.unwatch();
   return going;
 }

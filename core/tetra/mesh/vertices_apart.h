@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <span>
 
-#include "geometry/search/spread_order.h"
+#include "base/buckets.h"
 #include "tetra/mesh/tet_complex.h"
 
 namespace voxtet::tetra {
 
 /// The places of the vertices in the span, in groups of which no two vertices have a tet in common; those
 /// that have keep their order. Moving a vertex changes no tet of another one in its group.
-SpreadOrder vertices_apart(const TetComplex& complex, std::span<const std::uint32_t> vertices, int threads);
+Buckets<std::uint32_t> vertices_apart(const TetComplex& complex, std::span<const std::uint32_t> vertices,
+                                      int threads);
 
 }  // namespace voxtet::tetra

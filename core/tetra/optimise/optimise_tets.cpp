@@ -169,12 +169,12 @@ class Optimiser {
       }
       return true;
     }
-    const SpreadOrder order = vertices_apart(complex_, vertices, ctx_.threads);
+    const Buckets<std::uint32_t> groups = vertices_apart(complex_, vertices, ctx_.threads);
     std::vector<Smoother> smoothers(static_cast<std::size_t>(ctx_.threads), Smoother(complex_, guard_));
     std::atomic<std::size_t> count = 0;
-    for (std::size_t g = 0; g < order.ends.size(); ++g) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
       if (ctx_.cancelled()) return false;
-      const std::span<const std::uint32_t> group = order.group(g);
+      const std::span<const std::uint32_t> group = groups.at(g);
       run_tasks_with(smoothers, group.size(),
                      [&](std::size_t i, Smoother& smoother) { count += move(smoother, vertices[group[i]]); });
     }

@@ -110,12 +110,18 @@ TEST(MeasureDistances, StopWhenCancelled) {
   }
 }
 
+std::vector<float> distances_of_points(const SurfaceMesh& a, const SurfaceMesh& b) {
+  RunContext ctx;
+  DistanceMeasurement distances({a.points, a.triangles, a.sides}, {b.points, b.triangles, b.sides}, {}, ctx);
+  distances.measure(0);
+  return distances.of_points();
+}
+
 TEST(DistancesOfPoints, AreToTheSameLabelTheLargestOfASharedPointAndNoneOffTheSurface) {
   SurfaceMesh inner = sphere({0, 0, 0}, 5, 3, 1, 2), balls = sphere({0, 0, 0}, 6, 4, 1, 0);
   test::append(balls, sphere({0, 0, 0}, 8, 4, 2, 0));
   inner.points.emplace_back(0, 0, 0);
-  const std::vector<float> found = distances_of_points({inner.points, inner.triangles, inner.sides},
-                                                       {balls.points, balls.triangles, balls.sides});
+  const std::vector<float> found = distances_of_points(inner, balls);
   ASSERT_EQ(found.size(), inner.points.size());
   for (std::size_t v = 0; v + 1 < found.size(); ++v) EXPECT_NEAR(found[v], 3, 0.05);
   EXPECT_TRUE(std::isnan(found.back()));
@@ -123,8 +129,7 @@ TEST(DistancesOfPoints, AreToTheSameLabelTheLargestOfASharedPointAndNoneOffTheSu
 
 TEST(DistancesOfPoints, AreNoneWithoutASurfaceToMeasureTo) {
   const SurfaceMesh ball = sphere({0, 0, 0}, 5, 1, 1, 0), none;
-  const std::vector<float> found = distances_of_points({ball.points, ball.triangles, ball.sides},
-                                                       {none.points, none.triangles, none.sides});
+  const std::vector<float> found = distances_of_points(ball, none);
   EXPECT_EQ(found.size(), ball.points.size());
   for (const float distance : found) EXPECT_TRUE(std::isnan(distance));
 }

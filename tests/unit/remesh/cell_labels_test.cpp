@@ -39,7 +39,7 @@ std::size_t all_defects(const LabelledCells& cells) {
 /// The refined complex of a field before anything is mended.
 LabelledCells refined(const LabelVolume& volume, const LabelField& field, double edge_mm) {
   const SizingField sizing = test::uniform_sizing(edge_mm);
-  const Seeds seeds = seed_interfaces(field, test::label_surface(volume), sizing);
+  const Seeds seeds = seed_interfaces(field, test::label_surface(volume), sizing, {});
   DelaunayRefiner refiner(field, sizing, {30, 0.5 * field.grid().smallest_spacing_mm(), 1 / 1.3});
   refiner.insert(seeds.points, 0.25 * field.grid().smallest_spacing_mm());
   RunContext ctx;

@@ -22,7 +22,7 @@ TEST(DelaunayRefiner, MakesFacetsAsLargeAsTheyMayBe) {
   const LabelField field = field_of(volume);
   for (const double edge : {2.0, 3.5}) {
     const SizingField sizing = test::uniform_sizing(edge);
-    const Seeds seeds = seed_interfaces(field, test::label_surface(volume), sizing);
+    const Seeds seeds = seed_interfaces(field, test::label_surface(volume), sizing, {});
     const double radius = edge / 1.32;
     DelaunayRefiner refiner(field, sizing, {30, 0.5, 1 / 1.32});
     refiner.insert(seeds.points, 0.25);

@@ -305,15 +305,15 @@ TEST(VerticesApart, HaveNoTetInCommonInAGroupAndKeepTheirOrder) {
   for (std::uint32_t v = 0; v < complex.point_count(); ++v)
     if (v % 5 > 0) vertices.push_back((v * 7) % complex.point_count());
   for (const int threads : {1, 3}) {
-    const SpreadOrder order = tetra::vertices_apart(complex, vertices, threads);
-    ASSERT_EQ(order.items.size(), vertices.size());
+    const Buckets<std::uint32_t> groups = tetra::vertices_apart(complex, vertices, threads);
     constexpr std::size_t kNotListed = ~std::size_t{0};
     struct Place {
       std::size_t group = kNotListed, item = 0;
     };
     std::vector<Place> places(complex.point_count());
-    for (std::size_t g = 0; g < order.ends.size(); ++g)
-      for (const std::uint32_t i : order.group(g)) places[vertices[i]] = {g, i};
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      for (const std::uint32_t i : groups.at(g)) places[vertices[i]] = {g, i};
+    for (const std::uint32_t v : vertices) ASSERT_NE(places[v].group, kNotListed) << v;
     for (std::uint32_t t = 0; t < complex.places(); ++t)
       for (const std::uint32_t v : complex.corners(t))
         for (const std::uint32_t w : complex.corners(t)) {
@@ -321,7 +321,7 @@ TEST(VerticesApart, HaveNoTetInCommonInAGroupAndKeepTheirOrder) {
           EXPECT_EQ(places[v].group < places[w].group, places[v].item < places[w].item);
           EXPECT_NE(places[v].group, places[w].group);
         }
-    EXPECT_LT(order.ends.size(), 100U) << "most of them at once";
+    EXPECT_LT(groups.size(), 100U) << "most of them at once";
   }
 }
 
