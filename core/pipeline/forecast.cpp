@@ -18,29 +18,31 @@ constexpr double kHopeless = 1.5, kSafe = 0.75;
 /// What is known of a case before it is meshed.
 struct Load {
   double voxels, label_triangles, junctions;  ///< millions; junctions: edges of the label surface
+  double flaws;                               ///< of the labels (volume/clean)
   RemeshMethod method;
   double peak_mb;  ///< of the stages that have run
 };
 
 /// A linear model of memory (MB) or time (s), by millions of voxels, triangles of the label surface, and
-/// tets.
+/// tets that fill the surface.
 struct Cost {
   double constant, voxels, label_triangles, tets;
   double of(const Load& load, const MeshForecast& mesh) const {
-    return constant + voxels * load.voxels + label_triangles * load.label_triangles + tets * 1e-6 * mesh.tets;
+    return constant + voxels * load.voxels + label_triangles * load.label_triangles +
+           tets * 1e-6 * mesh.filled_tets;
   }
 };
 
-// Measured natively, one thread, on the hearts biv_mean_1mm, biv_ed_scar and biv_es, aorta, ct_heart and
-// mickey.nrrd. By RemeshMethod.
-constexpr std::array<Cost, 2> kSurfaceMb{{{6, 27, 205, 20}, {11, 7, 472, 0}}};
-constexpr Cost kOptimiseMb{5, 11, 85, 250}, kQualityMb{6, 12, 260, 150};
-constexpr std::array<Cost, 2> kSeconds{{{0.2, 0.15, 5, 5.5}, {0.2, 0.15, 17, 5.5}}};
-/// What method delaunay takes besides where three labels meet, s per million such edges and per smallest
-/// spacing of the target edge length: the longer edges are, the more contacts of labels they pass over, which
-/// rounds of repair then look for. Measured on atlases of 100, 300 and 500 labels with edges of one to two
-/// and a half voxels.
-constexpr double kSecondsOfJunctions = 200;
+// Measured natively, one thread, on hearts, aorta, ct_heart, torso, skull, atlases of 100 to 366 labels and
+// generated bodies, of up to 8 million tets (tests/sweep/README.md). By RemeshMethod.
+constexpr std::array<Cost, 2> kSurfaceMb{{{12, 28, 350, 30}, {11, 19, 460, 16}}};
+constexpr Cost kOptimiseMb{11, 12, 280, 175}, kQualityMb{17, 11, 285, 230};
+constexpr std::array<Cost, 2> kSeconds{{{0.05, 0.6, 0, 11.4}, {0.05, 0.4, 47, 11.4}}};
+/// What method delaunay takes besides, s: per million triangles of the label surface, and per million edges
+/// where three labels meet, times the target edge length in smallest spacings: the longer edges are, the more
+/// contacts of labels they pass over, which rounds of repair then look for. And per flaw, around which labels
+/// are too thin for the edges.
+constexpr double kSecondsOfTriangles = 9.7, kSecondsOfJunctions = 205, kSecondsOfFlaw = 0.1;
 #ifdef __EMSCRIPTEN__
 constexpr double kSlower = 1.6;
 #else
@@ -48,19 +50,25 @@ constexpr double kSlower = 1;
 #endif
 
 /// Extraction and smoothing of the label surface on the machine that the models are for, s per million
-/// triangles; and what a surface of few takes.
-constexpr double kSecondsOfSurface = 2, kSecondsOfNone = 0.03;
+/// triangles that are extracted; and what a surface of few takes.
+constexpr double kSecondsOfSurface = 2.9, kSecondsOfNone = 0.01;
 /// The fastest and the slowest machine that one measurement is trusted to tell of.
 constexpr double kFastest = 0.25, kSlowest = 16;
 /// What a time may be, as parts of its forecast for this machine.
 constexpr double kShortest = 0.7, kLongest = 1.6;
+
+/// With what is beyond cuts.
+const SurfaceMesh& surface_built_in(const Session& session, Stage stage) {
+  return session.result<Built<SurfaceMesh>>(stage)->as_built();
+}
 
 /// How many times as long as in the models stages take here and now, by those that have just made the label
 /// surface; 1 where they were not made.
 double slowness(const Session& session) {
   const double measured = session.record(Stage::kSurface).seconds + session.record(Stage::kSmooth).seconds;
   if (!session.smooth() || !(measured > 0)) return 1;
-  const double millions = 1e-6 * static_cast<double>(session.smooth()->triangles.size());
+  const SurfaceMesh& extracted = surface_built_in(session, Stage::kSurface);
+  const double millions = 1e-6 * static_cast<double>(extracted.triangles.size());
   return std::clamp(measured / (kSlower * (kSecondsOfNone + kSecondsOfSurface * millions)), kFastest,
                     kSlowest);
 }
@@ -72,9 +80,16 @@ double peak_mb(const Load& load, const MeshForecast& mesh) {
 
 /// `edge_voxels`: the mean target edge length on the label surface, in units of the smallest spacing.
 double seconds(const Load& load, const MeshForecast& mesh, double edge_voxels) {
-  const double junctions =
-      load.method == RemeshMethod::kDelaunay ? kSecondsOfJunctions * load.junctions * edge_voxels : 0;
-  return kSlower * (kSeconds[static_cast<std::size_t>(load.method)].of(load, mesh) + junctions);
+  double refinement = 0;
+  if (load.method == RemeshMethod::kDelaunay)
+    refinement =
+        (kSecondsOfTriangles * load.label_triangles + kSecondsOfJunctions * load.junctions) * edge_voxels +
+        kSecondsOfFlaw * load.flaws;
+  return kSlower * (kSeconds[static_cast<std::size_t>(load.method)].of(load, mesh) + refinement);
+}
+
+const PreparedVolume& prepared_of(const Session& session) {
+  return session.result<VolumeResult>(Stage::kVolume)->prepared;
 }
 
 /// Edges at which three triangles meet, by Euler's formula; pieces and handles, few beside points, left out.
@@ -93,9 +108,15 @@ double mean_edge_mm(const SurfaceMesh& surface, const SizingField& sizing) {
 }
 
 Load load_of(const Session& session) {
+  const SurfaceMesh& surface = surface_built_in(session, Stage::kSmooth);
+  std::size_t flaws = 0;
+  for (const Flaw& flaw : prepared_of(session).flaws) flaws += flaw.count;
   Load load{1e-6 * static_cast<double>(session.volume()->voxel_count()),
-            1e-6 * static_cast<double>(session.smooth()->triangles.size()),
-            1e-6 * junction_edges(*session.smooth()), session.recipe().remesh.method, 0};
+            1e-6 * static_cast<double>(surface.triangles.size()),
+            1e-6 * junction_edges(surface),
+            static_cast<double>(flaws),
+            session.recipe().remesh.method,
+            0};
   for (const Stage stage : {Stage::kVolume, Stage::kSurface, Stage::kSmooth, Stage::kSizing})
     load.peak_mb = std::max(load.peak_mb, session.record(stage).peak_mb);
   return load;
@@ -107,7 +128,7 @@ class CaseForecaster {
   explicit CaseForecaster(const Session& session)
       : session_(session),
         load_(load_of(session)),
-        mesh_(*session.volume(), *session.smooth(),
+        mesh_(*prepared_of(session).meshed, prepared_of(session).cuts, *session.smooth(),
               {session.recipe().remesh.max_distance_voxels, load_.method == RemeshMethod::kDelaunay}) {}
 
   Result<Forecast> forecast(const SizingField& sizing, const RunContext& ctx) const {
@@ -218,7 +239,10 @@ Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, Run
 Status check_limits(const Session& session, RunContext& ctx, double space_mb) {
   Limits limits = session.recipe().limits;
   const bool may_be_hopeless =
-      space_mb > 0 && 1e-6 * kOptimiseMb.tets * least_tets(*session.volume(), *session.sizing()) > space_mb;
+      space_mb > 0 &&
+      1e-6 * kOptimiseMb.tets *
+              least_tets(*prepared_of(session).meshed, prepared_of(session).cuts, *session.sizing()) >
+          space_mb;
   if (!(limits.tets > 0 || limits.memory_mb > 0 || limits.seconds > 0 || may_be_hopeless))
     return std::monostate{};
   const Result<Forecast> forecast = forecast_case(session, ctx);

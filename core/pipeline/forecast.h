@@ -11,8 +11,8 @@ namespace voxtet {
 
 /// `peak_mb` is the largest StageRecord::peak_mb of all stages: measured for those that have run, for the
 /// others given by a linear model of voxels, label triangles and tetrahedra. `seconds` is the time of all
-/// stages by such a model, which knows of junctions of labels too, for one thread of an AMD EPYC; in wasm 1.6
-/// times as many. Accuracy: tests/sweep/sweep_forecast.
+/// stages by such a model, which knows of edge lengths, junctions and flaws of labels too, for one thread of
+/// an AMD EPYC; in wasm 1.6 times as many. Accuracy: tests/sweep/sweep_forecast.
 struct Forecast {
   MeshForecast mesh;
   double peak_mb = 0, seconds = 0;

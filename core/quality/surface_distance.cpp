@@ -77,21 +77,27 @@ class DirectedDistance {
                    const RunContext& ctx, std::atomic<bool>& cancelled)
       : from_(from), to_(to), params_(params), ctx_(ctx), cancelled_(cancelled) {}
 
-  /// Meaningless once cancelled. `of_points` (by point of the set) becomes the largest distance of each.
-  DistanceSummary measure(std::vector<float>& of_points) {
-    std::vector<std::vector<Sample>> corners;
-    for (const auto& [label, part] : from_.trees()) {
-      corners.push_back(at_points(part.points(), to_.opposite(label)));
-      for (std::size_t i = 0; i < corners.back().size(); ++i) {
-        float& largest = of_points[part.given_points()[i]];
-        largest = std::fmax(largest, static_cast<float>(corners.back()[i].distance_mm));
-      }
-    }
+  /// Meaningless once cancelled.
+  DistanceSummary measure() {
+    for (const auto& [label, part] : from_.trees())
+      corners_.push_back(at_points(part.points(), to_.opposite(label)));
     const double spacing = affordable_spacing();
     std::size_t i = 0;
-    for (const auto& [label, part] : from_.trees()) sample(part, to_.opposite(label), corners[i++], spacing);
+    for (const auto& [label, part] : from_.trees()) sample(part, to_.opposite(label), corners_[i++], spacing);
     for (int divisions = 0; !open_.empty() && divisions < kMaxDivisions && !cancelled_; ++divisions) divide();
     return cancelled_ ? DistanceSummary{} : summary();
+  }
+
+  /// Raises the value of each point of the set (NaN: none) to its largest distance, once that is measured.
+  void raise_to_points(std::vector<float>& values) const {
+    auto samples = corners_.begin();
+    for (const auto& [label, part] : from_.trees()) {
+      for (std::size_t i = 0; i < samples->size(); ++i) {
+        float& value = values[part.given_points()[i]];
+        value = std::fmax(value, static_cast<float>((*samples)[i].distance_mm));
+      }
+      ++samples;
+    }
   }
 
  private:
@@ -255,6 +261,7 @@ class DirectedDistance {
   const DistanceParams& params_;
   const RunContext& ctx_;
   std::atomic<bool>& cancelled_;
+  std::vector<std::vector<Sample>> corners_;    ///< the points of each tree
   std::vector<std::pair<float, float>> found_;  ///< distance, weight
   std::vector<Piece> open_;                     ///< heap, largest bound first
   double spacing_ = 0;                          ///< longest edge of the lattices
@@ -270,16 +277,14 @@ struct DistanceMeasurement::Impl {
   RunContext& ctx;
   std::array<std::optional<Boundaries>, 2> boundaries;  ///< none where a set has no triangles
   std::array<DistanceSummary, 2> found;
-  std::array<std::vector<float>, 2> of_points;
+  std::vector<float> of_points;  ///< of the first set
   std::atomic<bool> cancelled = false;
 };
 
 DistanceMeasurement::DistanceMeasurement(const TriangleSet& a, const TriangleSet& b,
                                          const DistanceParams& params, RunContext& ctx)
-    : impl_(new Impl{params, ctx, {}, {}, {}}) {
-  for (const std::size_t direction : {0, 1})
-    impl_->of_points[direction].assign((direction == 0 ? a : b).points.size(),
-                                       std::numeric_limits<float>::quiet_NaN());
+    : impl_(new Impl{
+          params, ctx, {}, {}, std::vector(a.points.size(), std::numeric_limits<float>::quiet_NaN())}) {
   if (a.triangles.empty() || b.triangles.empty()) return;
   auto& boundaries = impl_->boundaries;
   run_tasks(ctx.threads, {[&] { boundaries[0].emplace(a); }, [&] { boundaries[1].emplace(b); }});
@@ -289,10 +294,10 @@ DistanceMeasurement::~DistanceMeasurement() = default;
 
 void DistanceMeasurement::measure(std::size_t direction) {
   auto& [params, ctx, boundaries, found, of_points, cancelled] = *impl_;
-  if (boundaries[direction])
-    found[direction] =
-        DirectedDistance(*boundaries[direction], *boundaries[1 - direction], params, ctx, cancelled)
-            .measure(of_points[direction]);
+  if (!boundaries[direction]) return;
+  DirectedDistance distance(*boundaries[direction], *boundaries[1 - direction], params, ctx, cancelled);
+  found[direction] = distance.measure();
+  if (direction == 0) distance.raise_to_points(of_points);
 }
 
 Result<SurfaceDistances> DistanceMeasurement::result() const {
@@ -301,7 +306,7 @@ Result<SurfaceDistances> DistanceMeasurement::result() const {
 }
 
 std::vector<float> DistanceMeasurement::of_points() const {
-  return impl_->of_points[0];
+  return impl_->of_points;
 }
 
 Result<SurfaceDistances> measure_distances(const TriangleSet& a, const TriangleSet& b,

@@ -64,14 +64,16 @@ class GapFinder {
   double step_mm_;
 };
 
-/// The integral of e^-3 over the labelled voxels. The grid has the volume's points and some more around them.
-double tets_per_volume(const LabelVolume& volume, const SizingField& grid,
+/// The integral of e^-3 over the labelled voxels that are not beyond cuts. The grid has the volume's points
+/// and some more around them.
+double tets_per_volume(const LabelVolume& volume, const CutPlanes& cuts, const SizingField& grid,
                        const std::vector<float>& edge_mm) {
   std::array<int, 3> pad{};
   for (std::size_t d = 0; d < 3; ++d) pad[d] = (grid.size[d] - volume.size[d]) / 2;
   double sum = 0;
   volume.visit([&](int i, int j, int k, std::size_t voxel) {
-    if (volume.labels[voxel] == kBackground) return;
+    const Label label = volume.labels[voxel];
+    if (label == kBackground || is_beyond(cuts, label)) return;
     const double edge = edge_mm[grid.offset(i + pad[0], j + pad[1], k + pad[2])];
     sum += 1 / (edge * edge * edge);
   });
@@ -80,9 +82,9 @@ double tets_per_volume(const LabelVolume& volume, const SizingField& grid,
 
 }  // namespace
 
-MeshForecaster::MeshForecaster(const LabelVolume& volume, const SurfaceMesh& surface,
+MeshForecaster::MeshForecaster(const LabelVolume& volume, const CutPlanes& cuts, const SurfaceMesh& surface,
                                const SurfaceExpectation& expectation)
-    : volume_(volume), expectation_(expectation) {
+    : volume_(volume), cuts_(cuts), expectation_(expectation) {
   const std::vector<float> curvature =
       surface_curvature(surface, kCurvatureWidthVoxels * volume.smallest_spacing_mm());
   const GapFinder gaps(volume);
@@ -134,15 +136,19 @@ Result<MeshForecast> MeshForecaster::forecast(const SizingField& sizing, const R
     if (weights[at] > 0) edge_mm[at] = std::min(edge_mm[at], std::sqrt(weights[at] / demand[at]));
   if (!limit_gradation(sizing.size, volume_.linear(), kRise, edge_mm, ctx))
     return cancelled_error(kSizingStage);
-  out.tets = std::max(
-      kTetsPerVolume * tets_per_volume(volume_, sizing, edge_mm) - kTetsLostPerTriangle * out.triangles,
-      kLeastTetsPerTriangle * out.triangles);
+  const auto tets_without = [&](const CutPlanes& cuts) {
+    return std::max(kTetsPerVolume * tets_per_volume(volume_, cuts, sizing, edge_mm) -
+                        kTetsLostPerTriangle * out.triangles,
+                    kLeastTetsPerTriangle * out.triangles);
+  };
+  out.tets = tets_without(cuts_);
+  out.filled_tets = cuts_.empty() ? out.tets : tets_without({});
   out.points = kPointsPerTet * out.tets + kPointsPerTriangle * out.triangles;
   return out;
 }
 
-double least_tets(const LabelVolume& volume, const SizingField& sizing) {
-  return kTetsPerVolume * tets_per_volume(volume, sizing, sizing.h_mm);
+double least_tets(const LabelVolume& volume, const CutPlanes& cuts, const SizingField& sizing) {
+  return kTetsPerVolume * tets_per_volume(volume, cuts, sizing, sizing.h_mm);
 }
 
 }  // namespace voxtet

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/cut/cut_plane.h"
 #include "types/label_volume.h"
 #include "types/result.h"
 #include "types/run_context.h"
@@ -15,6 +16,7 @@ namespace voxtet {
 /// Numbers of the finished mesh. Triangles are those of the adapted surface, each counted once.
 struct MeshForecast {
   double triangles = 0, points = 0, tets = 0;
+  double filled_tets = 0;  ///< with those beyond cuts, which are made and then left out
 };
 
 /// What kind of adapted surface to expect.
@@ -34,9 +36,9 @@ struct SurfaceExpectation {
 /// lengths rise inwards by 0.7 per mm. Constants and accuracy: tests/sweep/sweep_forecast.
 class MeshForecaster {
  public:
-  /// `label_surface` is the smoothed surface of the labels of `volume`, which has to outlive this. Linear
-  /// time.
-  MeshForecaster(const LabelVolume& volume, const SurfaceMesh& label_surface,
+  /// `label_surface` is the smoothed surface of the labels of `volume` that are not beyond `cuts`. Volume and
+  /// cuts have to outlive this. Linear time.
+  MeshForecaster(const LabelVolume& volume, const CutPlanes& cuts, const SurfaceMesh& label_surface,
                  const SurfaceExpectation& expectation);
 
   /// `sizing` lies on the grid that build_sizing_field gives the volume. Computing how lengths rise takes as
@@ -53,12 +55,13 @@ class MeshForecaster {
   double demand_per_mm2(const Sample& sample, double edge_mm) const;
 
   const LabelVolume& volume_;
+  const CutPlanes& cuts_;
   SurfaceExpectation expectation_;
   std::vector<Sample> samples_;
 };
 
 /// The number of tets that the target edge lengths alone ask for: a lower bound, from a sum over the voxels
-/// without any surface.
-double least_tets(const LabelVolume& volume, const SizingField& sizing);
+/// without any surface. What is beyond `cuts` is not counted.
+double least_tets(const LabelVolume& volume, const CutPlanes& cuts, const SizingField& sizing);
 
 }  // namespace voxtet

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "io/volume/write_volume.h"
+
 namespace voxtet {
 namespace {
 
@@ -64,6 +66,28 @@ TEST(Forecast, IsNearTheMeshThatComesOfIt) {
   }
 }
 
+/// The image cuts the body off on all sides, the recipe on one more.
+TEST(Forecast, LeavesOutWhatIsBeyondCuts) {
+  LabelVolume volume;
+  volume.size = {30, 24, 20};
+  volume.labels.assign(volume.voxel_count(), 1);
+  const Result<Bytes> file = write_nifti(volume, false);
+  ASSERT_TRUE(file.ok());
+  for (const bool cut : {false, true}) {
+    Session session;
+    ASSERT_TRUE(session.load_volume({"body.nii", *file, {}}).ok());
+    Recipe recipe = session.recipe();
+    recipe.sizing.edge_mm = 2;
+    if (cut) recipe.volume.cut.push_back({"", {}, {15, 12, 10}, {1, 1, 0}});
+    run_to(Stage::kSizing, recipe, session);
+    RunContext ctx;
+    const Result<Forecast> forecast = forecast_case(session, ctx);
+    ASSERT_TRUE(forecast.ok()) << forecast.error().message;
+    run_to(Stage::kOptimise, recipe, session);
+    EXPECT_NEAR(forecast->mesh.tets / static_cast<double>(session.mesh()->tets.size()), 1, 0.15) << cut;
+  }
+}
+
 TEST(Forecast, GivesARangeOfTimeForThisMachine) {
   Session session;
   run_to(Stage::kSizing, small_heart(), session);
@@ -102,7 +126,7 @@ TEST(Forecast, KnowsThatCoarseEdgesPassOverContactsOfManyLabels) {
     return forecast.ok() ? forecast->seconds : 0.0;
   };
   EXPECT_GT(seconds(60, 8), 1.2 * seconds(60, 4));
-  EXPECT_LE(seconds(1, 8), seconds(1, 4));
+  EXPECT_GT(seconds(60, 8) / seconds(60, 4), 1.2 * seconds(1, 8) / seconds(1, 4));
 }
 
 TEST(Forecast, OfOtherSizesLeavesTheMeshThatIsAtHand) {
