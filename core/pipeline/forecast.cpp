@@ -66,7 +66,7 @@ const SurfaceMesh& surface_built_in(const Session& session, Stage stage) {
 /// surface; 1 where they were not made.
 double slowness(const Session& session) {
   const double measured = session.record(Stage::kSurface).seconds + session.record(Stage::kSmooth).seconds;
-  if (!session.smooth() || !(measured > 0)) return 1;
+  if (!session.surface() || !session.smooth() || !(measured > 0)) return 1;
   const SurfaceMesh& extracted = surface_built_in(session, Stage::kSurface);
   const double millions = 1e-6 * static_cast<double>(extracted.triangles.size());
   return std::clamp(measured / (kSlower * (kSecondsOfNone + kSecondsOfSurface * millions)), kFastest,
@@ -239,10 +239,7 @@ Result<FittingSizes> fit_sizes(const Session& session, const Limits& limits, Run
 Status check_limits(const Session& session, RunContext& ctx, double space_mb) {
   Limits limits = session.recipe().limits;
   const bool may_be_hopeless =
-      space_mb > 0 &&
-      1e-6 * kOptimiseMb.tets *
-              least_tets(*prepared_of(session).meshed, prepared_of(session).cuts, *session.sizing()) >
-          space_mb;
+      space_mb > 0 && 1e-6 * kQualityMb.tets * least_tets(*session.volume(), *session.sizing()) > space_mb;
   if (!(limits.tets > 0 || limits.memory_mb > 0 || limits.seconds > 0 || may_be_hopeless))
     return std::monostate{};
   const Result<Forecast> forecast = forecast_case(session, ctx);

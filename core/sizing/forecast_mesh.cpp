@@ -147,8 +147,8 @@ Result<MeshForecast> MeshForecaster::forecast(const SizingField& sizing, const R
   return out;
 }
 
-double least_tets(const LabelVolume& volume, const CutPlanes& cuts, const SizingField& sizing) {
-  return kTetsPerVolume * tets_per_volume(volume, cuts, sizing, sizing.h_mm);
+double least_tets(const LabelVolume& volume, const SizingField& sizing) {
+  return kTetsPerVolume * tets_per_volume(volume, {}, sizing, sizing.h_mm);
 }
 
 }  // namespace voxtet

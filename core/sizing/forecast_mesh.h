@@ -60,8 +60,8 @@ class MeshForecaster {
   std::vector<Sample> samples_;
 };
 
-/// The number of tets that the target edge lengths alone ask for: a lower bound, from a sum over the voxels
-/// without any surface. What is beyond `cuts` is not counted.
-double least_tets(const LabelVolume& volume, const CutPlanes& cuts, const SizingField& sizing);
+/// The number of tets that the target edge lengths alone ask for: a lower bound of filled_tets, from a sum
+/// over the voxels without any surface.
+double least_tets(const LabelVolume& volume, const SizingField& sizing);
 
 }  // namespace voxtet
