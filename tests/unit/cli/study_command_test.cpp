@@ -9,7 +9,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kTwoBalls =
-    R"({"study":1,"case":{"source":{"phantom":{"kind":"sphere","radius_mm":8,"spacing_mm":[2,2,2]}}},"grid":{"sizing.edge_mm":[4,5]}})";
+    R"({"study":1,"case":{"source":{"phantom":{"kind":"sphere","radius_mm":8,"spacing_mm":[2,2,2]}}},"grid":{"sizing.edge_mm":[3,5]}})";
 
 TEST_F(CliTest, StudyRunsInChunksAndWritesItsTable) {
   write("study.json", kTwoBalls);
